@@ -2,80 +2,75 @@
 
 use std::collections::HashSet;
 use std::path::PathBuf;
-use std::sync::OnceLock;
+use std::sync::LazyLock;
 
 use figures::canvas::Paint;
-use figures::style::Anchor;
+use figures::style::{Anchor, LEAST, SCALE};
 use figures::{Entry, Figure, Look, Mark, Values, all, compare};
+use plotters::prelude::SVGBackend;
+use rayon::prelude::*;
 
 /// All figures, drawn once for all tests of this file.
-fn drawn() -> impl Iterator<Item = &'static (Entry, Figure)> {
-    static DRAWN: OnceLock<Vec<(Entry, Figure)>> = OnceLock::new();
+static DRAWN: LazyLock<Vec<(Entry, Figure)>> = LazyLock::new(|| {
     let draw = |entry: &Entry| {
-        let figure = entry
-            .draw(&Values::default())
-            .unwrap_or_else(|error| panic!("{}: {error}", entry.name));
-        (*entry, figure)
+        let figure = entry.draw(&Values::default());
+        (
+            *entry,
+            figure.unwrap_or_else(|error| panic!("{}: {error}", entry.name)),
+        )
     };
+    all().par_iter().with_max_len(1).map(draw).collect()
+});
+
+/// Name, figure, and what is drawn.
+fn drawn() -> impl Iterator<Item = (&'static str, &'static Figure, String)> {
     DRAWN
-        .get_or_init(|| all().iter().map(draw).collect())
         .iter()
+        .map(|(entry, figure)| (entry.name, figure, figure.svg()))
 }
 
 fn committed(name: &str) -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-        .join("svg")
-        .join(format!("{name}.svg"))
+    PathBuf::from(format!("svg/{name}.svg"))
 }
 
 /// Values of an attribute, in order of appearance.
 fn values<'a>(svg: &'a str, key: &str) -> Vec<&'a str> {
-    let opening = format!(" {key}=\"");
-    svg.split(&opening)
-        .skip(1)
+    let pieces = svg.split(&format!(" {key}=\"")).skip(1).collect::<Vec<_>>();
+    pieces
+        .iter()
         .filter_map(|rest| rest.split('"').next())
         .collect()
 }
 
 #[test]
 fn drawing_twice_gives_the_same_bytes() {
-    for (entry, first) in drawn() {
-        let second = entry
-            .draw(&Values::default())
-            .expect("it drew a moment ago");
+    DRAWN.par_iter().with_max_len(1).for_each(|(entry, first)| {
+        let second = entry.draw(&Values::default()).expect("it drew before");
         assert_eq!(first.svg(), second.svg(), "{}", entry.name);
-    }
+    });
 }
 
 /// `FIGURES=write cargo test -p figures` writes the files instead; look at them before you commit them.
 #[test]
 fn the_committed_files_are_what_the_code_draws() {
     let write = std::env::var_os("FIGURES").is_some_and(|v| v == "write");
-    for (entry, figure) in drawn() {
-        let path = committed(entry.name);
+    for (name, figure, _) in drawn() {
+        let (path, new) = (committed(name), figure.file(Look::default()));
         if write {
-            std::fs::write(&path, figure.file(Look::default()))
-                .expect("figures/svg can be written");
+            std::fs::write(&path, &new).expect("figures/svg can be written");
         }
         let old = std::fs::read_to_string(&path).unwrap_or_default();
-        if let Err(difference) = compare(entry.name, &old, &figure.file(Look::default())) {
-            panic!("{difference}");
-        }
+        assert_eq!(compare(name, &old, &new), Ok(()));
     }
 }
 
 #[test]
 fn no_file_without_a_figure() {
     let names: HashSet<&str> = all().iter().map(|entry| entry.name).collect();
-    let files =
-        std::fs::read_dir(committed("x").parent().expect("a folder")).expect("figures/svg exists");
-    for file in files {
+    for file in std::fs::read_dir("svg").expect("figures/svg exists") {
         let file = file.expect("a directory entry").path();
-        let name = file
-            .file_stem()
-            .and_then(|s| s.to_str())
-            .unwrap_or_default();
-        assert!(names.contains(name), "no figure is called {name}");
+        let name = file.file_stem().and_then(|name| name.to_str());
+        assert!(names.contains(name.expect("a name")), "no figure: {name:?}");
     }
 }
 
@@ -83,128 +78,87 @@ fn no_file_without_a_figure() {
 fn names_are_unique_and_kebab_case() {
     let mut seen = HashSet::new();
     for entry in all() {
-        assert!(
-            seen.insert(entry.name),
-            "two figures are called {}",
-            entry.name
-        );
-        let kebab = entry.name.split('-').all(|word| {
-            !word.is_empty()
-                && word
-                    .chars()
-                    .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit())
-        });
-        assert!(kebab, "{} is not kebab-case", entry.name);
+        let name = entry.name;
+        assert!(seen.insert(name), "two figures are called {name}");
+        let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit();
+        let mut words = name.split('-');
+        let kebab = words.all(|word| !word.is_empty() && word.chars().all(plain));
+        assert!(kebab, "{name} is not kebab-case");
     }
 }
 
 #[test]
 fn captions_and_alt_texts_say_something() {
-    for (entry, figure) in drawn() {
-        let name = entry.name;
-        assert!(
-            figure.alt.chars().count() >= 40,
-            "{name}: alt text of {} characters",
-            figure.alt.chars().count()
-        );
-        assert!(!figure.alt.contains('$'), "{name}: alt text is plain text");
-        let sentence = figure
-            .claim
-            .starts_with(|c: char| c.is_uppercase() || c.is_ascii_digit())
-            && figure.claim.ends_with('.')
-            && figure.claim.split_whitespace().count() >= 5;
-        assert!(
-            sentence,
-            "{name}: the claim is no sentence: {}",
-            figure.claim
-        );
-        assert!(
-            !figure.claim.contains('$'),
-            "{name}: the claim is plain text"
-        );
-        assert_eq!(
-            figure.details.matches('$').count() % 2,
-            0,
-            "{name}: a formula is left open"
-        );
-        assert!(
-            figure.details.contains(|c: char| c.is_ascii_digit()),
-            "{name}: the caption has no number"
-        );
+    for (name, figure, _) in drawn() {
+        let (claim, details, alt) = (&figure.claim, &figure.details, &figure.alt);
+        let begins = claim.starts_with(|c: char| c.is_uppercase() || c.is_ascii_digit());
+        let long = claim.split_whitespace().count() >= 5;
+        for (right, what) in [
+            (alt.chars().count() >= 40, "a longer alternative text"),
+            (!alt.contains('$'), "an alternative text that is plain"),
+            (
+                begins && long && claim.ends_with('.'),
+                "a claim that is a sentence",
+            ),
+            (!claim.contains('$'), "a claim that is plain text"),
+            (details.matches('$').count() % 2 == 0, "a formula that ends"),
+            (
+                details.contains(|c: char| c.is_ascii_digit()),
+                "a number in the caption",
+            ),
+        ] {
+            assert!(right, "{name} lacks {what}");
+        }
     }
 }
 
 #[test]
 fn no_text_is_below_thirteen_units() {
-    for (entry, figure) in drawn() {
-        let svg = figure.svg();
+    for (name, _, svg) in drawn() {
         let sizes = values(&svg, "font-size");
-        assert!(!sizes.is_empty(), "{}: no text at all", entry.name);
+        assert!(!sizes.is_empty(), "{name}: no text at all");
         for size in sizes {
-            let units = size.parse::<f64>().expect("a number") / figures::style::SCALE;
-            assert!(
-                units >= figures::style::LEAST,
-                "{}: text of {units} units",
-                entry.name
-            );
+            let units = size.parse::<f64>().expect("a number") / SCALE;
+            assert!(units >= LEAST, "{name}: text of {units} units");
         }
     }
 }
 
 #[test]
 fn the_page_decides_colours_and_background() {
-    for (entry, figure) in drawn() {
-        let (name, svg) = (entry.name, &figure.svg());
+    for (name, _, svg) in drawn() {
         let head = svg.lines().next().unwrap_or_default();
-        assert!(
-            !svg.contains("#000000"),
-            "{name}: black does not turn with the theme"
-        );
-        assert!(!svg.contains("<rect"), "{name}: a background or a box");
+        // A fixed size.
         for forbidden in [" width=\"", " height=\""] {
-            assert!(!head.contains(forbidden), "{name}: a fixed size");
+            assert!(!head.contains(forbidden), "{name}: {forbidden}");
         }
-        for needed in [
-            "viewBox=\"0 0 6000 ",
-            "role=\"img\"",
-            "aria-label=\"",
-            "class=\"fig\"",
-        ] {
+        for needed in "viewBox=\"0 0 6000 |role=\"img\"|aria-label=\"|class=\"fig\"".split('|') {
             assert!(head.contains(needed), "{name}: no {needed} in {head}");
         }
-        for outside in ["href", "://", "@import", "<image", "<script"] {
-            let inside = svg.replace("http://www.w3.org/2000/svg", "");
-            assert!(
-                !inside.contains(outside),
-                "{name}: reaches out by {outside}"
-            );
+        // Black that does not turn with the theme, a background or a box, what lies outside, the end of an HTML block in Markdown.
+        let inside = svg.replace("http://www.w3.org/2000/svg", "");
+        for word in "#000000 <rect href :// @import <image <script \n\n".split(' ') {
+            assert!(!inside.contains(word), "{name}: {word}");
         }
-        for id in values(svg, "id") {
-            assert!(
-                id.starts_with(&format!("fig-{name}-")),
-                "{name}: the id {id} lacks its prefix"
-            );
+        for id in values(&svg, "id") {
+            let own = id.starts_with(&format!("fig-{name}-"));
+            assert!(own, "{name}: the id {id} lacks its prefix");
         }
         // Colours come only as fallbacks of the page's variables.
-        for key in ["fill", "stroke"] {
-            for paint in values(svg, key) {
-                let by_role = ["none", "currentColor"].contains(&paint)
-                    || paint.starts_with("var(--")
-                    || paint.starts_with("url(#fig-");
-                assert!(by_role, "{name}: a colour without a role: {paint}");
-            }
+        for paint in ["fill", "stroke"].iter().flat_map(|key| values(&svg, key)) {
+            let plain = ["none", "currentColor"].contains(&paint);
+            let role = ["var(--", "url(#fig-"]
+                .iter()
+                .any(|role| paint.starts_with(role));
+            assert!(plain || role, "{name}: a colour without a role: {paint}");
         }
-        assert!(
-            !svg.contains("\n\n"),
-            "{name}: a blank line ends an HTML block in Markdown"
-        );
     }
 }
 
 #[test]
 fn a_file_has_plain_colours() {
-    for (entry, figure) in drawn() {
-        let (name, svg) = (entry.name, figure.file(Look::default()));
+    for (name, figure, _) in drawn() {
+        let svg = figure.file(Look::default());
         for key in ["fill", "stroke", "stop-color"] {
             for paint in values(&svg, key) {
                 let plain = paint.len() == 7 && paint.starts_with('#');
@@ -222,30 +176,27 @@ fn a_file_has_plain_colours() {
 /// librsvg knows no variables: what was drawn in them was left out, or black.
 #[test]
 fn another_renderer_shows_the_colours() {
-    let there = std::process::Command::new("rsvg-convert")
-        .arg("--version")
-        .output();
-    if there.is_err() {
-        return;
-    }
     for (name, least) in [("polhodes", 5000), ("nutations", 500)] {
-        let picture = std::process::Command::new("rsvg-convert")
-            .args(["--width=600", "--background-color=white"])
-            .arg(committed(name))
-            .output()
-            .expect("it ran a moment ago");
+        let mut renderer = std::process::Command::new("rsvg-convert");
+        let renderer = renderer.args(["--width=600", "--background-color=white"]);
+        // It may not be there.
+        let Ok(picture) = renderer.arg(committed(name)).output() else {
+            return;
+        };
         let mut decoder = png::Decoder::new(std::io::Cursor::new(picture.stdout));
         decoder.set_transformations(png::Transformations::STRIP_16);
         let mut reader = decoder.read_info().expect("a picture");
         let mut bytes = vec![0; reader.output_buffer_size().expect("a small picture")];
         let info = reader.next_frame(&mut bytes).expect("a frame");
         // Ink and its shades are nearly grey.
-        let coloured = bytes[..info.buffer_size()]
-            .chunks(info.color_type.samples())
-            .filter(|dot| {
-                dot[..3].iter().max().expect("three") - dot[..3].iter().min().expect("three") > 60
-            })
-            .count();
+        let dots = bytes[..info.buffer_size()].chunks(info.color_type.samples());
+        let coloured = |dot: &&[u8]| {
+            let shade = [dot[0], dot[1], dot[2]];
+            shade
+                .iter()
+                .any(|a| shade.iter().any(|b| a.abs_diff(*b) > 60))
+        };
+        let coloured = dots.filter(coloured).count();
         assert!(coloured >= least, "{name}: {coloured} coloured dots");
     }
 }
@@ -253,22 +204,13 @@ fn another_renderer_shows_the_colours() {
 /// The backend moves points outside to the edge: a curve that reaches the edge was cut.
 #[test]
 fn curves_keep_off_the_edge() {
-    for (entry, figure) in drawn() {
-        let size = size(&figure.svg());
-        for points in values(&figure.svg(), "points") {
-            for (k, n) in points
-                .split([' ', ','])
-                .filter(|n| !n.is_empty())
-                .enumerate()
-            {
+    for (name, _, svg) in drawn() {
+        let size = size(&svg);
+        for points in values(&svg, "points") {
+            let numbers = points.split([' ', ',']).filter(|n| !n.is_empty());
+            for (n, side) in numbers.zip(size.iter().cycle()) {
                 let n: i64 = n.parse().expect("canvas coordinates are whole numbers");
-                let inside = 20..=size[k % 2] - 20;
-                assert!(
-                    inside.contains(&n),
-                    "{}: {n} of {}",
-                    entry.name,
-                    size[k % 2]
-                );
+                assert!((20..=side - 20).contains(&n), "{name}: {n} of {side}");
             }
         }
     }
@@ -277,32 +219,26 @@ fn curves_keep_off_the_edge() {
 /// A sans-serif letter is 0.55 of its size wide on average, even in a wide face.
 #[test]
 fn texts_fit_on_the_canvas() {
-    for (entry, figure) in drawn() {
-        let width = size(&figure.svg())[0] as f64;
-        for element in figure.svg().split("<text").skip(1) {
+    for (name, _, svg) in drawn() {
+        let width = size(&svg)[0] as f64;
+        for element in svg.split("<text").skip(1) {
             let element = element.split("</text>").next().unwrap_or_default();
-            assert!(
-                !element.contains(['{', '}', '^', '*', '$']),
-                "{}: a sign of the notation is printed: {element}",
-                entry.name
-            );
+            let notation = element.contains(['{', '}', '^', '*', '$']);
+            assert!(!notation, "{name}: a sign is printed: {element}");
             let number = |key: &str| values(element, key)[0].parse::<f64>().expect("a number");
-            let letters: usize = element
+            let pieces = element
                 .split('<')
-                .map(|piece| piece.rsplit('>').next().unwrap_or_default().chars().count())
-                .sum();
+                .filter_map(|piece| piece.rsplit('>').next());
+            let letters: usize = pieces.map(|piece| piece.chars().count()).sum();
             let length = 0.55 * number("font-size") * letters as f64;
-            let left = number("x")
-                - match values(element, "text-anchor").first() {
-                    Some(&"middle") => 0.5 * length,
-                    Some(&"end") => length,
-                    _ => 0.0,
-                };
-            assert!(
-                left > -20.0 && left + length < width + 20.0,
-                "{}: a text runs off: {element}",
-                entry.name
-            );
+            let before = match values(element, "text-anchor").first() {
+                Some(&"middle") => 0.5 * length,
+                Some(&"end") => length,
+                _ => 0.0,
+            };
+            let left = number("x") - before;
+            let fits = left > -20.0 && left + length < width + 20.0;
+            assert!(fits, "{name}: a text runs off: {element}");
         }
     }
 }
@@ -313,8 +249,7 @@ fn by_plotters(figure: &Figure) -> String {
     use plotters::style::text_anchor::{HPos, Pos, VPos};
     let mut raw = String::new();
     {
-        let [width, height] = figure.size();
-        let area = SVGBackend::with_string(&mut raw, (width, height)).into_drawing_area();
+        let area = SVGBackend::with_string(&mut raw, figure.size().into()).into_drawing_area();
         let color = |paint: &Paint| {
             let (red, green, blue) = paint.role.stand_in();
             RGBColor(red, green, blue).mix(paint.alpha)
@@ -366,25 +301,21 @@ fn by_plotters(figure: &Figure) -> String {
 /// The pen calls the backend of plotters itself; plotters whole draws the same.
 #[test]
 fn plotters_draws_the_same_picture() {
-    for (entry, figure) in drawn() {
+    for (name, figure, _) in drawn() {
         let mut raw = String::new();
-        {
-            let [width, height] = figure.size();
-            let mut backend = plotters_svg::SVGBackend::with_string(&mut raw, (width, height));
-            figure
-                .draw(&mut backend)
-                .expect("a string takes every letter");
-        }
-        assert_eq!(raw, by_plotters(figure), "{}", entry.name);
+        let mut backend = SVGBackend::with_string(&mut raw, figure.size().into());
+        figure
+            .draw(&mut backend)
+            .expect("a string takes every letter");
+        drop(backend);
+        assert_eq!(raw, by_plotters(figure), "{name}");
     }
 }
 
 /// Width and height of the canvas.
 fn size(svg: &str) -> [i64; 2] {
-    let view: Vec<i64> = values(svg, "viewBox")[0]
-        .split(' ')
-        .map(|n| n.parse().expect("a number"))
-        .collect();
+    let view = values(svg, "viewBox")[0].split(' ');
+    let view: Vec<i64> = view.map(|n| n.parse().expect("a number")).collect();
     [view[2], view[3]]
 }
 
@@ -395,20 +326,16 @@ fn the_comparison_allows_one_unit_of_a_coordinate_and_nothing_else() {
     assert_eq!(compare("a", old, &old.replace("30,40", "31,39")), Ok(()));
     let told = compare("a", old, &old.replace("30,40", "32,40")).expect_err("two units");
     assert!(told.starts_with("figure a: token"), "{told}");
-    assert!(
-        told.contains("`30` in the committed file and `32` when drawn"),
-        "{told}"
-    );
+    let both = "`30` in the committed file and `32` when drawn";
+    assert!(told.contains(both), "{told}");
     // A label, a width, one more point.
     for (right, wrong) in [
         ("= 10", "= 11"),
         ("\"20\"", "\"21\""),
         ("30,40", "30,40 50,60"),
     ] {
-        assert!(
-            compare("a", old, &old.replace(right, wrong)).is_err(),
-            "{wrong}"
-        );
+        let other = old.replace(right, wrong);
+        assert!(compare("a", old, &other).is_err(), "{wrong}");
     }
     assert!(compare("a", old, "").is_err(), "a missing file");
 }

@@ -28,16 +28,15 @@ fn shapes(svg: &str) -> Vec<Vec<[f64; 2]>> {
         [x, y].map(|number| number.parse().expect("a number"))
     };
     let listed = pieces.map(|piece| piece.split('"').next().unwrap_or_default());
-    listed
-        .map(|points| points.split(' ').map(point).collect())
-        .collect()
+    let shapes = listed.map(|points| points.split(' ').map(point).collect());
+    shapes.collect()
 }
 
 /// The lines of a sheet, one after the other.
 fn words(svg: &str) -> String {
     let pieces = svg
         .split("</text>")
-        .map(|piece| piece.rsplit('>').next().unwrap_or_default());
+        .filter_map(|piece| piece.rsplit('>').next());
     pieces.collect::<Vec<_>>().join(" ")
 }
 
@@ -46,10 +45,8 @@ fn a_unit_is_a_millimetre_and_all_is_on_the_page() {
     for paper in Paper::ALL {
         let [width, height] = paper.size();
         for svg in svgs(paper) {
-            let head = format!(
-                "width=\"{width}mm\" height=\"{height}mm\" viewBox=\"0 0 {width} {height}\""
-            );
-            assert!(svg.contains(&head));
+            let head = format!("width=\"{width}mm\" height=\"{height}mm\"");
+            assert!(svg.contains(&format!("{head} viewBox=\"0 0 {width} {height}\"")));
             let shapes = shapes(&svg);
             // Printers do not reach the edge.
             for [x, y] in shapes.iter().flatten() {
@@ -101,9 +98,8 @@ fn the_cat_weighs_what_its_outline_weighs() {
         let [_, cat] = svgs(paper);
         let shapes = shapes(&cat);
         let corners = shapes[0].iter().zip(shapes[0].iter().cycle().skip(1));
-        let area: f64 = corners
-            .map(|(a, b)| 0.5 * (a[0] * b[1] - b[0] * a[1]))
-            .sum();
+        let area = corners.map(|(a, b)| 0.5 * (a[0] * b[1] - b[0] * a[1]));
+        let area: f64 = area.sum();
         assert!((area.abs() - outline).abs() < 1e-6, "{area}");
         let lever = 4.0 * 525.0 * 17.5 / outline;
         let told = [
@@ -186,28 +182,22 @@ fn one_sense_turns_the_solid_over_and_the_other_does_not() {
     let body = ConvexBody::new(found.mass(), found.inertia(), surface, center).expect("a body");
     let most = |spin: f64, friction: f64| -> f64 {
         let start = Start::about_vertical(5_f64.to_radians(), 0.0, spin).expect("a start");
-        let top = TableTop::new(body, start);
-        let top = top
-            .with(Gravity::new(9.81).expect("weight"))
-            .expect("weight");
+        let weight = Gravity::new(9.81).expect("weight");
+        let top = TableTop::new(body, start).with(weight).expect("weight");
         let law = Regularised::new(friction, 1e-3).expect("a law");
         let top = top.with(law).expect("friction");
         let times: Vec<f64> = (0..=100).map(|k| 0.05 * f64::from(k)).collect();
-        let request = Request::at(times)
-            .expect("times")
-            .to_accuracy(1e-2)
-            .expect("accuracy");
+        let request = Request::at(times).and_then(|request| request.to_accuracy(1e-2));
+        let request = request.expect("times and accuracy");
         let rows = top.simulate(&request).expect("a motion").rows;
         let tilts = rows.iter().map(|(_, state)| state.tilt().to_degrees());
         tilts.fold(0.0, f64::max)
     };
     for friction in [0.2, 0.3] {
         for spin in [165.0, 180.0, 195.0] {
-            let both = [most(-spin, friction), most(spin, friction)];
-            assert!(
-                both[0] > 150.0 && both[1] < 25.0,
-                "{spin} {friction}: {both:?}"
-            );
+            let (over, stays) = (most(-spin, friction), most(spin, friction));
+            assert!(over > 150.0, "{spin} {friction}: {over}");
+            assert!(stays < 25.0, "{spin} {friction}: {stays}");
         }
         assert!(most(-90.0, friction) < 15.0);
     }

@@ -1,6 +1,7 @@
 //! A figure is a function of its parameters: all of a range can be drawn, captions follow, hands find the values they take.
 
 use figures::{Entry, Figure, Look, Mark, Parameter, Values, all};
+use rayon::prelude::*;
 
 /// Figures that have parameters, and each of these.
 fn parameters() -> impl Iterator<Item = (&'static Entry, &'static Parameter)> {
@@ -39,7 +40,7 @@ fn stays_on_the_canvas(figure: &Figure, about: &str) {
 
 /// Draws `points` figures of each range.
 fn walk(points: u32) {
-    for (entry, parameter) in parameters() {
+    let walk = |(entry, parameter): (&Entry, &Parameter)| {
         let book = drawn(entry, &Values::default());
         let mut follows = false;
         for k in 0..points {
@@ -49,10 +50,8 @@ fn walk(points: u32) {
             stays_on_the_canvas(&figure, &about);
             let svg = figure.svg();
             for text in told(&figure).into_iter().chain([svg.as_str()]) {
-                let lost = ["NaN", "inf", "-0 ", "\u{2212}0 "];
-                let lost = lost
-                    .iter()
-                    .find(|lost| text.contains(**lost) && !text.contains("infin"));
+                let mut lost = ["NaN", "inf", "-0 ", "\u{2212}0 "].into_iter();
+                let lost = lost.find(|lost| text.contains(lost) && !text.contains("infin"));
                 assert_eq!(lost, None, "{about}: {}", text.lines().next().unwrap_or(""));
             }
             // Both ends, for the browser to look at.
@@ -68,7 +67,8 @@ fn walk(points: u32) {
         }
         let key = parameter.key;
         assert!(follows, "{}: no caption follows {key}", entry.name);
-    }
+    };
+    parameters().par_bridge().for_each(walk);
 }
 
 #[test]
@@ -91,10 +91,8 @@ fn parameters_are_well_formed() {
         assert!(Values::default().with(one, one.default).is_ok(), "{about}");
         let letters = |c: char| c.is_ascii_lowercase() || c == '_';
         assert!(one.key.chars().all(letters), "{about}");
-        assert!(
-            ![one.symbol, one.meaning].contains(&"") && !one.meaning.ends_with('.'),
-            "{about}"
-        );
+        let empty = one.symbol.is_empty() || one.meaning.is_empty();
+        assert!(!empty && !one.meaning.ends_with('.'), "{about}");
         let same = entry.parameters.iter().filter(|other| other.key == one.key);
         assert_eq!(same.count(), 1, "{about}");
     }
@@ -116,27 +114,18 @@ fn a_hand_finds_the_value_it_takes() {
         };
         for k in 0..50 {
             let values = chosen(parameter, f64::from(k) / 49.0);
-            let (value, place) = (values.of(parameter), handle(&values));
+            let (about, place) = (format!("{} of {values:?}", entry.name), handle(&values));
             // Whatever it was before.
             let found = parameter.dragged_to(place, &Values::default());
             let found = found.expect("it has a handle");
             let there = Values::default().with(parameter, found).map(|v| handle(&v));
             let [x, y] = there.expect("within its range");
-            assert!(
-                (x - place[0]).hypot(y - place[1]) <= 1e-3,
-                "{}: {} at {value} is found at {found}",
-                entry.name,
-                parameter.key
-            );
-            let [width, height] = drawn(entry, &values).size().map(f64::from);
-            let scale = figures::style::SCALE;
-            let inside = (0.0..=width / scale).contains(&place[0]);
-            assert!(
-                inside && (0.0..=height / scale).contains(&place[1]),
-                "{}: {} at {value} is off the canvas",
-                entry.name,
-                parameter.key
-            );
+            let off = (x - place[0]).hypot(y - place[1]);
+            assert!(off <= 1e-3, "{about}: found at {found}");
+            for (at, side) in place.into_iter().zip(drawn(entry, &values).size()) {
+                let side = f64::from(side) / figures::style::SCALE;
+                assert!((0.0..=side).contains(&at), "{about}: off the canvas");
+            }
         }
     }
 }

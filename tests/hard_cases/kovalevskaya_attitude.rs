@@ -55,12 +55,7 @@ fn commensurable_frequencies() {
             let [n1, n2] = made(spin).frequencies().expect("separated");
             k1 * n1 - k2 * n2
         };
-        assert!(
-            divisor(low) * divisor(high) < 0.0,
-            "{k1} {k2}: {:e} {:e}",
-            divisor(low),
-            divisor(high)
-        );
+        assert!(divisor(low) * divisor(high) < 0.0, "{k1} {k2}");
         for _ in 0..60 {
             let middle = 0.5 * (low + high);
             if divisor(low) * divisor(middle) <= 0.0 {
@@ -131,10 +126,7 @@ fn what_is_prepared_makes_no_difference() {
         fresh.states([1e4, 250.0]).next(),
         fresh.states([1e4]).next(),
     ];
-    assert_eq!(
-        first.expect("one").expect("a state"),
-        second.expect("one").expect("a state")
-    );
+    assert_eq!(first.expect("one"), second.expect("one"));
 }
 
 #[test]

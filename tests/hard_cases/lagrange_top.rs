@@ -123,13 +123,7 @@ fn height_and_its_complements_agree() -> Result<()> {
     for row in table() {
         let state = row.top()?.at(row.time)?;
         let half = 0.5 * (state.one_more - state.one_less);
-        observed!(
-            (state.height - half).abs(),
-            0.0..=5e-16,
-            "row {}: {:e}",
-            row.id,
-            state.height - half
-        );
+        observed!((state.height - half).abs(), 0.0..=5e-16, "row {}", row.id);
         observed!((state.one_more + state.one_less - 2.0).abs(), 3e-16..=1e-15);
     }
     Ok(())

@@ -230,10 +230,8 @@ fn one_unit_in_the_last_place_decides_the_kind() {
     let upright = Attitude::identity();
     let sleeping = |omega3: f64| top([1.0, 0.5, 1.0], [0.0, 0.0, omega3], upright).kind();
     assert_eq!(sleeping(4.0), Nutation::Sleeping { stable: true });
-    assert_eq!(
-        sleeping(4.0_f64.next_down()),
-        Nutation::Sleeping { stable: false }
-    );
+    let (below, stable) = (4.0_f64.next_down(), false);
+    assert_eq!(sleeping(below), Nutation::Sleeping { stable });
     // z = (0, 4/5, 3/5): steady precession 5 with L₃ = 4 under Mgl = 5, and the motion that climbs to the top and stays.
     let tilted = Attitude::from_quaternion(2.0, 1.0, 0.0, 0.0).expect("not zero");
     let kind = |weight: f64, omega: [f64; 3]| top([1.0, 0.5, weight], omega, tilted).kind();

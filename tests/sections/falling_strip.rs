@@ -1,10 +1,10 @@
 //! Tutorial 4.10: strips of paper tumble rather than flutter beyond a certain aspect ratio.
 
+use super::*;
 use rayon::prelude::*;
 use spinning_bodies::falling_strip::{
     Coefficients, Fall, LongRun, MEASURED_FROUDE, Regime, Sheet, Start, transition,
 };
-use support::{observed, refused};
 
 fn long_run(ratio: f64, coefficients: Coefficients) -> LongRun {
     let fall = Fall::new(ratio, coefficients).unwrap();
@@ -12,10 +12,7 @@ fn long_run(ratio: f64, coefficients: Coefficients) -> LongRun {
 }
 
 fn rounded(value: f64, digits: i32, expected: f64) {
-    assert!(
-        (value - expected).abs() <= 0.500001 * 10f64.powi(-digits),
-        "{value} is not {expected}"
-    );
+    near!(value, expected, 0.500001 * 10f64.powi(-digits));
 }
 
 // claim: C4.10-1
@@ -138,10 +135,8 @@ fn s4_10_the_tumbling_strip_drifts_and_the_fluttering_one_does_not() {
         assert!(off < 2.5, "{ratio}: {off}");
     }
     let fluttering = long_run(0.8, Coefficients::PUBLISHED);
-    assert!(
-        fluttering.reach < 5.0 && fluttering.drift.abs() < 1e-6,
-        "{fluttering:?}"
-    );
+    within(fluttering.reach, 5.0);
+    within(fluttering.drift.abs(), 1e-6);
 }
 
 // claim: C4.10-1

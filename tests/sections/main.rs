@@ -26,3 +26,17 @@ mod spool;
 mod superball;
 mod tippe_top;
 mod yo_yo;
+
+use approx::assert_relative_eq;
+use nalgebra::{Matrix3, Vector3};
+use num_rational::Ratio;
+use spinning_bodies::Error;
+use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
+use spinning_bodies::inertia::{InertiaMatrix, MassProperties, PrincipalMoments, shapes};
+use spinning_bodies::integrators::{Effort, Kept};
+use spinning_bodies::scene::{Request, Scene};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use support::{
+    ONE, R, TWO, Uniform, ZERO, close, cross, dot, exact, greatest, near, observed, ration,
+    rational, refused, relative, runge_kutta, vector, whole, within, wrapped,
+};

@@ -1,15 +1,14 @@
 //! Paragraph 4.4: the spool, tugged at every angle.
 
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_6, PI};
-
+use super::*;
 use lab::general::DifferentialEquations;
 use spinning_bodies::Result;
 use spinning_bodies::conservation::{Particle, Particles};
 use spinning_bodies::frame::SpaceVector as V;
 use spinning_bodies::integrators::Method;
 use spinning_bodies::rolling::{Coulomb, Course, Happening, Moment, RoundBody, Spool, Tug, Way};
-use spinning_bodies::scene::{Choice, Request, Scene, Solver, TuggedSpool};
-use support::{close, observed, refused};
+use spinning_bodies::scene::{Choice, Solver, TuggedSpool};
+use std::f64::consts::{FRAC_PI_3, FRAC_PI_6};
 
 /// M = 0.2 kg, r = 2 cm, R = 5 cm, κ = 1/2.
 fn spool() -> Spool {
@@ -62,16 +61,10 @@ fn s4_4_moments_about_centre_and_contact() {
 #[test]
 fn s4_4_rolls_with_a_low_tug_and_winds_up() {
     let (spool, hand) = (unit(), tug(1.0, 30.0));
-    close!(
-        spool.rolling_acceleration(hand),
-        0.244_016_935_856_292_43,
-        3e-16
-    );
-    close!(
-        spool.rolling_friction(hand),
-        -0.622_008_467_928_146_2,
-        3e-16
-    );
+    let (speeds_up, rubs) = (0.244_016_935_856_292_43, -0.622_008_467_928_146_2);
+    close!(spool.rolling_acceleration(hand), speeds_up, 3e-16);
+    close!(spool.rolling_friction(hand), rubs, 3e-16);
+
     for degrees in [0.0, 30.0, 50.0] {
         let hand = tug(1.0, degrees);
         let course = run(spool, hand, 9.8, Coulomb::new(0.5).unwrap(), 2.0);
@@ -174,10 +167,8 @@ fn s4_4_pays_out_and_past_the_vertical_follows() {
         let course = run(spool, hand, 9.81, Coulomb::new(0.5).unwrap(), 1.0);
         let end = course.at(1.0);
         assert!(course.events.is_empty());
-        assert!(
-            end.velocity < 0.0 && spool.wound(&end) < 0.0,
-            "{degrees}: string is paid out"
-        );
+        // String is paid out.
+        assert!(end.velocity < 0.0 && spool.wound(&end) < 0.0);
         assert_eq!(spool.way(hand.angle()).unwrap(), Way::PaysOut);
         // Away from a hand in front of the vertical, after a hand behind it. The hand goes with its tug all the same, and leaves
         // the spool behind by the string paid out.

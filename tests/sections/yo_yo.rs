@@ -1,11 +1,10 @@
 //! Tutorial 4.9: how does a yo-yo work?
 
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
-
-use spinning_bodies::integrators::{Effort, Kept, Leg, order_eight};
+use super::*;
+use spinning_bodies::Result;
+use spinning_bodies::integrators::{Leg, order_eight};
 use spinning_bodies::yo_yo::{Turn, Unwinding, YoYo, sleeping_spin, spin_after_waking};
-use spinning_bodies::{Error, Result};
-use support::observed;
+use std::f64::consts::FRAC_PI_4;
 
 const G: f64 = 9.81;
 
@@ -60,10 +59,7 @@ fn s4_9_the_toy_of_the_book() {
     let toy = toy();
     let way = let_go(toy);
     let rounded = |value: f64, digits: i32, expected: f64| {
-        assert!(
-            (value - expected).abs() <= 0.5000001 * 10f64.powi(-digits),
-            "{value}"
-        );
+        near!(value, expected, 0.5000001 * 10f64.powi(-digits));
     };
     rounded(16.82, 2, 16.82);
     rounded(toy.acceleration(0.0, 0.0, G), 5, 0.55051);
@@ -115,11 +111,7 @@ fn s4_9_the_thick_string_in_closed_form() -> Result<()> {
                 let depth = way.depth_at(*t)?;
                 // Observed: 4e-14, the error of order 8.
                 let bound = 2e-13;
-                assert!(
-                    (depth - y[0]).abs() < bound,
-                    "{depth} {} {gravity} {throw}",
-                    y[0]
-                );
+                near!(depth, y[0], bound);
                 assert!((way.speed(depth) - y[1]).abs() < 5.0 * bound);
                 close(way.time_at(depth)?, *t, 1e-14);
             }
@@ -193,10 +185,7 @@ fn s4_9_the_turn_against_its_equation_of_motion() {
         let turn = match Turn::new(toy, 20.0 * G, omega) {
             Ok(turn) => turn,
             Err(error) => {
-                assert!(
-                    matches!(error, Error::Condition { .. }) && omega < 21.0,
-                    "{omega}"
-                );
+                assert!(matches!(error, Error::Condition { .. }) && omega < 21.0);
                 continue;
             }
         };

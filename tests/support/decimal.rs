@@ -40,15 +40,15 @@ pub fn decimal(text: &str) -> Dd {
     let negative = mantissa.starts_with('-');
     let digits = mantissa.trim_start_matches('-');
     let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
-    let mut value = Dd::ZERO;
-    for digit in whole.bytes().chain(fraction.bytes()) {
-        value = value * Dd::from(10.0) + Dd::from(f64::from(digit - b'0'));
-    }
+    let digits = whole.bytes().chain(fraction.bytes());
+    let mut value = digits.fold(Dd::ZERO, |value, digit| {
+        value * 10.0 + f64::from(digit - b'0')
+    });
     // Ten to a power in steps that stay exact in 106 bits (10²² < 2⁷⁴ · 5-smooth part of 52 bits).
     let mut shift = exponent - fraction.len() as i32;
     while shift != 0 {
         let step = shift.clamp(-20, 20);
-        let power = Dd::from(10_f64.powi(step.abs()));
+        let power = 10_f64.powi(step.abs());
         value = if step > 0 {
             value * power
         } else {

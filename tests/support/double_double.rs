@@ -2,9 +2,11 @@
 //!
 //! Dekker's and Knuth's error-free sums and products; every operation is good to about 1e-31.
 
+use crate::greatest;
+use std::iter::Sum;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Default)]
 pub struct Dd {
     pub hi: f64,
     pub lo: f64,
@@ -46,9 +48,8 @@ impl Dd {
             return Self::ZERO;
         }
         let root = Self::from(self.hi.sqrt());
-        let half = Self::from(0.5);
-        let once = half * (root + self / root);
-        half * (once + self / once)
+        let once = 0.5 * (root + self / root);
+        0.5 * (once + self / once)
     }
 }
 
@@ -111,6 +112,35 @@ impl Div for Dd {
     }
 }
 
+/// An ordinary number on either side is a pair whose second half is nil.
+macro_rules! beside_an_ordinary_number {
+    ($($kind:ident $operator:ident),*) => {$(
+        impl $kind<f64> for Dd {
+            type Output = Self;
+            #[inline]
+            fn $operator(self, other: f64) -> Self {
+                $kind::$operator(self, Self::from(other))
+            }
+        }
+
+        impl $kind<Dd> for f64 {
+            type Output = Dd;
+            #[inline]
+            fn $operator(self, other: Dd) -> Dd {
+                $kind::$operator(Dd::from(self), other)
+            }
+        }
+    )*};
+}
+
+beside_an_ordinary_number!(Add add, Sub sub, Mul mul, Div div);
+
+impl Sum for Dd {
+    fn sum<I: Iterator<Item = Self>>(terms: I) -> Self {
+        terms.fold(Self::ZERO, Add::add)
+    }
+}
+
 /// Eigenvalues, ascending, of a symmetric matrix of ordinary numbers, by cyclic Jacobi rotations.
 pub fn eigenvalues(matrix: [[f64; 3]; 3]) -> [Dd; 3] {
     let mut a = matrix.map(|row| row.map(Dd::from));
@@ -127,8 +157,7 @@ pub fn eigenvalues(matrix: [[f64; 3]; 3]) -> [Dd; 3] {
             if difference.hi < 0.0 {
                 t = -t;
             }
-            let one = Dd::from(1.0);
-            let c = one / (one + t * t).sqrt();
+            let c = 1.0 / (1.0 + t * t).sqrt();
             let s = t * c;
             a[p][p] = a[p][p] - t * off;
             a[q][q] = a[q][q] + t * off;
@@ -142,9 +171,12 @@ pub fn eigenvalues(matrix: [[f64; 3]; 3]) -> [Dd; 3] {
         }
     }
     let mut values = [a[0][0], a[1][1], a[2][2]];
-    values.sort_by(|x, y| (x.hi, x.lo).partial_cmp(&(y.hi, y.lo)).expect("finite"));
+    values.sort_by(|x, y| x.partial_cmp(y).expect("finite"));
     values
 }
+
+/// The entries of a symmetric matrix: xx, yy, zz, xy, xz, yz.
+const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
 /// Volume, centre and inertia matrix about the centre (xx, yy, zz, xy, xz, yz) of a mesh of unit density.
 ///
@@ -163,7 +195,6 @@ pub fn mesh_truth(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> MeshTruth {
         let vertex = vertices[index as usize];
         [0, 1, 2].map(|i| two_sum(vertex[i], -apex[i]))
     };
-    let pairs = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
     let mut determinant = Dd::ZERO;
     let mut first = [Dd::ZERO; 3];
     let mut second = [Dd::ZERO; 6];
@@ -176,18 +207,18 @@ pub fn mesh_truth(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> MeshTruth {
         for i in 0..3 {
             first[i] = first[i] + d * (p[i] + q[i] + r[i]);
         }
-        for (sum, (i, j)) in second.iter_mut().zip(pairs) {
+        for (sum, (i, j)) in second.iter_mut().zip(PAIRS) {
             let own = p[i] * p[j] + q[i] * q[j] + r[i] * r[j];
             let mixed =
                 p[i] * q[j] + q[i] * p[j] + p[i] * r[j] + r[i] * p[j] + q[i] * r[j] + r[i] * q[j];
             *sum = *sum + d * (own + own + mixed);
         }
     }
-    let volume = determinant / Dd::from(6.0);
-    let c = first.map(|sum| sum / (Dd::from(4.0) * determinant));
-    let mut s = [Dd::ZERO; 6];
-    for (n, (i, j)) in pairs.into_iter().enumerate() {
-        s[n] = second[n] / Dd::from(120.0) - volume * c[i] * c[j];
+    let volume = determinant / 6.0;
+    let c = first.map(|sum| sum / (4.0 * determinant));
+    let mut s = second.map(|sum| sum / 120.0);
+    for (s, (i, j)) in s.iter_mut().zip(PAIRS) {
+        *s = *s - volume * c[i] * c[j];
     }
     MeshTruth {
         volume,
@@ -198,15 +229,8 @@ pub fn mesh_truth(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> MeshTruth {
 
 /// Largest difference between a computed inertia matrix and the exact one, over the largest exact entry.
 pub fn inertia_error(truth: &MeshTruth, computed: impl Fn(usize, usize) -> f64) -> f64 {
-    let pairs = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
-    let largest = truth
-        .inertia
-        .iter()
-        .fold(0.0, |m: f64, x| m.max(x.hi.abs()));
-    pairs
-        .into_iter()
-        .zip(truth.inertia)
-        .fold(0.0, |m: f64, ((i, j), exact)| {
-            m.max((Dd::from(computed(i, j)) - exact).value().abs() / largest)
-        })
+    let largest = greatest(truth.inertia.map(|x| x.hi.abs()));
+    let entries = PAIRS.into_iter().zip(truth.inertia);
+    let off = entries.map(|((i, j), exact)| (computed(i, j) - exact).value().abs());
+    greatest(off) / largest
 }

@@ -16,11 +16,12 @@ mod rationals;
 pub mod table;
 
 pub use random::{Uniform, any, ration};
-pub use rationals::{R, exact, rational};
+pub use rationals::{ONE, R, TWO, ZERO, exact, rational, whole};
 
 use core::f64::consts::TAU;
 use core::fmt::Arguments;
 use core::ops::{Add, Mul, RangeInclusive, Sub};
+use power_series::Number;
 use spinning_bodies::frame::BodyVector;
 use std::fs;
 use std::path::Path;
@@ -168,6 +169,33 @@ where
     T: Copy + Mul<Output = T> + Add<Output = T>,
 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// The product of two quaternions (w, x, y, z) in numbers of any kind.
+pub fn multiplied<T: Number>([a, b, c, d]: [T; 4], [w, x, y, z]: [T; 4]) -> [T; 4] {
+    [
+        a * w - b * x - c * y - d * z,
+        a * x + b * w + c * z - d * y,
+        a * y - b * z + c * w + d * x,
+        a * z + b * y - c * x + d * w,
+    ]
+}
+
+/// The rate of a quaternion (w, x, y, z) that turns body axes into those of space: half of q∘Ω, Ω along body axes.
+pub fn turned<T: Number>([w, x, y, z]: [T; 4], [a, b, c]: [T; 3]) -> [T; 4] {
+    let half = T::from(0.5);
+    [
+        T::from(-0.5) * (x * a + y * b + z * c),
+        half * (w * a + y * c - z * b),
+        half * (w * b + z * a - x * c),
+        half * (w * c + x * b - y * a),
+    ]
+}
+
+/// The greatest of these numbers, none of which is negative; what is no number is greater than all.
+pub fn greatest(numbers: impl IntoIterator<Item = f64>) -> f64 {
+    let greater = |a: f64, b: f64| if b.is_nan() { f64::INFINITY } else { a.max(b) };
+    numbers.into_iter().fold(0.0, greater)
 }
 
 /// The slope of ln error over ln step, by least squares.

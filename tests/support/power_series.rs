@@ -4,6 +4,7 @@
 //! In doubles, or in double-doubles for 30 digits.
 
 use crate::double_double::Dd;
+use crate::greatest;
 use std::ops::{Add, Div, Mul, Sub};
 
 pub const ORDER: usize = 30;
@@ -41,7 +42,7 @@ impl Number for Dd {
 }
 
 /// Euler–Poisson equations I dΩ/dt = IΩ∧Ω + z∧MgC, dz/dt = z∧Ω, dq/dt = ½qΩ.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy)]
 pub struct Top {
     pub moments: [f64; 3],
     pub lever: [f64; 3],
@@ -52,16 +53,10 @@ impl Top {
         let (mut y, mut done) = (start, 0.0);
         while done != t {
             let terms = self.series(&y);
-            let size = |n: usize| {
-                terms[n]
-                    .iter()
-                    .fold(0.0_f64, |m, x| m.max(x.double().abs()))
-            };
-            let reach = [ORDER - 1, ORDER]
-                .map(|n| (T::TINY * size(0) / size(n)).powf(1.0 / n as f64))
-                .into_iter()
-                .fold(f64::INFINITY, f64::min);
-            let rest: f64 = t - done;
+            let size = |n: usize| greatest(terms[n].map(|x| x.double().abs()));
+            let [one, other] =
+                [ORDER - 1, ORDER].map(|n| (T::TINY * size(0) / size(n)).powf(1.0 / n as f64));
+            let (reach, rest): (f64, f64) = (one.min(other), t - done);
             // The clock in steps that a double can count without rounding.
             let step = (rest.abs().min(reach) * 1048576.0).floor() / 1048576.0;
             let next = if rest.abs() <= reach {

@@ -6,6 +6,7 @@ use spinning_bodies::frame::Attitude;
 
 use crate::decimal::{decimal, hexadecimal};
 use crate::double_double::Dd;
+use crate::multiplied;
 
 /// One line of a table, its cells by number.
 pub struct Cells(Vec<&'static str>);
@@ -43,12 +44,10 @@ impl Cells {
 /// Twice the vector part of q⁻¹p in 106 bits: the angle between the attitudes without a subtraction from 1.
 pub fn angle(found: &Attitude, exact: [Dd; 4]) -> f64 {
     let p = found.quaternion();
-    let [w, x, y, z] = [p.w, p.i, p.j, p.k].map(Dd::from);
     let [a, b, c, d] = exact;
-    let i = a * x - b * w - c * z + d * y;
-    let j = a * y + b * z - c * w - d * x;
-    let k = a * z - b * y + c * x - d * w;
-    2.0 * i.value().hypot(j.value()).hypot(k.value())
+    let turn = multiplied([a, -b, -c, -d], [p.w, p.i, p.j, p.k].map(Dd::from));
+    let [_, x, y, z] = turn.map(Dd::value);
+    2.0 * x.hypot(y).hypot(z)
 }
 
 /// The three errors of an answer that is none.

@@ -1,32 +1,24 @@
 //! The measured table of the chapter "What accuracy costs" is that of the committed measurements.
 
-use std::fmt::Write as _;
 use std::path::Path;
 
 use lab::accuracy::measured::{self, EXACT, MOTIONS, SWEEP, TARGETS};
 use press::accuracy::HEADER;
 
 fn file(name: &str) -> std::path::PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("src/tables")
-        .join(name)
+    Path::new("src/tables").join(name)
 }
 
-/// `UPDATE_TABLES=1 cargo test -p book --test book accuracy_page` writes it.
 #[test]
 fn the_table_is_that_of_the_measurements() {
-    let table = winners();
-    if std::env::var_os("UPDATE_TABLES").is_some() {
-        std::fs::write(file("accuracy.md"), &table).unwrap();
-    }
-    assert_eq!(std::fs::read_to_string(file("accuracy.md")).unwrap(), table);
+    super::kept("src/tables/accuracy.md", &winners());
 }
 
 /// A Markdown table: for each motion over its longest run the time of the closed form, and for each accuracy the quickest stepper with its own.
 fn winners() -> String {
     let rows = measured::rows(SWEEP);
-    let mut text = "| motion | exact | $10^{-3}$ | $10^{-6}$ | $10^{-9}$ | $10^{-12}$ |\n|---|---|---|---|---|---|\n"
-        .to_owned();
+    let head = "| motion | exact | $10^{-3}$ | $10^{-6}$ | $10^{-9}$ | $10^{-12}$ |\n";
+    let mut text = format!("{head}|---|---|---|---|---|---|\n");
     for (motion, name, [.., turns]) in MOTIONS {
         let run = format!("{motion}/{turns}");
         let told = |target: f64, exact: bool| {
@@ -35,29 +27,21 @@ fn winners() -> String {
             first.map(|&(method, seconds)| (method, time(seconds)))
         };
         let exact = TARGETS.iter().find_map(|&target| told(target, true));
-        let _ = write!(
-            text,
-            "| {name} | {}",
-            exact.map_or("—".to_owned(), |(_, time)| time)
-        );
+        let exact = exact.map_or("—".to_owned(), |(_, time)| time);
+        text += &format!("| {name} | {exact}");
         for target in TARGETS {
-            let cell = told(target, false);
-            let cell = cell.map_or("—".to_owned(), |(method, time)| {
-                format!("{method} {time}")
-            });
-            let _ = write!(text, " | {cell}");
+            let cell = told(target, false).map(|(method, time)| format!("{method} {time}"));
+            text += &format!(" | {}", cell.unwrap_or("—".to_owned()));
         }
-        text.push_str(" |\n");
+        text += " |\n";
     }
     text
 }
 
 fn time(seconds: f64) -> String {
-    if seconds < 1e-3 {
-        format!("{}\u{a0}µs", short(1e6 * seconds))
-    } else {
-        format!("{}\u{a0}ms", short(1e3 * seconds))
-    }
+    let micro = seconds < 1e-3;
+    let (factor, unit) = if micro { (1e6, "µs") } else { (1e3, "ms") };
+    format!("{}\u{a0}{unit}", short(factor * seconds))
 }
 
 /// Two digits: more would not be the same tomorrow.
@@ -99,10 +83,8 @@ fn the_measurements_name_their_machine() {
     assert_eq!(scenes.lines().nth(1), Some(HEADER));
     let mut lines = csv.lines();
     let first = lines.next().unwrap();
-    assert!(
-        first.starts_with("# ") && first.contains("Rust 1."),
-        "{first}"
-    );
+    let told = first.starts_with("# ") && first.contains("Rust 1.");
+    assert!(told, "{first}");
     assert_eq!(lines.next(), Some(HEADER));
     assert!(lines.clone().count() > 1000);
     for line in lines {
@@ -128,20 +110,14 @@ fn the_page_says_what_was_measured() {
             let ranked = ranked(&format!("{problem}/1000"), target);
             assert_eq!(ranked[0].0, "exact");
             let next = factor(&ranked, |method| method != "exact");
-            assert!(
-                next.is_none_or(|factor| factor > 100.0),
-                "{problem} {target:e}"
-            );
+            let far = next.is_none_or(|factor| factor > 100.0);
+            assert!(far, "{problem} {target:e}");
         }
     }
     // Kovalevskaya's, too, at the same price for one turn and a thousand: an eighth of a millisecond from an ordinary start, less from the upright one.
     let exact = |problem: &str| {
         let ranked = ranked(problem, 1e-9);
-        ranked
-            .iter()
-            .find(|(method, _)| *method == "exact")
-            .unwrap()
-            .1
+        ranked.iter().find(|row| row.0 == "exact").unwrap().1
     };
     for (problem, target, price) in [
         ("kovalevskaya-level", 1e-12, 1e-4..1.5e-4),
@@ -190,10 +166,8 @@ fn the_page_says_what_was_measured() {
             let ranked = measured::ranking(&rows, scene, target);
             assert_eq!(ranked[0].0, "dormand-prince-8", "{scene} {target:e}");
             let peer = factor(&ranked, |method| method == "dop853");
-            assert!(
-                peer.is_none_or(|factor| (least..7.1).contains(&factor)),
-                "{scene} {target:e}: {peer:?}"
-            );
+            let near = peer.is_none_or(|factor| (least..7.1).contains(&factor));
+            assert!(near, "{scene} {target:e}: {peer:?}");
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::none;
 use press::chapters::{CHAPTERS, Chapter};
 use press::ledger::{is_rust, markdown_options};
-use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd};
+use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Parser, Tag, TagEnd};
 use std::collections::{BTreeMap, HashSet};
 
 /// Lines of a Rust example that the reader sees.
@@ -60,15 +60,10 @@ fn the_summary_is_the_list_of_chapters() {
 fn every_block_of_code_says_what_it_is() {
     let mut faults = Vec::new();
     for (chapter, line, tag, _) in blocks() {
-        let known = tag
-            .as_deref()
-            .is_some_and(|tag| is_rust(tag) || matches!(tag, "rs" | "text" | "toml" | "sh"));
-        if !known {
+        let tag = tag.as_deref().unwrap_or("none, indented");
+        if !is_rust(tag) && !matches!(tag, "rs" | "text" | "toml" | "sh") {
             faults.push(format!(
-                "book/src/{chapter}.md:{line}: {}; rustdoc would run it as Rust",
-                tag.map_or("indented code".into(), |tag| format!(
-                    "a fence tagged '{tag}'"
-                ))
+                "{chapter}.md:{line}: tagged '{tag}'; rustdoc would run it"
             ));
         }
     }
@@ -84,20 +79,14 @@ fn rust_examples_are_short_and_hold_no_directive() {
         }
         let hidden = |line: &str| line.trim_start().starts_with("# ") || line.trim() == "#";
         let visible = text.lines().filter(|line| !hidden(line)).count();
-        if visible > MOST_LINES {
-            faults.push(format!(
-                "book/src/{chapter}.md:{line}: {visible} visible lines, {MOST_LINES} are allowed"
-            ));
-        }
-        if text.contains("{{#") {
-            faults.push(format!(
-                "book/src/{chapter}.md:{line}: a directive in a Rust block"
-            ));
-        }
-        if !text.contains("assert") {
-            faults.push(format!(
-                "book/src/{chapter}.md:{line}: the example asserts nothing"
-            ));
+        for (wrong, what) in [
+            (visible > MOST_LINES, "more lines than a reader wants"),
+            (text.contains("{{#"), "a directive in a Rust block"),
+            (!text.contains("assert"), "the example asserts nothing"),
+        ] {
+            if wrong {
+                faults.push(format!("book/src/{chapter}.md:{line}: {what}"));
+            }
         }
     }
     none(&faults);
@@ -108,40 +97,29 @@ fn every_figure_is_shown_once_in_its_chapter() {
     let mut shown: BTreeMap<String, Vec<&str>> = BTreeMap::new();
     for chapter in CHAPTERS {
         for line in source(chapter).lines() {
-            let name = line
-                .trim()
-                .strip_prefix("{{figure ")
-                .and_then(|rest| rest.strip_suffix("}}"));
-            let Some(name) = name else { continue };
+            let rest = line.trim().strip_prefix("{{figure ");
+            let name = rest.and_then(|rest| rest.strip_suffix("}}"));
+            let Some(name) = name.map(str::trim) else {
+                continue;
+            };
             if chapter.name == press::typesetter::COVER {
-                let known = figures::all().iter().any(|entry| entry.name == name.trim());
-                assert!(
-                    known,
-                    "the cover shows figure {name}, which is not registered"
-                );
+                let known = figures::all().iter().any(|entry| entry.name == name);
+                assert!(known, "the cover shows {name}, which is no figure");
             } else {
-                shown
-                    .entry(name.trim().to_owned())
-                    .or_default()
-                    .push(chapter.name);
+                shown.entry(name.to_owned()).or_default().push(chapter.name);
             }
         }
     }
     let mut faults = Vec::new();
     for entry in figures::all() {
-        match shown.remove(entry.name).as_deref() {
-            Some([chapter]) if *chapter == entry.chapter => {}
-            Some(chapters) => faults.push(format!(
-                "figure {} is declared for '{}' and shown in {chapters:?}",
-                entry.name, entry.chapter
-            )),
-            None => faults.push(format!("figure {} is shown nowhere", entry.name)),
+        let chapters = shown.remove(entry.name).unwrap_or_default();
+        let (name, own) = (entry.name, entry.chapter);
+        if chapters != [own] {
+            faults.push(format!("{name} is '{own}'s and shown in {chapters:?}"));
         }
     }
     for (name, chapters) in shown {
-        faults.push(format!(
-            "{chapters:?} shows figure {name}, which is not registered"
-        ));
+        faults.push(format!("{chapters:?} shows {name}, which is no figure"));
     }
     none(&faults);
 }
@@ -149,18 +127,12 @@ fn every_figure_is_shown_once_in_its_chapter() {
 #[test]
 fn every_chapter_has_one_title() {
     for chapter in CHAPTERS {
-        let titles = Parser::new_ext(&source(chapter), markdown_options())
-            .filter(|event| {
-                matches!(
-                    event,
-                    Event::Start(Tag::Heading {
-                        level: pulldown_cmark::HeadingLevel::H1,
-                        ..
-                    })
-                )
-            })
-            .count();
-        assert_eq!(titles, 1, "{} has {titles} titles", chapter.name);
+        let source = source(chapter);
+        let titles = Parser::new_ext(&source, markdown_options()).filter(|event| match event {
+            Event::Start(Tag::Heading { level, .. }) => *level == HeadingLevel::H1,
+            _ => false,
+        });
+        assert_eq!(titles.count(), 1, "{}", chapter.name);
     }
 }
 
@@ -173,16 +145,10 @@ fn the_foot_of_a_page_names_files_that_exist() {
         let foot = chapter.foot().unwrap_or_default();
         for file in chapter.files {
             let path = root.join(file);
-            let right = if file.ends_with('/') {
-                path.is_dir()
-            } else {
-                path.is_file()
-            };
+            let (folder, name) = (file.ends_with('/'), chapter.name);
+            let right = path.exists() && path.is_dir() == folder;
             if !right || !foot.contains(&format!("<code>{file}</code>")) {
-                faults.push(format!(
-                    "{}: '{file}' does not exist or is of no known kind",
-                    chapter.name
-                ));
+                faults.push(format!("{name}: '{file}' is not there or not in the foot"));
             }
             named.insert(path);
         }
@@ -197,17 +163,10 @@ fn the_foot_of_a_page_names_files_that_exist() {
     for entry in figures::all() {
         let chapter = CHAPTERS
             .iter()
-            .find(|chapter| chapter.name == entry.chapter)
-            .unwrap();
-        if !chapter
-            .files
-            .iter()
-            .any(|file| file.starts_with("figures/src/"))
-        {
-            faults.push(format!(
-                "{} does not say where '{}' is drawn",
-                chapter.name, entry.name
-            ));
+            .find(|chapter| chapter.name == entry.chapter);
+        let mut files = chapter.unwrap().files.iter();
+        if !files.any(|file| file.starts_with("figures/src/")) {
+            faults.push(format!("no chapter says where '{}' is drawn", entry.name));
         }
     }
     none(&faults);

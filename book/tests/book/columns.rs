@@ -1,70 +1,41 @@
 //! The columns of a scene mean what their names say: energies add up, and forces are what moves the centre of mass.
 
-use std::path::Path;
-
 use press::scenes::{parse, prices::PRICED};
 use spinning_bodies::scene::files::kinds;
 
 /// The rows of a scene file of the book that tells these numbers at these times.
 fn rows<const N: usize>(file: &str, names: [&str; N], times: &[f64]) -> Vec<[f64; N]> {
-    let text = std::fs::read_to_string(Path::new("scenes").join(file).with_extension("toml"));
-    let (scene, request) = parse(file, &text.unwrap()).unwrap();
-    let table = scene
-        .telling(&names)
-        .unwrap()
-        .simulate(&request.of_times(times).to_accuracy(1e-10).unwrap());
+    let text = std::fs::read_to_string(format!("scenes/{file}.toml")).unwrap();
+    let (scene, request) = parse(file, &text).unwrap();
+    let request = request.of_times(times).to_accuracy(1e-10).unwrap();
+    let table = scene.telling(&names).unwrap().simulate(&request);
     table.unwrap().numbers(names).unwrap()
 }
 
-/// The largest |`total` − Σ `parts`|, over the largest of all these numbers.
-fn missing<const N: usize>(file: &str, names: [&str; N], times: &[f64]) -> f64 {
-    let rows = rows(file, names, times);
+/// The first of these numbers is the sum of the others, to 2e-15 of the largest of all.
+fn adds_up<const N: usize>(file: &str, names: [&str; N]) {
+    let times: Vec<f64> = (0..40).map(|n| 0.031 * f64::from(n)).collect();
+    let rows = rows(file, names, &times);
     let largest = rows.iter().flatten().fold(0.0_f64, |a, b| a.max(b.abs()));
-    let sums = rows
-        .iter()
-        .map(|row| (row[0] - row[1..].iter().sum::<f64>()).abs());
-    sums.fold(0.0, f64::max) / largest
+    for row in rows {
+        let off = row[0] - row[1..].iter().sum::<f64>();
+        assert!(off.abs() <= 2e-15 * largest, "{file}: {row:?}");
+    }
 }
 
 #[test]
 fn energy_is_the_sum_of_its_parts() {
-    let times: Vec<f64> = (0..40).map(|n| 0.031 * f64::from(n)).collect();
-    let table = ["energy", "translation", "rotation", "potential"];
-    for (file, off) in [
-        ("tippe-top", missing("tippe-top", table, &times)),
-        ("rattleback", missing("rattleback", table, &times)),
-        ("superball", missing("superball", table, &times)),
-        (
-            "heavy-body",
-            missing("heavy-body", ["energy", "kinetic", "potential"], &times),
-        ),
-        (
-            "sleeping-top",
-            missing("sleeping-top", ["energy", "kinetic", "potential"], &times),
-        ),
-        (
-            "billiard-shot",
-            missing(
-                "billiard-shot",
-                ["energy", "translation", "rotation"],
-                &times,
-            ),
-        ),
-        (
-            "spool",
-            missing("spool", ["energy", "translation", "rotation"], &times),
-        ),
-        (
-            "swivel",
-            missing("swivel", ["upper", "lower", "twist"], &times),
-        ),
-        (
-            "crawler",
-            missing("crawler", ["front", "rear", "gap"], &times),
-        ),
-    ] {
-        assert!(off <= 2e-15, "{file}: {off:e}");
+    for file in ["tippe-top", "rattleback", "superball"] {
+        adds_up(file, ["energy", "translation", "rotation", "potential"]);
     }
+    for file in ["heavy-body", "sleeping-top"] {
+        adds_up(file, ["energy", "kinetic", "potential"]);
+    }
+    for file in ["billiard-shot", "spool"] {
+        adds_up(file, ["energy", "translation", "rotation"]);
+    }
+    adds_up("swivel", ["upper", "lower", "twist"]);
+    adds_up("crawler", ["front", "rear", "gap"]);
 }
 
 /// What becomes of the energy is told twice: as what resistance has taken, and as a flow of its own.
@@ -85,23 +56,13 @@ fn forces_are_what_moves_the_centre_of_mass() {
     let about = |t: f64| [t - STEP, t, t + STEP];
     let second = |rows: &[f64]| (rows[0] - 2.0 * rows[1] + rows[2]) / (STEP * STEP);
     // A top with friction: mass 0.1 kg, C 0.04 m along axis 3.
-    let names = [
-        "nutation",
-        "precession",
-        "force_x",
-        "force_y",
-        "force_z",
-        "force",
-        "height",
-    ];
+    let [fx, fy, fz, f] = ["force_x", "force_y", "force_z", "force"];
+    let names = ["nutation", "precession", fx, fy, fz, f, "height"];
     let top = rows("nutation-dies", names, &about(0.7));
     let place = |[tilt, turned, ..]: &[f64; 7]| {
         let level = 0.04 * tilt.sin();
-        [
-            level * turned.sin(),
-            -level * turned.cos(),
-            0.04 * tilt.cos(),
-        ]
+        let [across, along] = [turned.sin(), -turned.cos()].map(|x| level * x);
+        [across, along, 0.04 * tilt.cos()]
     };
     let places: Vec<[f64; 3]> = top.iter().map(place).collect();
     let mut size = 0.0_f64;
@@ -119,17 +80,10 @@ fn forces_are_what_moves_the_centre_of_mass() {
     let rate = |k: usize| (top[2][k] - top[0][k]) / (2.0 * STEP);
     let push = 0.02 * (rate(2) + 9.82);
     let level = 0.02 * rate(0).hypot(rate(1));
-    assert!(
-        (push / top[1][3] - 1.0).abs() < 1e-3,
-        "{push} {}",
-        top[1][3]
-    );
-    assert!(
-        (level / top[1][4] - 1.0).abs() < 1e-2,
-        "{level} {}",
-        top[1][4]
-    );
-    assert!(top[1][4] > 0.0);
+    let [.., reaction, friction] = top[1];
+    assert!((push / reaction - 1.0).abs() < 1e-3, "{push} {reaction}");
+    assert!((level / friction - 1.0).abs() < 1e-2, "{level} {friction}");
+    assert!(friction > 0.0);
 }
 
 /// L in space stays while nothing turns the body; it leans from the axis as L₃ = L cos says.
@@ -159,10 +113,8 @@ fn angular_momentum_in_a_plane_is_that_of_the_rotation() {
     }
     // m a²/3 of a flat strip, 0.08 kg/m² and 2 cm wide; m k² of a cat cut from a postcard.
     let strip = 0.08 * 0.02 * 0.01 * 0.01 / 3.0;
-    for (file, rate, moment) in [
-        ("strip", "omega", strip),
-        ("paper-cat", "tilt_rate", 1.2e-3 * 4e-4),
-    ] {
+    let paper = 1.2e-3 * 4e-4;
+    for (file, rate, moment) in [("strip", "omega", strip), ("paper-cat", "tilt_rate", paper)] {
         for [l, rate] in rows(file, ["l", rate], &times) {
             assert!((l / (moment * rate) - 1.0).abs() <= 1e-14, "{file}");
         }
@@ -197,13 +149,8 @@ fn every_column_has_a_name_of_its_own_a_unit_and_a_meaning() {
         let columns = scene.columns();
         for (place, column) in columns.iter().enumerate() {
             assert!(!column.unit.is_empty() && !column.meaning.is_empty());
-            assert!(
-                !columns[..place]
-                    .iter()
-                    .any(|other| other.name == column.name),
-                "{column:?}"
-            );
-            assert!(column.name != "t", "{}", priced.kind);
+            let mut others = columns[..place].iter().map(|other| other.name).chain(["t"]);
+            assert!(others.all(|other| other != column.name), "{column:?}");
         }
         let names: Vec<&str> = columns.iter().map(|column| column.name).collect();
         let table = scene.telling(&names).unwrap().simulate(&request).unwrap();
@@ -219,9 +166,10 @@ fn tables() -> String {
     for priced in PRICED {
         let (scene, _) = parse(priced.kind, &priced.file(|_| true)).unwrap();
         text += &format!(
-            "<details><summary><code>{}</code></summary>\n\n| column | unit | what |\n|---|---|---|\n",
+            "<details><summary><code>{}</code></summary>\n\n",
             priced.kind
         );
+        text += "| column | unit | what |\n|---|---|---|\n";
         for column in scene.columns() {
             let bold = if column.usual { "**" } else { "" };
             let (name, unit) = (column.name, column.unit);
@@ -234,13 +182,7 @@ fn tables() -> String {
     text
 }
 
-/// `UPDATE_TABLES=1 cargo test -p book --test columns` writes them.
 #[test]
 fn the_page_lists_every_column() {
-    let page = "src/tables/columns.md";
-    if std::env::var_os("UPDATE_TABLES").is_some() {
-        std::fs::write(page, tables()).unwrap();
-    }
-    let same = std::fs::read_to_string(page).unwrap() == tables();
-    assert!(same, "{page} is old; UPDATE_TABLES=1 writes it");
+    super::kept("src/tables/columns.md", &tables());
 }

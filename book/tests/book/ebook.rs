@@ -1,6 +1,6 @@
 //! The EPUB, read as strictly as a device may: XML, nothing that leads nowhere, the pages of the book.
 
-use super::{drawings, none};
+use super::{DRAWINGS, none};
 use roxmltree::{Document, ParsingOptions};
 use std::collections::{BTreeMap, HashSet};
 use std::io::Read;
@@ -11,14 +11,12 @@ use zip::{CompressionMethod, ZipArchive};
 fn every_page_of_the_epub_is_xml_and_leads_somewhere() {
     let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("spinning-bodies.epub");
     let root = press::paths::workspace_root().unwrap();
-    press::ebook::epub(&root, drawings(), &file).unwrap();
+    press::ebook::epub(&root, &DRAWINGS, &file).unwrap();
     let mut zip = ZipArchive::new(std::fs::File::open(&file).unwrap()).unwrap();
 
     let first = zip.by_index(0).unwrap();
-    assert_eq!(
-        (first.name(), first.compression()),
-        ("mimetype", CompressionMethod::Stored)
-    );
+    assert_eq!(first.name(), "mimetype");
+    assert_eq!(first.compression(), CompressionMethod::Stored);
     drop(first);
 
     let mut texts = BTreeMap::new();
@@ -32,29 +30,20 @@ fn every_page_of_the_epub_is_xml_and_leads_somewhere() {
         allow_dtd: true,
         ..ParsingOptions::default()
     };
-    let is_xml = |name: &str| !name.ends_with(".css");
-    let parts: BTreeMap<&str, Document<'_>> = texts
-        .iter()
-        .filter(|(name, _)| is_xml(name))
-        .map(
-            |(name, text)| match Document::parse_with_options(text, options) {
-                Ok(document) => (name.as_str(), document),
-                Err(error) => panic!("{name}: {error}"),
-            },
+    let xml = texts.iter().filter(|(name, _)| !name.ends_with(".css"));
+    let parts = xml.map(|(name, text)| {
+        let document = Document::parse_with_options(text, options);
+        (
+            name.as_str(),
+            document.unwrap_or_else(|error| panic!("{name}: {error}")),
         )
-        .collect();
-
-    let ids: BTreeMap<&str, HashSet<&str>> = parts
-        .iter()
-        .map(|(name, part)| {
-            (
-                *name,
-                part.descendants()
-                    .filter_map(|e| e.attribute("id"))
-                    .collect(),
-            )
-        })
-        .collect();
+    });
+    let parts: BTreeMap<&str, Document<'_>> = parts.collect();
+    let ids = parts.iter().map(|(name, part)| {
+        let ids = part.descendants().filter_map(|e| e.attribute("id"));
+        (*name, ids.collect())
+    });
+    let ids: BTreeMap<&str, HashSet<&str>> = ids.collect();
     let mut faults = Vec::new();
     let mut chapters = 0;
     for (name, part) in parts.iter().filter(|(name, _)| name.ends_with(".xhtml")) {
@@ -66,41 +55,26 @@ fn every_page_of_the_epub_is_xml_and_leads_somewhere() {
             };
             let (file, place) = to.split_once('#').unwrap_or((to, ""));
             let file = if file.is_empty() { name } else { file };
-            let there = texts.contains_key(file)
-                && (place.is_empty() || ids.get(file).is_some_and(|ids| ids.contains(place)));
-            if !there {
+            let named = || ids.get(file).is_some_and(|ids| ids.contains(place));
+            if !texts.contains_key(file) || !(place.is_empty() || named()) {
                 faults.push(format!("{name} leads to {to}"));
             }
         }
-        let hidden = |text: &str| text.lines().any(|line| line.starts_with("# "));
-        let code = part
-            .descendants()
-            .filter(|e| e.has_tag_name(("http://www.w3.org/1999/xhtml", "code")));
-        let rust = code.filter(|e| {
-            e.attribute("class")
-                .is_some_and(|class| class.contains("rust"))
-        });
-        faults.extend(
-            rust.filter_map(|e| e.text())
-                .filter(|text| hidden(text))
-                .map(|text| format!("{name} shows {text}")),
-        );
+        let hidden = |text: &&str| text.lines().any(|line| line.starts_with("# "));
+        let code = ("http://www.w3.org/1999/xhtml", "code");
+        let code = part.descendants().filter(|e| e.has_tag_name(code));
+        let rust = code.filter(|e| e.attribute("class").is_some_and(|c| c.contains("rust")));
+        let shown = rust.filter_map(|e| e.text()).filter(hidden);
+        faults.extend(shown.map(|text| format!("{name} shows {text}")));
     }
     none(&faults);
     assert!(chapters > 25, "only {chapters} pages");
     // A formula is mathematics, and a figure a picture with words for it.
-    assert!(
-        texts["superball.xhtml"].contains("<math") && !texts["superball.xhtml"].contains("katex")
-    );
-    let superball = &parts["superball.xhtml"];
-    let figures = superball.descendants().filter(|e| {
-        e.attribute("src")
-            .is_some_and(|to| to.starts_with("figures/"))
+    let superball = &texts["superball.xhtml"];
+    assert!(superball.contains("<math") && !superball.contains("katex"));
+    let figures = parts["superball.xhtml"].descendants().filter(|e| {
+        let source = e.attribute("src").unwrap_or("");
+        source.starts_with("figures/") && e.attribute("alt").is_some_and(|alt| alt.len() > 20)
     });
-    assert!(
-        figures
-            .filter(|e| e.attribute("alt").is_some_and(|alt| alt.len() > 20))
-            .count()
-            >= 3
-    );
+    assert!(figures.count() >= 3);
 }

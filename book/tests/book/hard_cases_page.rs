@@ -1,6 +1,6 @@
 //! The table of the chapter "Hard cases" is what the library computes.
 
-use std::path::Path;
+use super::kept;
 
 use lab::hard_cases::{Comparison, families};
 
@@ -37,30 +37,20 @@ fn table() -> String {
             digits(best.unwrap().textbook)
         };
         let cells: Vec<String> = COLUMNS.iter().map(|column| at(column.0)).collect();
-        let worst = steps
-            .iter()
-            .fold(0.0_f64, |worst, step| worst.max(step.ours));
-        text += &format!(
-            "| **{}**: {} ({}) | ${}$<br />${}$ | {} | {} |\n",
+        let worst = steps.iter().map(|step| step.ours).fold(0.0, f64::max);
+        let (name, of, at) = (
             family.name.replace('-', " "),
             family.quantity,
             family.paragraph,
-            lines(family.printed),
-            lines(family.cure),
-            cells.join(" | "),
-            digits(worst)
         );
+        let (printed, cure) = (lines(family.printed), lines(family.cure));
+        text += &format!("| **{name}**: {of} ({at}) | ${printed}$<br />${cure}$ | ");
+        text += &format!("{} | {} |\n", cells.join(" | "), digits(worst));
     }
     text
 }
 
-/// `UPDATE_TABLES=1 cargo test -p book --test book hard_cases_page` writes it.
 #[test]
 fn the_table_is_what_is_computed() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/tables/hard-cases.md");
-    let table = table();
-    if std::env::var_os("UPDATE_TABLES").is_some() {
-        std::fs::write(&path, &table).unwrap();
-    }
-    assert_eq!(std::fs::read_to_string(path).unwrap(), table);
+    kept("src/tables/hard-cases.md", &table());
 }

@@ -41,17 +41,9 @@ fn the_register_is_whole() {
     assert_eq!(ids.len(), before, "a claim is registered twice");
     for claim in &ledger.claims {
         let expected = format!("C{}-", claim.section);
-        assert!(
-            claim.id.starts_with(&expected),
-            "{} is filed under {}",
-            claim.id,
-            claim.section
-        );
-        assert!(
-            !claim.statement.is_empty() && !claim.title.is_empty(),
-            "{}",
-            claim.id
-        );
+        assert!(claim.id.starts_with(&expected), "{claim:?}");
+        let empty = claim.statement.is_empty() || claim.title.is_empty();
+        assert!(!empty, "{claim:?}");
     }
 }
 
@@ -61,18 +53,10 @@ fn every_claim_is_on_the_claims_page_and_in_the_table() {
     let page = press::appendix::page(&ledger);
     let table = press::appendix::table(&ledger);
     for claim in &ledger.claims {
-        assert!(
-            page.contains(&format!("id=\"{}\"", claim.id)),
-            "{} is not on the page",
-            claim.id
-        );
-        assert!(
-            table
-                .lines()
-                .any(|line| line.split_whitespace().next() == Some(&claim.id)),
-            "{} is not in the table",
-            claim.id
-        );
+        let id = &claim.id;
+        assert!(page.contains(&format!("id=\"{id}\"")), "{id}");
+        let mut firsts = table.lines().map(|line| line.split_whitespace().next());
+        assert!(firsts.any(|first| first == Some(id)), "{id}");
     }
 }
 

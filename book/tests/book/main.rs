@@ -16,8 +16,8 @@ mod scene_prices;
 mod scenes;
 
 use press::drawings::{self, Drawing};
-use std::process::Output;
-use std::sync::OnceLock;
+use std::process::{Command, Output};
+use std::sync::LazyLock;
 
 /// A scene file.
 const RACKET: &str = "
@@ -33,24 +33,47 @@ samples = 11
 ";
 
 /// All figures as they are printed, drawn once.
-fn drawings() -> &'static [Drawing] {
-    static DRAWINGS: OnceLock<Vec<Drawing>> = OnceLock::new();
-    DRAWINGS
-        .get_or_init(|| drawings::draw(figures::all(), &figures::Values::default(), || ()).unwrap())
-}
+static DRAWINGS: LazyLock<Vec<Drawing>> =
+    LazyLock::new(|| drawings::draw(figures::all(), &figures::Values::default(), || ()).unwrap());
 
 /// No fault, or all of them.
 fn none(faults: &[String]) {
-    assert!(
-        faults.is_empty(),
-        "{} faults:\n{}",
-        faults.len(),
-        faults.join("\n")
-    );
+    let count = faults.len();
+    assert_eq!(count, 0, "{count} faults:\n{}", faults.join("\n"));
+}
+
+/// A page's table is this one; `UPDATE_TABLES=1 cargo test -p book --test book` writes it.
+fn kept(path: &str, table: &str) {
+    if std::env::var_os("UPDATE_TABLES").is_some() {
+        std::fs::write(path, table).unwrap();
+    }
+    let same = std::fs::read_to_string(path).unwrap() == table;
+    assert!(same, "{path} is old; UPDATE_TABLES=1 writes it");
+}
+
+/// A file with this text.
+fn saved(text: &str) -> tempfile::NamedTempFile {
+    let file = tempfile::NamedTempFile::new().unwrap();
+    std::fs::write(file.path(), text).unwrap();
+    file
 }
 
 fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+/// The command, in the folder `book`.
+fn book(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_book"))
+        .args(arguments)
+        .output()
+        .unwrap()
+}
+
+/// Exit status 0, and what is printed.
+fn printed(output: &Output) -> String {
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    text(&output.stdout)
 }
 
 /// Exit status 2, one line that has these words, and nothing printed.

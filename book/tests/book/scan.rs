@@ -1,87 +1,65 @@
 //! Scans: what a grid of scenes prints, and what is no grid.
 
-use super::RACKET;
+use super::{RACKET, book, saved, text};
 use press::scenes::output::Format;
 use press::scenes::scan::{Over, Scan, Tell};
 use press::scenes::simulate;
+use std::f64::consts::TAU;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 #[test]
 fn a_scan_is_its_scenes_one_by_one() {
-    let path = tempfile::NamedTempFile::new().unwrap();
-    std::fs::write(path.path(), RACKET).unwrap();
+    let path = saved(RACKET);
     let overs = ["initial.omega.0=0.0..0.5:3", "body.moments.2=2..4:3"].map(|o| o.parse().unwrap());
-    let done = std::sync::atomic::AtomicUsize::new(0);
-    let count = || {
-        done.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-    };
+    let done = AtomicUsize::new(0);
+    let count = || _ = done.fetch_add(1, Ordering::Relaxed);
     let scan = Scan::new(path.path(), overs.into(), Vec::new()).unwrap();
     let (text, ran) = scan.run(Format::Csv, count);
     ran.unwrap();
     assert_eq!(done.into_inner(), 9);
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(lines.len(), 10);
-    assert!(
-        lines[0].starts_with("initial.omega.0,body.moments.2,t,qw,")
-            && lines[0].ends_with(",status")
-    );
+    assert!(lines[0].starts_with("initial.omega.0,body.moments.2,t,qw,"));
+    assert!(lines[0].ends_with(",status"));
     // Ω₁ = 0.25, I₃ = 3: the fifth point.
-    std::fs::write(path.path(), RACKET.replace("[0.01, 1.0", "[0.25, 1.0")).unwrap();
-    let (table, _) = simulate(path.path()).unwrap();
+    let fifth = saved(&RACKET.replace("[0.01, 1.0", "[0.25, 1.0"));
+    let (table, _) = simulate(fifth.path()).unwrap();
     let (t, row) = table.rows().last().unwrap();
-    let numbers: Vec<String> = [0.25, 3.0, t]
-        .iter()
-        .chain(&row)
-        .map(|n| format!("{n:?}"))
-        .collect();
-    assert_eq!(lines[5], format!("{},ok", numbers.join(",")));
+    let numbers = [0.25, 3.0, t].into_iter().chain(row);
+    let numbers: String = numbers.map(|n| format!("{n:?},")).collect();
+    assert_eq!(lines[5], numbers + "ok");
     // I₃ = 4 is no body's: said in its line, and the others stand.
-    assert!(
-        lines[6].contains("I1 + I2 >= I3") && lines[7].ends_with(",ok"),
-        "{}",
-        lines[6]
-    );
+    assert!(lines[6].contains("I1 + I2 >= I3"), "{}", lines[6]);
+    assert!(lines[7].ends_with(",ok"), "{}", lines[7]);
 }
 
 /// The mass alone, where the moments stay: the rows come, and one line of warning with them.
 #[test]
 fn a_scan_says_what_it_is_about() {
     let scan = |file: &str, over: &[&str]| {
-        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_book"));
-        command.args(["scan", file]);
-        for over in over {
-            command.args(["--over", over]);
-        }
-        let output = command.output().unwrap();
-        let told = String::from_utf8(output.stderr).unwrap();
-        let rows = String::from_utf8(output.stdout).unwrap().lines().count();
-        (output.status.code(), rows, told)
+        let over = over.iter().flat_map(|over| ["--over", over]);
+        let output = book(&["scan", file].into_iter().chain(over).collect::<Vec<_>>());
+        let told = text(&output.stderr);
+        let (rows, lines) = (text(&output.stdout).lines().count(), told.lines().count());
+        ((output.status.code().unwrap(), rows, lines), told)
     };
     let mass = "body.mass=0.02..0.03:2";
-    let (status, rows, told) = scan("scenes/heavy-body.toml", &[mass]);
-    assert_eq!(
-        (status, rows, told.lines().count()),
-        (Some(0), 3, 1),
-        "{told}"
-    );
-    assert!(
-        told.starts_with("warning: ") && told.contains("`moments`"),
-        "{told}"
-    );
+    let (counts, told) = scan("scenes/heavy-body.toml", &[mass]);
+    assert_eq!(counts, (0, 3, 1), "{told}");
+    assert!(told.starts_with("warning: "), "{told}");
+    assert!(told.contains("`moments`"), "{told}");
     // A shape's inertia is per mass, a factor is, and an inertia that varies too is somebody's choice.
     for file in ["scenes/superball.toml", "scenes/egg.toml"] {
-        let (status, _, told) = scan(file, &[mass]);
-        assert_eq!((status, told.as_str()), (Some(0), ""));
+        assert_eq!(scan(file, &[mass]).0, (0, 3, 0));
     }
     let moments = "body.moments.0=0.010..0.011:2";
-    let (status, rows, told) = scan("scenes/heavy-body.toml", &[mass, moments]);
-    assert_eq!((status, rows, told.as_str()), (Some(0), 5, ""));
-    // Not one point: the rows say why, and so does the status.
-    let (status, rows, told) = scan("scenes/racket.toml", &["body.moments.0=-2..-1:2"]);
     assert_eq!(
-        (status, rows, told.lines().count()),
-        (Some(1), 3, 1),
-        "{told}"
+        scan("scenes/heavy-body.toml", &[mass, moments]).0,
+        (0, 5, 0)
     );
+    // Not one point: the rows say why, and so does the status.
+    let (counts, told) = scan("scenes/racket.toml", &["body.moments.0=-2..-1:2"]);
+    assert_eq!(counts, (1, 3, 1), "{told}");
     assert!(told.contains("moments"), "{told}");
 }
 
@@ -90,18 +68,18 @@ fn a_scan_over_what_is_not_there_is_refused() {
     for wrong in "omega a=1..2 a=1:3 a=1..x:3 a=1..2:0 =1..2:3 a=1..inf:2 a=1...2:3 a=0...5:3 a=1..2:1 a=0..2:3:log a=-1..2:3:log a=1..2,:3 a=1..2,b:3".split(' ') {
         assert!(wrong.parse::<Over>().is_err(), "{wrong}");
     }
-    let path = tempfile::NamedTempFile::new().unwrap();
-    std::fs::write(path.path(), RACKET).unwrap();
-    for missing in [
-        "initial.omega.7=1..2:3",
-        "initial.spin=1..2:3",
-        "title=1..2:3",
-        "title.x=1..2:3",
-    ] {
-        let over = [missing.parse().unwrap()];
-        let error = Scan::new(path.path(), over.into(), Vec::new()).unwrap_err();
-        assert_eq!(error.status(), 2);
+    for missing in ["initial.omega.7", "initial.spin", "title", "title.x"] {
+        refusal(&[&format!("{missing}=1..2:3")], &[]);
     }
+}
+
+/// The one line with which a scan of the racket is refused.
+fn refusal(overs: &[&str], tells: &[&str]) -> String {
+    let overs = overs.iter().map(|over| over.parse().unwrap()).collect();
+    let tells = tells.iter().map(|tell| tell.parse().unwrap()).collect();
+    let error = Scan::new(saved(RACKET).path(), overs, tells).unwrap_err();
+    assert_eq!(error.status(), 2);
+    error.to_string()
 }
 
 /// The cells of a line; those in quotation marks may have commas.
@@ -120,13 +98,10 @@ fn cells(line: &str) -> Vec<String> {
 
 /// What a scan of a text prints, and whether any of its points could be run.
 fn told(text: &str, overs: &[&str], tells: &[&str], format: Format) -> (String, bool) {
-    let path = tempfile::NamedTempFile::new().unwrap();
-    std::fs::write(path.path(), text).unwrap();
     let overs = overs.iter().map(|over| over.parse().unwrap()).collect();
     let tells = tells.iter().map(|tell| tell.parse().unwrap()).collect();
-    let (text, ran) = Scan::new(path.path(), overs, tells)
-        .unwrap()
-        .run(format, || ());
+    let scan = Scan::new(saved(text).path(), overs, tells).unwrap();
+    let (text, ran) = scan.run(format, || ());
     (text, ran.is_ok())
 }
 
@@ -155,31 +130,17 @@ fn every_line_of_a_scan_is_as_wide_as_its_head() {
 
 #[test]
 fn a_scan_spans_all_doubles_and_whole_numbers() {
-    let (lines, _) = scanned(
-        "0.01, 1.0,",
-        "0.01, 1.0e3,",
-        &["initial.omega.1=-1e308..1e308:3"],
-    );
+    let over = "initial.omega.1=-1e308..1e308:3";
+    let (lines, _) = scanned("0.01, 1.0,", "0.01, 1.0e3,", &[over]);
     let values: Vec<&str> = lines[1..].iter().map(|line| line[0].as_str()).collect();
     assert_eq!(values, ["-1e308", "0.0", "1e308"]);
     // 2 and 4 are whole, 3.5 is none: its line says so.
     let (lines, _) = scanned("", "", &["run.samples=2..5:3"]);
-    let ok: Vec<bool> = lines[1..]
-        .iter()
-        .map(|line| line.last().unwrap() == "ok")
-        .collect();
-    assert_eq!(ok, [true, false, true]);
-    assert!(
-        lines[2].last().unwrap().contains("whole number"),
-        "{:?}",
-        lines[2]
-    );
-    let path = tempfile::NamedTempFile::new().unwrap();
-    std::fs::write(path.path(), RACKET).unwrap();
-    let twice = ["run.until=1..2:3", "run.until=2..3:3"].map(|over| over.parse().unwrap());
-    let error = Scan::new(path.path(), twice.into(), Vec::new()).unwrap_err();
-    assert_eq!(error.status(), 2);
-    assert!(error.to_string().contains("run.until"), "{error}");
+    let [two, three, four] = [1, 2, 3].map(|k: usize| lines[k].last().unwrap().as_str());
+    assert_eq!((two, four), ("ok", "ok"));
+    assert!(three.contains("whole number"), "{three}");
+    let twice = refusal(&["run.until=1..2:3", "run.until=2..3:3"], &[]);
+    assert!(twice.contains("run.until"), "{twice}");
 }
 
 /// Numbers that vary together, by equal ratios: twice as heavy and twice as hard to turn is the same motion, with twice the energy.
@@ -188,24 +149,11 @@ fn numbers_vary_together_and_by_equal_ratios() {
     let over = "body.moments.0=1..4,body.moments.1=2..8,body.moments.2=3..12:3:log";
     let (text, _) = told(RACKET, &[over], &["omega2", "energy"], Format::Csv);
     let lines: Vec<Vec<String>> = text.lines().map(cells).collect();
-    assert_eq!(
-        lines[0],
-        [
-            "body.moments.0",
-            "body.moments.1",
-            "body.moments.2",
-            "omega2",
-            "energy",
-            "status"
-        ]
-    );
+    let head = "body.moments.0,body.moments.1,body.moments.2,omega2,energy,status";
+    assert_eq!(lines[0], cells(head));
     for (line, factor) in lines[1..].iter().zip([1.0, 2.0, 4.0]) {
-        let numbers: Vec<f64> = line[..5].iter().map(|cell| cell.parse().unwrap()).collect();
-        let first: Vec<f64> = lines[1][..5]
-            .iter()
-            .map(|cell| cell.parse().unwrap())
-            .collect();
-        for (k, (number, first)) in numbers.iter().zip(first).enumerate() {
+        for k in 0..5 {
+            let [number, first] = [line, &lines[1]].map(|line| line[k].parse::<f64>().unwrap());
             let expected = if k == 3 { first } else { factor * first };
             assert!((number / expected - 1.0).abs() < 1e-14, "{line:?}");
         }
@@ -219,28 +167,16 @@ const DROPPED: &str = "kind = \"strip\"\n[body]\nwidth = 0.02\nareal_density = 0
 /// A parabola: where it begins, where it ends, its greatest height among the rows, and when it is at a level, to the last digits.
 #[test]
 fn what_is_asked_of_a_motion_is_told() {
-    let tells = [
-        "first:vy",
-        "last:y",
-        "greatest:y",
-        "least:vy",
-        "crossing:y=-1",
-        "crossing:vy=0",
-        "crossing:x=9",
-    ];
-    let (text, _) = told(
-        DROPPED,
-        &["effects.gravity=4.905..9.81:2"],
-        &tells,
-        Format::Json,
-    );
+    let tells = "first:vy last:y greatest:y least:vy crossing:y=-1 crossing:vy=0 crossing:x=9";
+    let tells: Vec<&str> = tells.split(' ').collect();
+    let over = "effects.gravity=4.905..9.81:2";
+    let (text, _) = told(DROPPED, &[over], &tells, Format::Json);
     let json: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!(json["refused"], serde_json::json!([]));
     for (row, g) in json["rows"].as_array().unwrap().iter().zip([4.905, 9.81]) {
         let height = |t: f64| 2.0 * t - 0.5 * g * t * t;
-        let highest = (0..21)
-            .map(|k| height(0.1 * f64::from(k)))
-            .fold(0.0, f64::max);
+        let highest = (0..21).map(|k| height(0.1 * f64::from(k)));
+        let highest = highest.fold(0.0, f64::max);
         for (name, expected) in [
             ("effects.gravity", g),
             ("first:vy", 2.0),
@@ -251,10 +187,8 @@ fn what_is_asked_of_a_motion_is_told() {
             ("crossing:vy=0.0", 2.0 / g),
         ] {
             let got = row[name].as_f64().unwrap();
-            assert!(
-                (got / expected - 1.0).abs() < 1e-13,
-                "{name}: {got} {expected}"
-            );
+            let off = (got / expected - 1.0).abs();
+            assert!(off < 1e-13, "{name}: {got} {expected}");
         }
         assert!(row["crossing:x=9.0"].is_null());
     }
@@ -264,12 +198,8 @@ fn what_is_asked_of_a_motion_is_told() {
 #[test]
 fn a_jump_is_crossed_and_the_end_of_a_circle_is_not() {
     let ball = std::fs::read_to_string("scenes/superball.toml").unwrap();
-    let (text, _) = told(
-        &ball,
-        &["initial.climb=-5..-4:2"],
-        &["crossing:climb=0"],
-        Format::Csv,
-    );
+    let (over, tell) = ("initial.climb=-5..-4:2", "crossing:climb=0");
+    let (text, _) = told(&ball, &[over], &[tell], Format::Csv);
     for (line, climb) in text.lines().skip(1).zip([5.0_f64, 4.0]) {
         let time: f64 = cells(line)[1].parse().unwrap();
         let falls = 2.0 * 0.3 / (climb + (climb * climb + 2.0 * 9.81 * 0.3).sqrt());
@@ -277,47 +207,27 @@ fn a_jump_is_crossed_and_the_end_of_a_circle_is_not() {
     }
     // Upright, half of the turn counts as precession: t/2. It leaps from π to −π before it is at −3.
     let spun = "[body]\nmoments = [2.0, 2.0, 1.0]\n[initial]\nomega = [0.0, 0.0, 1.0]\n[run]\nuntil = 12.0\nsamples = 25\n";
-    let (text, _) = told(
-        spun,
-        &["initial.omega.2=1..1:1"],
-        &["crossing:precession=0.5", "crossing:precession=-3"],
-        Format::Csv,
-    );
+    let tells = ["crossing:precession=0.5", "crossing:precession=-3"];
+    let (text, _) = told(spun, &["initial.omega.2=1..1:1"], &tells, Format::Csv);
     let line = cells(text.lines().nth(1).unwrap());
-    let times: Vec<f64> = line[1..3]
-        .iter()
-        .map(|cell| cell.parse().unwrap())
-        .collect();
-    assert!((times[0] - 1.0).abs() < 1e-12, "{times:?}");
-    assert!(
-        (times[1] - 2.0 * (std::f64::consts::TAU - 3.0)).abs() < 1e-12,
-        "{times:?}"
-    );
+    for (cell, time) in line[1..3].iter().zip([1.0, 2.0 * (TAU - 3.0)]) {
+        assert!(
+            (cell.parse::<f64>().unwrap() - time).abs() < 1e-12,
+            "{line:?}"
+        );
+    }
 }
 
 #[test]
 fn what_cannot_be_told_is_refused() {
-    for wrong in
-        " last: most:tilt crossing:tilt crossing:tilt=x crossing:tilt=inf first:tilt=1".split(' ')
-    {
+    let wrong = " last: most:tilt crossing:tilt crossing:tilt=x crossing:tilt=inf first:tilt=1";
+    for wrong in wrong.split(' ') {
         assert!(wrong.parse::<Tell>().is_err(), "{wrong}");
     }
-    let path = tempfile::NamedTempFile::new().unwrap();
-    std::fs::write(path.path(), RACKET).unwrap();
-    let tells = vec!["greatest:tlt".parse().unwrap()];
-    let error = Scan::new(path.path(), Vec::new(), tells).unwrap_err();
-    assert!(
-        error.to_string().contains("did you mean `tilt`?"),
-        "{error}"
-    );
-    let over = vec!["initial.omga.2=1..2:3".parse().unwrap()];
-    let error = Scan::new(path.path(), over, Vec::new()).unwrap_err();
-    assert!(
-        error
-            .to_string()
-            .contains("did you mean `initial.omega.2`?"),
-        "{error}"
-    );
+    let told = refusal(&[], &["greatest:tlt"]);
+    assert!(told.contains("did you mean `tilt`?"), "{told}");
+    let told = refusal(&["initial.omga.2=1..2:3"], &[]);
+    assert!(told.contains("did you mean `initial.omega.2`?"), "{told}");
 }
 
 /// In JSON they stand apart.
@@ -328,12 +238,8 @@ fn refused_points_tell_why() {
     assert!(ran && json["rows"].as_array().unwrap().len() == 2);
     let refused = &json["refused"][0];
     assert_eq!(refused["body.moments.2"].as_f64(), Some(4.0));
-    assert!(
-        refused["reason"]
-            .as_str()
-            .unwrap()
-            .contains("I1 + I2 >= I3")
-    );
+    let reason = refused["reason"].as_str().unwrap();
+    assert!(reason.contains("I1 + I2 >= I3"), "{reason}");
 }
 
 #[test]

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 
+use super::kept;
 use press::scenes::prices::{NEEDED, PRICED, run};
 use press::scenes::{key_table, simulate};
 use spinning_bodies::scene::files::{keys, kinds};
@@ -22,19 +23,12 @@ fn every_kind_is_priced() {
     assert_eq!(priced, kinds().collect::<Vec<_>>());
 }
 
-/// `UPDATE_TABLES=1 cargo test -p book --test book scene_prices` writes the keys of all kinds.
 #[test]
 fn the_page_has_every_key_and_every_column() {
     for name in ["run", "shapes"].into_iter().chain(kinds()) {
         let keys = keys(name).unwrap();
-        let path = format!("src/tables/keys-{name}.md");
         let of = if name == "shapes" { "shape" } else { "table" };
-        if std::env::var_os("UPDATE_TABLES").is_some() {
-            std::fs::write(&path, key_table(of, &keys)).unwrap();
-        }
-        let committed = std::fs::read_to_string(&path).unwrap();
-        let hint = "UPDATE_TABLES=1 writes it anew";
-        assert!(committed == key_table(of, &keys), "{path}: {hint}");
+        kept(&format!("src/tables/keys-{name}.md"), &key_table(of, &keys));
     }
     let mut missing = Vec::new();
     for priced in PRICED {
@@ -70,11 +64,8 @@ fn the_table_of_prices_is_that_of_the_scenes() {
                 assert_eq!(table.plan.solver.name(), solver, "{} {effect}", priced.kind);
                 let (now, told) = (table.cost.evaluations as f64, told.parse::<f64>().unwrap());
                 // Another rounding of the last digit may cost a step more or less.
-                assert!(
-                    (now - told).abs() <= 0.02 * told,
-                    "{} {effect}: {now}",
-                    priced.kind
-                );
+                let near = (now - told).abs() <= 0.02 * told;
+                assert!(near, "{} {effect}: {now}", priced.kind);
             }
         }
     }
@@ -84,13 +75,10 @@ fn the_table_of_prices_is_that_of_the_scenes() {
 /// The Markdown table of the book's files, from the measurements of the bench.
 fn times(csv: &str) -> String {
     let lines: Vec<&str> = csv.lines().collect();
-    let (machine, rows) = match lines.split_first() {
-        Some((first, rest)) => (first.trim_start_matches(['#', ' ']), rest),
-        None => ("", &[][..]),
-    };
-    let mut text =
-        "| file | solver | evaluations | ms | at $10^{-9}$ | ms |\n|---|---|---|---|---|---|\n"
-            .to_owned();
+    let (first, rows) = lines.split_first().unwrap();
+    let machine = first.trim_start_matches(['#', ' ']);
+    let head = "| file | solver | evaluations | ms | at $10^{-9}$ | ms |\n";
+    let mut text = format!("{head}|---|---|---|---|---|---|\n");
     for row in rows.iter().skip(1) {
         let cells: Vec<String> = row.split(',').enumerate().map(cell).collect();
         text += &format!("| {} |\n", cells.join(" | "));
@@ -108,14 +96,9 @@ fn cell((column, text): (usize, &str)) -> String {
     }
 }
 
-/// `UPDATE_TABLES=1 cargo test -p book --test book scene_prices` writes the page's table.
 #[test]
 fn the_table_of_times_has_every_file() {
-    let page = "src/tables/scene-times.md";
-    if std::env::var_os("UPDATE_TABLES").is_some() {
-        std::fs::write(page, times(TIMES)).unwrap();
-    }
-    assert_eq!(std::fs::read_to_string(page).unwrap(), times(TIMES));
+    kept("src/tables/scene-times.md", &times(TIMES));
     let listed: BTreeSet<String> = rows(TIMES).iter().map(|row| row[0].to_owned()).collect();
     let mut files = BTreeSet::new();
     for entry in std::path::Path::new("scenes").read_dir().unwrap() {
@@ -143,9 +126,7 @@ fn an_effect_more_does_not_make_a_scene_quicker() {
             continue;
         }
         let (without, with): (f64, f64) = (without.parse().unwrap(), with.parse().unwrap());
-        assert!(
-            without - with <= 0.020,
-            "{kind} {effect}: {without} ms, then {with} ms"
-        );
+        let quicker = without - with > 0.020;
+        assert!(!quicker, "{kind} {effect}: {without} ms, then {with} ms");
     }
 }

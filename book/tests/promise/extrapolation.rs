@@ -1,6 +1,7 @@
 //! The truth about equations that have neither series nor closed form here: Gragg's rule, extrapolated to order 20 in double-doubles.
 
 use support::double_double::Dd;
+use support::greatest;
 
 /// Columns of the extrapolation: the rule with 2, 4, … 20 parts, as many as it takes.
 const COLUMNS: usize = 10;
@@ -26,32 +27,27 @@ fn step<const N: usize>(
     let mut error = f64::INFINITY;
     for k in 0..COLUMNS {
         let parts = 2 * (k + 1);
-        let h = length / Dd::from(parts as f64);
+        let h = length / parts as f64;
         let mut before = from.state;
         let mut now: [Dd; N] = core::array::from_fn(|i| before[i] + h * first[i]);
         for n in 1..parts {
-            let slope = rate(from.time + h * Dd::from(n as f64), &now);
-            let next = core::array::from_fn(|i| before[i] + Dd::from(2.0) * h * slope[i]);
+            let slope = rate(from.time + h * n as f64, &now);
+            let next = core::array::from_fn(|i| before[i] + 2.0 * h * slope[i]);
             (before, now) = (now, next);
         }
         // Gragg's last step: the mean of both chains.
         let slope = rate(from.time + length, &now);
-        let half = Dd::from(0.5);
-        let value = core::array::from_fn(|i| half * (now[i] + before[i] + h * slope[i]));
         let (old, new) = (table[(k + 1) % 2], &mut table[k % 2]);
-        new[0] = value;
+        new[0] = core::array::from_fn(|i| 0.5 * (now[i] + before[i] + h * slope[i]));
         for j in 1..=k {
-            let ratio = (k + 1) as f64 / (k + 1 - j) as f64;
-            let weight = Dd::from(1.0) / (Dd::from(ratio) * Dd::from(ratio) - Dd::from(1.0));
-            new[j] =
-                core::array::from_fn(|i| new[j - 1][i] + (new[j - 1][i] - old[j - 1][i]) * weight);
+            let ratio = Dd::from((k + 1) as f64 / (k + 1 - j) as f64);
+            let weight = 1.0 / (ratio * ratio - 1.0);
+            let (coarse, fine) = (old[j - 1], new[j - 1]);
+            new[j] = core::array::from_fn(|i| fine[i] + (fine[i] - coarse[i]) * weight);
         }
         if k > 2 {
-            let off = (0..N).map(|i| (new[k][i] - new[k - 1][i]).value().abs() / scales[i]);
-            error = off.fold(
-                0.0,
-                |a: f64, b| if b.is_nan() { f64::INFINITY } else { a.max(b) },
-            );
+            let off = |i: usize| (new[k][i] - new[k - 1][i]).value().abs() / scales[i];
+            error = greatest((0..N).map(off));
             if error < TOLERANCE {
                 return (new[k], error);
             }
@@ -85,10 +81,8 @@ pub fn followed<const N: usize>(
     let mut length = longest * 1e-3;
     // The state where the step begins may be the event itself: only a step away it counts.
     loop {
-        let next = times
-            .get(samples.len())
-            .map(|&t| Dd::from(t))
-            .filter(|t| (*t - end).value() <= 0.0);
+        let next = times.get(samples.len()).map(|&t| Dd::from(t));
+        let next = next.filter(|t| *t <= end);
         let goal = next.unwrap_or(end);
         let left = (goal - here.time).value();
         if left <= 0.0 {
@@ -96,11 +90,8 @@ pub fn followed<const N: usize>(
                 samples.push(here.state);
                 continue;
             }
-            return Leg {
-                samples,
-                end: here,
-                met: false,
-            };
+            let (end, met) = (here, false);
+            return Leg { samples, end, met };
         }
         let cut = left <= length;
         let taken = if cut {
@@ -112,31 +103,52 @@ pub fn followed<const N: usize>(
         let grown = (TOLERANCE / error).powf(1.0 / (2 * COLUMNS - 1) as f64) * 0.8;
         if error > TOLERANCE {
             length = taken.value() * grown.clamp(0.1, 0.8);
+            let time = here.time;
             assert!(
                 length > 1e-30 * longest,
-                "the step has become nothing at {:?}",
-                here.time
+                "the step has become nothing at {time:?}"
             );
             continue;
         }
         if event(&state).value() < 0.0 {
             let (wait, state) = located(&rate, &here, taken, scales, &event);
-            let time = here.time + wait;
-            return Leg {
-                samples,
-                end: Place { time, state },
-                met: true,
-            };
+            let (time, met) = (here.time + wait, true);
+            let end = Place { time, state };
+            return Leg { samples, end, met };
         }
         if !cut || grown > 1.0 {
-            length = (taken.value().max(if cut { length } else { 0.0 }) * grown.clamp(0.2, 4.0))
-                .min(longest);
+            let before = if cut { length } else { 0.0 };
+            length = (taken.value().max(before) * grown.clamp(0.2, 4.0)).min(longest);
         }
-        here = Place {
-            time: if cut { goal } else { here.time + taken },
-            state,
-        };
+        let time = if cut { goal } else { here.time + taken };
+        here = Place { time, state };
     }
+}
+
+/// The states at these times (s, ascending) from time 0 on; the rate, which is told the number of the piece, may change its form at the corners.
+pub fn pieced<const N: usize>(
+    rate: impl Fn(usize, Dd, &[Dd; N]) -> [Dd; N],
+    state: [Dd; N],
+    scales: &[f64; N],
+    corners: &[Dd],
+    times: &[f64],
+    longest: f64,
+) -> Vec<[Dd; N]> {
+    let mut rows = Vec::new();
+    let (time, last) = (Dd::ZERO, Dd::from(times[times.len() - 1]));
+    let mut here = Place { time, state };
+    for (piece, &end) in corners.iter().chain([&last]).enumerate() {
+        if rows.len() == times.len() {
+            break;
+        }
+        // No further than asked for.
+        let end = if end > last { last } else { end };
+        let (rate, left) = (|t, y: &_| rate(piece, t, y), &times[rows.len()..]);
+        let leg = followed(rate, here, scales, left, end, longest, |_| Dd::from(1.0));
+        rows.extend(leg.samples);
+        here = leg.end;
+    }
+    rows
 }
 
 /// When within a step the event comes, by secants that keep the root between them.
@@ -154,7 +166,7 @@ fn located<const N: usize>(
     for _ in 0..80 {
         let mut h = low + (high - low) * (below / (below - above));
         if !(h.value() > low.value() && h.value() < high.value()) {
-            h = (low + high) * Dd::from(0.5);
+            h = (low + high) * 0.5;
         }
         let state = at(h);
         let value = event(&state);
@@ -165,10 +177,10 @@ fn located<const N: usize>(
         }
         if value.value() > 0.0 {
             (low, below) = (h, value);
-            above = above * Dd::from(0.5);
+            above = above * 0.5;
         } else {
             (high, above) = (h, value);
-            below = below * Dd::from(0.5);
+            below = below * 0.5;
         }
     }
     best

@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use support::double_double::Dd;
-pub use support::{cross, dot};
+pub use support::{cross, dot, turned};
 
 /// Sine and cosine.
 pub trait Angle: Sized {
@@ -14,7 +14,7 @@ impl Angle for Dd {
     /// By the series for an eighth of what is left of the angle beside the nearest quarter turn.
     fn sine_cosine(self) -> (Self, Self) {
         let turns = (self.hi / QUARTER.hi).round();
-        let angle = (self - Self::from(turns) * QUARTER) * Self::from(0.125);
+        let angle = (self - turns * QUARTER) * 0.125;
         let square = angle * angle;
         let (mut sine, mut versed) = (Self::ZERO, Self::ZERO);
         for [even, odd] in FACTORIALS.iter().rev() {
@@ -24,10 +24,9 @@ impl Angle for Dd {
         // 1 - cos and sin, doubled three times.
         let (mut sine, mut versed) = (angle - angle * square * sine, square * versed);
         for _ in 0..3 {
-            let two = Self::from(2.0);
-            (sine, versed) = (two * sine * (Self::from(1.0) - versed), two * sine * sine);
+            (sine, versed) = (2.0 * sine * (1.0 - versed), 2.0 * sine * sine);
         }
-        let cosine = Self::from(1.0) - versed;
+        let cosine = 1.0 - versed;
         match (turns as i64).rem_euclid(4) {
             0 => (sine, cosine),
             1 => (cosine, -sine),
@@ -42,8 +41,8 @@ static FACTORIALS: LazyLock<[[Dd; 2]; 12]> = LazyLock::new(|| {
     let mut factorial = Dd::from(1.0);
     core::array::from_fn(|n| {
         [2 * n + 2, 2 * n + 3].map(|m| {
-            factorial = factorial * Dd::from(m as f64);
-            Dd::from(1.0) / factorial
+            factorial = factorial * m as f64;
+            1.0 / factorial
         })
     })
 });
@@ -59,22 +58,29 @@ pub const PI: Dd = Dd {
     lo: 1.224_646_799_147_353_2e-16,
 };
 
-pub fn plus(a: [Dd; 3], b: [Dd; 3]) -> [Dd; 3] {
+pub type Vector = [Dd; 3];
+pub type Matrix = [Vector; 3];
+
+pub const NONE: Vector = [Dd::ZERO; 3];
+
+pub fn plus(a: Vector, b: Vector) -> Vector {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-pub fn times(a: [Dd; 3], by: Dd) -> [Dd; 3] {
+pub fn minus(a: Vector, b: Vector) -> Vector {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+pub fn times(a: Vector, by: Dd) -> Vector {
     a.map(|x| x * by)
 }
 
-pub fn image(matrix: [[Dd; 3]; 3], v: [Dd; 3]) -> [Dd; 3] {
+pub fn image(matrix: Matrix, v: Vector) -> Vector {
     matrix.map(|row| dot(row, v))
 }
 
-/// x with Mx = b, by Cramer's rule.
-pub fn solved(matrix: [[Dd; 3]; 3], b: [Dd; 3]) -> [Dd; 3] {
-    let columns: [[Dd; 3]; 3] = core::array::from_fn(|j| core::array::from_fn(|i| matrix[i][j]));
-    let [p, q, r] = columns;
+/// x with Mx = b, by Cramer's rule, from the columns of M.
+pub fn solved([p, q, r]: Matrix, b: Vector) -> Vector {
     let whole = dot(p, cross(q, r));
     [
         dot(b, cross(q, r)) / whole,
@@ -83,54 +89,47 @@ pub fn solved(matrix: [[Dd; 3]; 3], b: [Dd; 3]) -> [Dd; 3] {
     ]
 }
 
-/// The rate of a quaternion (w, x, y, z) that turns body axes into those of space: half of q∘Ω, Ω along body axes.
-pub fn turned([w, x, y, z]: [Dd; 4], [a, b, c]: [Dd; 3]) -> [Dd; 4] {
-    let half = Dd::from(0.5);
-    [
-        -half * (x * a + y * b + z * c),
-        half * (w * a + y * c - z * b),
-        half * (w * b + z * a - x * c),
-        half * (w * c + x * b - y * a),
-    ]
+/// Where a function whose differences are linear is nil.
+pub fn root(f: impl Fn(Vector) -> Vector) -> Vector {
+    let rest = f(NONE);
+    let columns = diagonal([Dd::from(1.0); 3]).map(|unit| minus(f(unit), rest));
+    solved(columns, rest.map(|x| -x))
 }
 
 /// The rotation of a quaternion of any length: its rows are the axes of space seen from the body.
-pub fn rotation(q: [Dd; 4]) -> [[Dd; 3]; 3] {
-    let [w, x, y, z] = q;
-    let two = Dd::from(2.0);
-    let square = w * w + x * x + y * y + z * z;
+pub fn rotation([w, x, y, z]: [Dd; 4]) -> Matrix {
+    let (ww, xx, yy, zz) = (w * w, x * x, y * y, z * z);
     let rows = [
         [
-            w * w + x * x - y * y - z * z,
-            two * (x * y - w * z),
-            two * (x * z + w * y),
+            ww + xx - yy - zz,
+            2.0 * (x * y - w * z),
+            2.0 * (x * z + w * y),
         ],
         [
-            two * (x * y + w * z),
-            w * w + y * y - x * x - z * z,
-            two * (y * z - w * x),
+            2.0 * (x * y + w * z),
+            ww + yy - xx - zz,
+            2.0 * (y * z - w * x),
         ],
         [
-            two * (x * z - w * y),
-            two * (y * z + w * x),
-            w * w + z * z - x * x - y * y,
+            2.0 * (x * z - w * y),
+            2.0 * (y * z + w * x),
+            ww + zz - xx - yy,
         ],
     ];
-    let part = Dd::from(1.0) / square;
-    rows.map(|row| row.map(|x| x * part))
+    let part = 1.0 / (ww + xx + yy + zz);
+    rows.map(|row| times(row, part))
+}
+
+pub fn diagonal(values: Vector) -> Matrix {
+    core::array::from_fn(|i| core::array::from_fn(|j| if i == j { values[i] } else { Dd::ZERO }))
 }
 
 /// M⁻¹ of a symmetric matrix.
-pub fn inverse(m: [[Dd; 3]; 3]) -> [[Dd; 3]; 3] {
-    core::array::from_fn(|k| {
-        solved(
-            m,
-            core::array::from_fn(|j| Dd::from(if j == k { 1.0 } else { 0.0 })),
-        )
-    })
+pub fn inverse(m: Matrix) -> Matrix {
+    diagonal([Dd::from(1.0); 3]).map(|unit| solved(m, unit))
 }
 
 /// Rows as columns.
-pub fn transposed(m: [[Dd; 3]; 3]) -> [[Dd; 3]; 3] {
+pub fn transposed(m: Matrix) -> Matrix {
     core::array::from_fn(|i| core::array::from_fn(|j| m[j][i]))
 }

@@ -37,6 +37,15 @@ impl Random {
         self.0.bits() % 100 < often
     }
 
+    /// So often out of a hundred nil, otherwise drawn.
+    pub fn nil_or(&mut self, often: u64, drawn: impl FnOnce(&mut Self) -> f64) -> f64 {
+        if self.percent(often) {
+            0.0
+        } else {
+            drawn(self)
+        }
+    }
+
     pub fn sign(&mut self) -> f64 {
         if self.percent(50) { 1.0 } else { -1.0 }
     }

@@ -5,6 +5,8 @@
 //! it. Nothing here is the library's: not the arithmetic, not the equations, not the method.
 
 use support::double_double::Dd;
+use support::multiplied;
+use support::power_series::Number;
 
 /// Highest power of a step.
 const ORDER: usize = 30;
@@ -87,11 +89,15 @@ pub struct Top {
     pub mass: f64,
     pub center: [f64; 3],
     pub gravity: Option<f64>,
-    pub pivot: Option<f64>,
-    pub bearing: Option<f64>,
-    pub air: Option<f64>,
-    pub tip: Option<f64>,
+    pub frictions: Frictions,
 }
+
+pub type Frictions = [Option<f64>; 4];
+
+pub const PIVOT: usize = 0;
+pub const BEARING: usize = 1;
+pub const AIR: usize = 2;
+pub const TIP: usize = 3;
 
 /// Ω along the body's axes and the quaternion of the attitude.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -104,7 +110,7 @@ impl Whole {
     /// From Ω and from a quaternion, which is brought to norm 1.
     pub fn new(omega: [Dd; 3], attitude: [f64; 4]) -> Self {
         let attitude = attitude.map(Dd::from);
-        let norm = attitude.iter().fold(Dd::ZERO, |sum, &x| sum + x * x).sqrt();
+        let norm = attitude.map(|x| x * x).into_iter().sum::<Dd>().sqrt();
         Self {
             omega,
             attitude: attitude.map(|x| x / norm),
@@ -118,29 +124,20 @@ impl Whole {
     /// Where the other is, seen from here: the angle between the attitudes about each axis of the body (radians), and the difference of Ω.
     pub fn to(&self, other: &Self) -> [f64; 6] {
         let [a, b, c, d] = self.attitude;
-        let [w, x, y, z] = other.attitude;
-        let even = a * w + b * x + c * y + d * z;
-        let odd = [
-            a * x - b * w - c * z + d * y,
-            a * y + b * z - c * w - d * x,
-            a * z - b * y + c * x - d * w,
-        ]
-        .map(|x| if even.hi < 0.0 { -x.value() } else { x.value() });
-        let sin = norm(odd);
+        let turn = multiplied([a, -b, -c, -d], other.attitude).map(Dd::value);
+        let [even, x, y, z] = if turn[0] < 0.0 {
+            turn.map(|x| -x)
+        } else {
+            turn
+        };
+        let sin = norm([x, y, z]);
         let stretch = if sin > 0.0 {
-            2.0 * sin.atan2(even.value().abs()) / sin
+            2.0 * sin.atan2(even) / sin
         } else {
             2.0
         };
-        let faster: [f64; 3] = core::array::from_fn(|k| (other.omega[k] - self.omega[k]).value());
-        [
-            odd[0] * stretch,
-            odd[1] * stretch,
-            odd[2] * stretch,
-            faster[0],
-            faster[1],
-            faster[2],
-        ]
+        let [u, v, w] = [0, 1, 2].map(|k| (other.omega[k] - self.omega[k]).value());
+        [x * stretch, y * stretch, z * stretch, u, v, w]
     }
 }
 
@@ -161,18 +158,19 @@ impl Top {
     /// MgC, exactly.
     fn lever(&self) -> [Dd; 3] {
         let g = Dd::from(self.gravity.unwrap_or(0.0));
-        self.center.map(|c| Dd::from(self.mass) * Dd::from(c) * g)
+        self.center.map(|c| Dd::from(self.mass) * c * g)
     }
 
     /// Ω with this angular momentum; none about an axis without moment.
     pub fn omega_of(&self, l: [f64; 3]) -> [Dd; 3] {
-        core::array::from_fn(|k| {
-            if self.moments[k] == 0.0 {
-                Dd::ZERO
-            } else {
-                Dd::from(l[k]) / Dd::from(self.moments[k])
-            }
+        core::array::from_fn(|k| match self.moments[k] {
+            0.0 => Dd::ZERO,
+            moment => Dd::from(l[k]) / moment,
         })
+    }
+
+    pub fn lossy(&self) -> bool {
+        self.frictions.iter().any(Option::is_some)
     }
 
     /// The rate that the weight alone would give, rad/s.
@@ -228,18 +226,11 @@ impl Top {
             .map(|k| {
                 let mut other = *start;
                 if k < 3 {
-                    let mut turn = [Dd::ZERO; 3];
-                    turn[k] = Dd::from(0.5 * BESIDE);
-                    let [a, b, c, d] = start.attitude;
-                    let [x, y, z] = turn;
-                    other.attitude = [
-                        a - b * x - c * y - d * z,
-                        b + a * x + c * z - d * y,
-                        c + a * y + d * x - b * z,
-                        d + a * z + b * y - c * x,
-                    ];
+                    let mut turn = [1.0, 0.0, 0.0, 0.0].map(Dd::from);
+                    turn[k + 1] = Dd::from(0.5 * BESIDE);
+                    other.attitude = multiplied(start.attitude, turn);
                 } else {
-                    other.omega[k - 3] = other.omega[k - 3] + Dd::from(BESIDE * unit);
+                    other.omega[k - 3] = other.omega[k - 3] + BESIDE * unit;
                 }
                 let there = self.motion(&other, times);
                 let pairs = here.states.iter().zip(&there.states);
@@ -253,12 +244,11 @@ impl Top {
                     .collect()
             })
             .collect();
-        (0..times.len())
-            .map(|n| {
-                let matrix: [[f64; 6]; 6] = core::array::from_fn(|k| columns[k][n]);
-                largest_singular(&matrix)
-            })
-            .fold(1.0, f64::max)
+        let grown = (0..times.len()).map(|n| {
+            let matrix: [[f64; 6]; 6] = core::array::from_fn(|k| columns[k][n]);
+            largest_singular(&matrix)
+        });
+        grown.fold(1.0, f64::max)
     }
 }
 
@@ -312,30 +302,21 @@ struct Terms {
 
 impl<'a> Walk<'a> {
     fn new(top: &'a Top, start: &Whole, last: f64) -> Self {
-        let one = Dd::from(1.0);
-        let mut walk = Self {
+        let l = core::array::from_fn(|k| start.omega[k] * top.moments[k]);
+        Self {
             top,
             lever: top.lever(),
-            inverse: top.moments.map(|i| {
-                if i == 0.0 {
-                    Dd::ZERO
-                } else {
-                    one / Dd::from(i)
-                }
-            }),
+            inverse: top.omega_of([1.0; 3]),
             unit: start.speed().hypot(top.fall()),
             last,
             begin: Dd::ZERO,
             reach: Dd::ZERO,
             pace: Dd::from(1.0),
-            terms: Terms::at(start, [Dd::ZERO; 3]),
+            terms: Terms::at(start, l),
             stopped: start.omega[2] == Dd::ZERO,
             stopping: false,
             fastest: start.speed(),
-        };
-        let l = core::array::from_fn(|k| start.omega[k] * Dd::from(top.moments[k]));
-        walk.terms = Terms::at(start, l);
-        walk
+        }
     }
 
     /// The state at this time, further than those before.
@@ -348,7 +329,7 @@ impl<'a> Walk<'a> {
                 self.expand(time.signum());
             }
             let along = (Dd::from(time) - self.begin) * self.pace;
-            if (along.abs() - self.reach).value() <= 0.0 {
+            if along.abs() <= self.reach {
                 return self.terms.whole(along);
             }
             self.advance(if time < 0.0 { -self.reach } else { self.reach });
@@ -373,14 +354,14 @@ impl<'a> Walk<'a> {
     /// All the series from where the motion is, and how far they reach.
     fn expand(&mut self, sense: f64) {
         let top = self.top;
-        let (i1, i2, i3) = (self.inverse[0], self.inverse[1], self.inverse[2]);
-        let dry = match top.tip {
+        let [i1, i2, i3] = self.inverse;
+        let [pivot, bearing, air, tip] = top.frictions;
+        let dry = match tip {
             Some(torque) if !self.stopped => torque.copysign(self.terms.l[2].get(0).hi),
             _ => 0.0,
         };
         let [c1, c2, c3] = self.lever;
         let heavy = top.gravity.is_some();
-        let half = Dd::from(0.5);
         self.pace = Dd::from(self.unit.log2().round().exp2());
         let pace = self.pace;
         let Terms {
@@ -392,7 +373,7 @@ impl<'a> Walk<'a> {
             speed,
         } = &mut self.terms;
         // From rest |Ω| is |t| times a smooth function: the series of Ω/t, one place lower.
-        let rest = top.air.is_some() && omega.iter().all(|o| o.get(0) == Dd::ZERO);
+        let rest = air.is_some() && omega.iter().all(|o| o.get(0) == Dd::ZERO);
         for n in 0..ORDER {
             for (o, (l, i)) in omega.iter_mut().zip(l.iter().zip(self.inverse)) {
                 o.set(n, l.get(n) * i);
@@ -411,41 +392,40 @@ impl<'a> Walk<'a> {
                 };
                 let turned = [cross(1, 2), cross(2, 0), cross(0, 1)];
                 for (z, turned) in up.iter_mut().zip(turned) {
-                    z.set(n + 1, turned / (pace * Dd::from((n + 1) as f64)));
+                    z.set(n + 1, turned / (pace * (n + 1) as f64));
                 }
             }
-            if let Some(c) = top.pivot {
-                for (t, o) in torque.iter_mut().zip(omega.iter()) {
-                    *t = *t - Dd::from(c) * o.get(n);
-                }
-            }
-            if let Some(c) = top.bearing {
-                for (t, o) in torque.iter_mut().zip(omega.iter()).take(2) {
-                    *t = *t - Dd::from(c) * o.get(n);
+            for (friction, axes) in [(pivot, 3), (bearing, 2)] {
+                if let Some(c) = friction {
+                    for (t, o) in torque.iter_mut().zip(omega.iter()).take(axes) {
+                        *t = *t - c * o.get(n);
+                    }
                 }
             }
             if n == 0 {
-                torque[2] = torque[2] - Dd::from(dry);
+                torque[2] = torque[2] - dry;
             }
-            if let Some(k) = top.air {
+            if let Some(k) = air {
                 let drag = if rest {
-                    air_from_rest(omega, square, speed, n).map(|d| d * Dd::from(sense))
+                    drag_from_rest(omega, square, speed, n).map(|d| d * sense)
                 } else {
-                    air(omega, square, speed, n)
+                    drag(omega, square, speed, n)
                 };
-                torque = core::array::from_fn(|j| torque[j] - Dd::from(k) * drag[j]);
+                torque = core::array::from_fn(|j| torque[j] - k * drag[j]);
             }
-            let mut spun = [Dd::ZERO; 4];
-            for (k, sign, a, b) in QUATERNION {
-                let term = product(&q[a], &omega[b], n);
-                spun[k] = spun[k] + if sign > 0 { term } else { -term };
-            }
-            let part = Dd::from(1.0) / (pace * Dd::from((n + 1) as f64));
+            let p = |a: usize, b: usize| product(&q[a], &omega[b], n);
+            let spun = [
+                -p(1, 0) - p(2, 1) - p(3, 2),
+                p(0, 0) + p(2, 2) - p(3, 1),
+                p(0, 1) + p(3, 0) - p(1, 2),
+                p(0, 2) + p(1, 1) - p(2, 0),
+            ];
+            let part = 1.0 / (pace * (n + 1) as f64);
             for (l, t) in l.iter_mut().zip(torque) {
                 l.set(n + 1, t * part);
             }
             for (q, s) in q.iter_mut().zip(spun) {
-                q.set(n + 1, s * part * half);
+                q.set(n + 1, s * part * 0.5);
             }
         }
         for (o, (l, i)) in omega.iter_mut().zip(l.iter().zip(self.inverse)) {
@@ -470,16 +450,16 @@ impl<'a> Walk<'a> {
     /// Where the spin comes to rest within the step, the step ends.
     fn stop_within(&mut self, sense: f64) {
         let spin = &self.terms.l[2];
-        let end = spin.at(self.reach * Dd::from(sense)).hi;
+        let end = spin.at(self.reach * sense).hi;
         if spin.get(0).hi * end > 0.0 {
             return;
         }
         // The spin falls at least as fast as the dry torque makes it: Newton's rule finds where.
         let mut root = Dd::ZERO;
         for _ in 0..12 {
-            let slope = (1..=ORDER).rev().fold(Dd::ZERO, |sum, n| {
-                sum * root + Dd::from(n as f64) * spin.get(n)
-            });
+            let slope = (1..=ORDER)
+                .rev()
+                .fold(Dd::ZERO, |sum, n| sum * root + n as f64 * spin.get(n));
             root = root - spin.at(root) / slope;
         }
         self.reach = root.abs();
@@ -487,24 +467,8 @@ impl<'a> Walk<'a> {
     }
 }
 
-/// ½q∘Ω: place, sign, component of q, component of Ω.
-const QUATERNION: [(usize, i8, usize, usize); 12] = [
-    (0, -1, 1, 0),
-    (0, -1, 2, 1),
-    (0, -1, 3, 2),
-    (1, 1, 0, 0),
-    (1, 1, 2, 2),
-    (1, -1, 3, 1),
-    (2, 1, 0, 1),
-    (2, 1, 3, 0),
-    (2, -1, 1, 2),
-    (3, 1, 0, 2),
-    (3, 1, 1, 1),
-    (3, -1, 2, 0),
-];
-
 /// The nth coefficient of |Ω|Ω.
-fn air(omega: &[Series; 3], square: &mut Series, speed: &mut Series, n: usize) -> [Dd; 3] {
+fn drag(omega: &[Series; 3], square: &mut Series, speed: &mut Series, n: usize) -> [Dd; 3] {
     let sum = omega.iter().fold(Dd::ZERO, |s, o| s + product(o, o, n));
     square.set(n, sum);
     root_term(square, speed, n);
@@ -512,17 +476,12 @@ fn air(omega: &[Series; 3], square: &mut Series, speed: &mut Series, n: usize) -
 }
 
 /// The same of a motion that starts from rest: with Ω = t w it is t²|w|w, for positive t.
-fn air_from_rest(
-    omega: &[Series; 3],
-    square: &mut Series,
-    speed: &mut Series,
-    n: usize,
-) -> [Dd; 3] {
+fn drag_from_rest(w: &[Series; 3], square: &mut Series, speed: &mut Series, n: usize) -> [Dd; 3] {
     if n < 2 {
         return [Dd::ZERO; 3];
     }
     // The nth coefficient needs those of w up to n - 2, which are those of Ω up to n - 1.
-    let w = omega.map(|o| {
+    let w = w.map(|o| {
         let mut shifted = Series::new(Dd::ZERO);
         for m in 0..n - 1 {
             shifted.set(m, o.get(m + 1));
@@ -554,19 +513,22 @@ fn root_term(square: &Series, root: &mut Series, n: usize) {
     root.set(n, (square.get(n) - inner) / (first + first));
 }
 
+/// The vertical, seen from the body, of a quaternion of length 1.
+pub fn vertical<T: Number>([w, x, y, z]: [T; 4]) -> [T; 3] {
+    let two = T::from(2.0);
+    [
+        two * (x * z - w * y),
+        two * (y * z + w * x),
+        (w * w + z * z) - (x * x + y * y),
+    ]
+}
+
 impl Terms {
     fn at(state: &Whole, l: [Dd; 3]) -> Self {
-        let [w, x, y, z] = state.attitude;
-        let two = Dd::from(2.0);
-        let up = [
-            two * (x * z - w * y),
-            two * (y * z + w * x),
-            (w * w + z * z) - (x * x + y * y),
-        ];
         Self {
             l: l.map(Series::new),
             omega: state.omega.map(Series::new),
-            up: up.map(Series::new),
+            up: vertical(state.attitude).map(Series::new),
             q: state.attitude.map(Series::new),
             square: Series::new(Dd::ZERO),
             speed: Series::new(Dd::ZERO),

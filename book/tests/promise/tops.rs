@@ -1,13 +1,14 @@
 //! Random tops of every kind, the truth about each, and the verdict on what a scene gives back.
 
 use core::f64::consts::PI;
-use std::fmt::Write as _;
 
 use super::door::{self, Answer};
+use super::kinds::line;
 use super::random::Random;
-use super::top_series::{Top, Whole};
+use super::top_series::{AIR, BEARING, Frictions, PIVOT, TIP, Top, Whole, vertical};
 use super::verdict::{Given, Outcome};
 use support::double_double::Dd;
+use support::{greatest, multiplied, turned};
 
 /// How a top starts to turn.
 #[derive(Debug, Clone, Copy)]
@@ -32,19 +33,14 @@ pub struct Draft {
     weight: [f64; 3],
     omega: [f64; 3],
     attitude: [f64; 4],
+    /// Parts of the rotation that each takes over the whole time.
     frictions: Frictions,
 }
 
-/// Parts of the rotation that each takes over the whole time.
-#[derive(Default, Clone, Copy)]
-pub struct Frictions {
-    pivot: Option<f64>,
-    bearing: Option<f64>,
-    air: Option<f64>,
-    tip: Option<f64>,
-}
-
 type Kind = fn(&mut Random) -> Draft;
+
+const NEAR_THE_THRESHOLD: &str = "Lagrange, nearly upright near the threshold";
+const NEAR_ITS_SEPARATRIX: &str = "Lagrange, pendulum near its separatrix";
 
 /// The strata and how many tops there are of each: 5,000.
 pub const STRATA: [(&str, usize, Kind); 32] = [
@@ -59,20 +55,12 @@ pub const STRATA: [(&str, usize, Kind); 32] = [
     ("free, moments far apart", 100, |r| free(r, far_apart)),
     ("Lagrange", 300, lagrange),
     ("Lagrange, fast", 120, lagrange_fast),
-    (
-        "Lagrange, nearly upright near the threshold",
-        250,
-        near_threshold,
-    ),
+    (NEAR_THE_THRESHOLD, 250, near_threshold),
     ("Lagrange, asleep upright", 120, asleep),
     ("Lagrange, waking", 120, waking),
     ("Lagrange, hanging", 80, hanging),
     ("Lagrange, without spin", 120, pendulum),
-    (
-        "Lagrange, pendulum near its separatrix",
-        120,
-        pendulum_near_separatrix,
-    ),
+    (NEAR_ITS_SEPARATRIX, 120, pendulum_near_separatrix),
     ("Lagrange, spherical inertia", 100, heavy_sphere),
     ("Kovalevskaya", 250, kovalevskaya),
     ("Kovalevskaya, nearly upright", 150, kovalevskaya_upright),
@@ -82,22 +70,12 @@ pub const STRATA: [(&str, usize, Kind); 32] = [
     ("heavy, slow", 150, heavy_slow),
     ("heavy, nearly a known top", 150, nearly_known),
     ("heavy, upright or hanging", 150, heavy_vertical),
-    ("pivot friction", 200, |r| {
-        braked(r, |f, x| f.pivot = Some(x))
-    }),
-    ("bearing friction", 200, |r| {
-        braked(r, |f, x| f.bearing = Some(x))
-    }),
-    ("air drag", 200, |r| braked(r, |f, x| f.air = Some(x))),
-    ("tip friction", 200, |r| dry(r, |_, _| {})),
+    ("pivot friction", 200, |r| braked(r, PIVOT)),
+    ("bearing friction", 200, |r| braked(r, BEARING)),
+    ("air drag", 200, |r| braked(r, AIR)),
+    ("tip friction", 200, dry),
     ("frictions mixed", 200, mixed),
-    ("frictions mixed with a dry tip", 50, |r| {
-        dry(r, |r, f| {
-            let tip = f.tip;
-            *f = any_frictions(r);
-            f.tip = tip;
-        })
-    }),
+    ("frictions mixed with a dry tip", 50, mixed_and_dry),
 ];
 
 /// One case of one stratum.
@@ -116,19 +94,22 @@ fn asymmetric(r: &mut Random) -> [f64; 3] {
     }
 }
 
-fn symmetric(r: &mut Random) -> [f64; 3] {
-    let m = r.scaled(0.3, 3.0);
-    let mut moments = [m, m, m * r.within(0.02, 1.98)];
+fn rotated(r: &mut Random, mut moments: [f64; 3]) -> [f64; 3] {
     moments.rotate_left(r.whole(3));
     moments
+}
+
+fn symmetric(r: &mut Random) -> [f64; 3] {
+    let m = r.scaled(0.3, 3.0);
+    let moments = [m, m, m * r.within(0.02, 1.98)];
+    rotated(r, moments)
 }
 
 fn nearly_symmetric(r: &mut Random) -> [f64; 3] {
     let m = r.scaled(0.3, 3.0);
     let off = r.sign() * r.scaled(1e-15, 1e-2);
-    let mut moments = [m, m * (1.0 + off), m * r.within(0.05, 1.95)];
-    moments.rotate_left(r.whole(3));
-    moments
+    let moments = [m, m * (1.0 + off), m * r.within(0.05, 1.95)];
+    rotated(r, moments)
 }
 
 fn spherical(r: &mut Random) -> [f64; 3] {
@@ -138,28 +119,19 @@ fn spherical(r: &mut Random) -> [f64; 3] {
 fn rod(r: &mut Random) -> [f64; 3] {
     let m = r.scaled(0.3, 3.0);
     let thin = m * r.scaled(1e-12, 1e-2);
-    let off = if r.percent(50) {
-        0.0
-    } else {
-        thin * r.within(0.0, 0.9)
-    };
-    let mut moments = [m, m - off, thin];
-    moments.rotate_left(r.whole(3));
-    moments
+    let off = r.nil_or(50, |r| thin * r.within(0.0, 0.9));
+    rotated(r, [m, m - off, thin])
 }
 
 fn lamina(r: &mut Random) -> [f64; 3] {
     let (a, b) = (r.scaled(0.1, 3.0), r.scaled(0.1, 3.0));
-    let mut moments = [a, b, a + b];
-    moments.rotate_left(r.whole(3));
-    moments
+    rotated(r, [a, b, a + b])
 }
 
 fn far_apart(r: &mut Random) -> [f64; 3] {
     let (a, b) = (1.0, r.scaled(1e-6, 1.0));
-    let mut moments = [a, b, a + b * r.within(-0.99, 0.99)];
-    moments.rotate_left(r.whole(3));
-    moments
+    let moments = [a, b, a + b * r.within(-0.99, 0.99)];
+    rotated(r, moments)
 }
 
 fn free(r: &mut Random, moments: fn(&mut Random) -> [f64; 3]) -> Draft {
@@ -176,7 +148,7 @@ fn free(r: &mut Random, moments: fn(&mut Random) -> [f64; 3]) -> Draft {
         weight: [0.0; 3],
         omega,
         attitude: r.attitude(),
-        frictions: Frictions::default(),
+        frictions: [None; 4],
     }
 }
 
@@ -184,17 +156,10 @@ fn near_separatrix(r: &mut Random) -> Draft {
     let mut moments = asymmetric(r);
     moments.sort_by(f64::total_cmp);
     let [a, b, c] = moments;
-    let off = if r.percent(5) {
-        0.0
-    } else {
-        r.sign() * r.scaled(1e-15, 1e-1)
-    };
+    let off = r.nil_or(5, |r| r.sign() * r.scaled(1e-15, 1e-1));
     // On the separatrix L1²(1/I1 - 1/I2) = L3²(1/I2 - 1/I3); in half of the cases next to the middle axis.
-    let l1 = if r.percent(50) {
-        r.sign()
-    } else {
-        r.sign() * r.scaled(1e-12, 1.0)
-    };
+    let far = r.percent(50);
+    let l1 = r.sign() * if far { 1.0 } else { r.scaled(1e-12, 1.0) };
     let l3 = r.sign() * l1 * ((1.0 / a - 1.0 / b) / (1.0 / b - 1.0 / c)).sqrt() * (1.0 + off);
     let l2 = r.sign() * r.scaled(0.1, 10.0);
     let turn = r.whole(3);
@@ -246,7 +211,7 @@ fn on_axis(r: &mut Random, omega: [f64; 3], weight: f64, tilt: f64) -> Draft {
         weight: [0.0, 0.0, weight],
         omega,
         attitude: tilted(r, tilt),
-        frictions: Frictions::default(),
+        frictions: [None; 4],
     }
 }
 
@@ -269,11 +234,8 @@ fn on_any_axis(r: &mut Random, mut draft: Draft) -> Draft {
 fn lagrange_fast(r: &mut Random) -> Draft {
     let (weight, tilt) = (r.sign() * r.scaled(1e-6, 1e-1), r.within(0.0, PI));
     let slow = r.scaled(1e-3, 1.0);
-    let omega = [
-        slow * r.within(-1.0, 1.0),
-        slow * r.within(-1.0, 1.0),
-        r.sign(),
-    ];
+    let [x, y] = [0; 2].map(|_| slow * r.within(-1.0, 1.0));
+    let omega = [x, y, r.sign()];
     let draft = on_axis(r, omega, weight, tilt);
     on_any_axis(r, draft)
 }
@@ -299,10 +261,7 @@ fn near_threshold(r: &mut Random) -> Draft {
 
 /// On its axis, exactly upright so many times in a hundred, otherwise tilted within this range.
 fn nearly_upright(r: &mut Random, exactly: u64, [least, greatest]: [f64; 2]) -> Draft {
-    let tilt = match r.percent(exactly) {
-        true => 0.0,
-        false => r.scaled(least, greatest),
-    };
+    let tilt = r.nil_or(exactly, |r| r.scaled(least, greatest));
     on_axis(r, [0.0; 3], 1.0, tilt)
 }
 
@@ -334,11 +293,7 @@ fn hanging(r: &mut Random) -> Draft {
 fn pendulum(r: &mut Random) -> Draft {
     let tilt = r.within(0.0, PI);
     let [x, y, _] = r.direction();
-    let size = if r.percent(30) {
-        0.0
-    } else {
-        r.scaled(1e-3, 3.0)
-    };
+    let size = r.nil_or(30, |r| r.scaled(1e-3, 3.0));
     on_axis(r, [x * size, y * size, 0.0], 1.0, tilt)
 }
 
@@ -369,15 +324,10 @@ fn heavy_sphere(r: &mut Random) -> Draft {
 fn kovalevskaya(r: &mut Random) -> Draft {
     let m = r.scaled(0.3, 3.0);
     let weight = r.scaled(3e-2, 5.0);
-    let weight = if r.percent(50) {
-        [weight, 0.0, 0.0]
-    } else {
-        let turn = r.within(0.0, 2.0 * PI);
-        [weight * turn.cos(), weight * turn.sin(), 0.0]
-    };
+    let turn = r.nil_or(50, |r| r.within(0.0, 2.0 * PI));
     let draft = Draft {
         moments: [2.0 * m, 2.0 * m, m],
-        weight,
+        weight: [weight * turn.cos(), weight * turn.sin(), 0.0],
         ..free(r, spherical)
     };
     on_any_axis(r, draft)
@@ -417,15 +367,6 @@ fn upright([x, y, z]: [f64; 3]) -> [f64; 4] {
     [1.0 + z, y, -x, 0.0]
 }
 
-fn multiplied([a, b, c, d]: [f64; 4], [w, x, y, z]: [f64; 4]) -> [f64; 4] {
-    [
-        a * w - b * x - c * y - d * z,
-        a * x + b * w + c * z - d * y,
-        a * y - b * z + c * w + d * x,
-        a * z + b * y - c * x + d * w,
-    ]
-}
-
 /// I₁ = I₂ = 4I₃, the centre of mass on the equator, no vertical angular momentum as well as rounding allows.
 fn goryachev(r: &mut Random) -> Draft {
     let m = r.scaled(0.1, 1.0);
@@ -439,17 +380,14 @@ fn goryachev(r: &mut Random) -> Draft {
     ];
     let l = r.direction();
     let vertical: f64 = (0..3).map(|k| l[k] * up[k]).sum();
-    let exact = r.percent(70);
-    let omega = core::array::from_fn(|k| {
-        let level = if exact { l[k] - vertical * up[k] } else { l[k] };
-        level / moments[k]
-    });
+    let exact = if r.percent(70) { 1.0 } else { 0.0 };
+    let omega = core::array::from_fn(|k| (l[k] - exact * vertical * up[k]) / moments[k]);
     Draft {
         moments,
         weight: [r.scaled(3e-2, 5.0), 0.0, 0.0],
         omega,
         attitude,
-        frictions: Frictions::default(),
+        frictions: [None; 4],
     }
 }
 
@@ -515,11 +453,7 @@ fn heavy_vertical(r: &mut Random) -> Draft {
     let about = r.direction();
     let kick = r.scaled(1e-12, 1e-1);
     // Spin about the vertical, large or small, and a kick.
-    let spin = if r.percent(50) {
-        0.0
-    } else {
-        r.within(-3.0, 3.0)
-    };
+    let spin = r.nil_or(50, |r| r.within(-3.0, 3.0));
     draft.omega = core::array::from_fn(|k| spin * up[k] + kick * about[k]);
     draft
 }
@@ -537,23 +471,18 @@ fn some_top(r: &mut Random) -> Draft {
     }
 }
 
-fn braked(r: &mut Random, which: fn(&mut Frictions, f64)) -> Draft {
+fn braked(r: &mut Random, which: usize) -> Draft {
     let mut draft = some_top(r);
-    which(&mut draft.frictions, r.scaled(1e-4, 3.0));
+    draft.frictions[which] = Some(r.scaled(1e-4, 3.0));
     draft
 }
 
 fn any_frictions(r: &mut Random) -> Frictions {
-    let mut frictions = Frictions {
-        pivot: r.percent(60).then(|| r.scaled(1e-4, 1.0)),
-        bearing: r.percent(60).then(|| r.scaled(1e-4, 1.0)),
-        air: r.percent(60).then(|| r.scaled(1e-4, 1.0)),
-        tip: None,
-    };
-    if frictions.pivot.is_none() && frictions.bearing.is_none() {
-        frictions.air = Some(r.scaled(1e-4, 1.0));
+    let [pivot, bearing, mut air] = [0; 3].map(|_| r.percent(60).then(|| r.scaled(1e-4, 1.0)));
+    if pivot.is_none() && bearing.is_none() {
+        air = Some(r.scaled(1e-4, 1.0));
     }
-    frictions
+    [pivot, bearing, air, None]
 }
 
 fn mixed(r: &mut Random) -> Draft {
@@ -565,7 +494,7 @@ fn mixed(r: &mut Random) -> Draft {
 }
 
 /// A symmetric top on a dry tip.
-fn dry(r: &mut Random, more: fn(&mut Random, &mut Frictions)) -> Draft {
+fn dry(r: &mut Random) -> Draft {
     let mut draft = match r.whole(6) {
         0 => {
             let (omega, tilt) = (r.direction(), r.within(0.0, PI));
@@ -580,8 +509,15 @@ fn dry(r: &mut Random, more: fn(&mut Random, &mut Frictions)) -> Draft {
             on_axis(r, omega, weight, tilt)
         }
     };
-    draft.frictions.tip = Some(r.scaled(1e-3, 3.0));
-    more(r, &mut draft.frictions);
+    draft.frictions[TIP] = Some(r.scaled(1e-3, 3.0));
+    draft
+}
+
+fn mixed_and_dry(r: &mut Random) -> Draft {
+    let mut draft = dry(r);
+    let [.., tip] = draft.frictions;
+    draft.frictions = any_frictions(r);
+    draft.frictions[TIP] = tip;
     draft
 }
 
@@ -589,55 +525,44 @@ impl Draft {
     /// In units of its own, with its times and what is asked of it.
     fn scaled(self, r: &mut Random) -> Case {
         let plain = r.percent(50);
-        let (inertia, rate) = if plain {
-            (1.0, 1.0)
-        } else {
-            (r.scaled(1e-9, 1e9), r.scaled(1e-3, 1e4))
-        };
-        let (mass, gravity) = if plain {
-            (1.0, 1.0)
-        } else {
-            (r.scaled(1e-3, 1e3), r.sign() * r.scaled(1e-1, 1e2))
-        };
+        let [mut inertia, mut rate, mut mass, mut gravity] = [1.0; 4];
+        if !plain {
+            (inertia, rate) = (r.scaled(1e-9, 1e9), r.scaled(1e-3, 1e4));
+            (mass, gravity) = (r.scaled(1e-3, 1e3), r.sign() * r.scaled(1e-1, 1e2));
+        }
         let heavy = self.weight != [0.0; 3];
+        let unit = |w: f64| w * inertia * rate * rate / (mass * gravity);
         let mut top = Top {
             moments: self.moments.map(|m| m * inertia),
             mass,
-            center: self
-                .weight
-                .map(|w| w * inertia * rate * rate / (mass * gravity)),
+            center: self.weight.map(unit),
             gravity: heavy.then_some(gravity),
-            ..Top::default()
+            frictions: self.frictions,
         };
         let omega = self.omega.map(|o| o * rate);
-        let fastest = {
-            let [x, y, z] = omega;
-            x.hypot(y).hypot(z).hypot(top.fall())
-        };
-        let lossy = self.frictions.any();
+        let [x, y, z] = omega;
+        let fastest = x.hypot(y).hypot(z).hypot(top.fall());
         let turns = r.scaled(0.01, 300.0);
         let backward = r.percent(30);
         let span = turns / fastest;
         let mean = top.moments.iter().sum::<f64>() / 3.0;
         // Backward, drag makes a body faster and faster.
         let most = if backward { 0.3 } else { f64::INFINITY };
-        let taken = |part: Option<f64>| part.map(|part: f64| part.min(most));
         let least = top.moments.iter().fold(f64::INFINITY, |a, &b| a.min(b));
-        top.pivot = taken(self.frictions.pivot).map(|part| part * least / span);
-        top.bearing = taken(self.frictions.bearing).map(|part| part * least / span);
-        top.air = taken(self.frictions.air).map(|part| part * least / (span * fastest));
-        top.tip = self.frictions.tip.map(|part| {
-            let spin = (top.moments[2] * omega[2]).abs();
-            let size = if spin > 0.0 { spin } else { mean * fastest };
-            part * size / span
-        });
+        let spin = (top.moments[2] * omega[2]).abs();
+        let size = if spin > 0.0 { spin } else { mean * fastest };
+        let [pivot, bearing, air, tip] = &mut top.frictions;
+        for (part, span) in [(pivot, span), (bearing, span), (air, span * fastest)] {
+            *part = part.map(|part| part.min(most) * least / span);
+        }
+        *tip = tip.map(|part| part * size / span);
         let end = if backward { -span } else { span };
         let times = match r.whole(20) {
             0..12 => vec![end],
             12..15 => (1..=30).map(|k| end * f64::from(k) / 30.0).collect(),
             15..18 => {
                 let count = 2 + r.whole(9);
-                let other = if lossy { 0.0 } else { -0.7 };
+                let other = if top.lossy() { 0.0 } else { -0.7 };
                 (0..count).map(|_| end * r.within(other, 1.0)).collect()
             }
             18 => vec![0.0, end, 0.5 * end, end],
@@ -658,12 +583,6 @@ impl Draft {
     }
 }
 
-impl Frictions {
-    fn any(&self) -> bool {
-        self.pivot.is_some() || self.bearing.is_some() || self.air.is_some() || self.tip.is_some()
-    }
-}
-
 impl Case {
     /// The scene file.
     pub fn text(&self) -> String {
@@ -672,35 +591,28 @@ impl Case {
             mass,
             center,
             gravity,
-            ..
+            frictions,
         } = &self.top;
-        let mut text = format!(
-            "[body]\nmass = {mass:?}\nmoments = {moments:?}\ncenter_of_mass = {center:?}\n"
-        );
-        let _ = writeln!(text, "[initial]\nattitude = {:?}", self.attitude);
-        let _ = match self.spin {
-            Spin::Omega(omega) => writeln!(text, "omega = {omega:?}"),
-            Spin::AngularMomentum(l) => writeln!(text, "angular_momentum = {l:?}"),
+        let attitude = self.attitude;
+        let spin = match self.spin {
+            Spin::Omega(omega) => format!("omega = {omega:?}"),
+            Spin::AngularMomentum(l) => format!("angular_momentum = {l:?}"),
         };
-        text.push_str("[effects]\n");
-        let effects = [
-            ("gravity", *gravity),
-            ("pivot_friction", self.top.pivot),
-            ("bearing_friction", self.top.bearing),
-            ("air_drag", self.top.air),
-            ("tip_friction", self.top.tip),
-        ];
-        for (name, value) in effects {
-            if let Some(value) = value {
-                let _ = writeln!(text, "{name} = {value:?}");
-            }
-        }
-        let _ = writeln!(
-            text,
-            "[run]\ntimes = {:?}\naccuracy = {:?}",
-            self.times, self.accuracy
+        let mut text = format!(
+            "[body]\nmass = {mass:?}\nmoments = {moments:?}\ncenter_of_mass = {center:?}\n[initial]\nattitude = {attitude:?}\n{spin}\n[effects]\n"
         );
-        text
+        line(&mut text, "gravity", *gravity);
+        let names = [
+            "pivot_friction",
+            "bearing_friction",
+            "air_drag",
+            "tip_friction",
+        ];
+        for (name, value) in names.into_iter().zip(*frictions) {
+            line(&mut text, name, value);
+        }
+        let (times, accuracy) = (&self.times, self.accuracy);
+        text + &format!("[run]\ntimes = {times:?}\naccuracy = {accuracy:?}\n")
     }
 
     pub fn start(&self) -> Whole {
@@ -726,12 +638,10 @@ impl Case {
                 let names = ["qw", "qx", "qy", "qz", "omega1", "omega2", "omega3"];
                 let rows = motion.rows(&names);
                 assert_eq!(rows.len(), truth.states.len());
-                let mut error = 0.0_f64;
-                for (row, state) in rows.iter().zip(&truth.states) {
-                    error = larger(error, apart(row, state, unit));
-                }
+                let rows = rows.iter().zip(&truth.states);
+                let error = greatest(rows.map(|(row, state)| apart(row, state, unit)));
                 // A dry tip's jump has no order.
-                let smooth = self.top.tip.is_none();
+                let smooth = self.top.frictions[TIP].is_none();
                 let cheapest = (smooth && self.times.len() == 1 && motion.evaluations > 0)
                     .then(|| self.cheapest(&truth.states[0], unit))
                     .flatten();
@@ -780,40 +690,28 @@ impl Case {
         if moments.contains(&0.0) {
             return None;
         }
-        let lever = top
-            .center
-            .map(|c| top.mass * c * top.gravity.unwrap_or(0.0));
+        let gravity = top.gravity.unwrap_or(0.0);
+        let lever = top.center.map(|c| top.mass * c * gravity);
+        let [pivot, bearing, air, tip] = top.frictions.map(|part| part.unwrap_or(0.0));
         let rate = |y: &[f64; 7]| {
             let [o1, o2, o3, w, x, y, z] = *y;
-            let omega = [o1, o2, o3];
-            let up = [
-                2.0 * (x * z - w * y),
-                2.0 * (y * z + w * x),
-                (w * w + z * z) - (x * x + y * y),
-            ];
+            let (omega, up) = ([o1, o2, o3], vertical([w, x, y, z]));
             let speed = (o1 * o1 + o2 * o2 + o3 * o3).sqrt();
-            let turned: [f64; 3] = core::array::from_fn(|k| {
+            let spun: [f64; 3] = core::array::from_fn(|k| {
                 let (i, j) = ((k + 1) % 3, (k + 2) % 3);
                 let mut torque = (moments[i] - moments[j]) * omega[i] * omega[j];
                 torque += up[i] * lever[j] - up[j] * lever[i];
-                torque -= top.pivot.unwrap_or(0.0) * omega[k];
-                torque -= top.air.unwrap_or(0.0) * speed * omega[k];
+                torque -= pivot * omega[k];
+                torque -= air * speed * omega[k];
                 if k < 2 {
-                    torque -= top.bearing.unwrap_or(0.0) * omega[k];
+                    torque -= bearing * omega[k];
                 } else if omega[2] != 0.0 {
-                    torque -= top.tip.unwrap_or(0.0).copysign(omega[2]);
+                    torque -= tip.copysign(omega[2]);
                 }
                 torque / moments[k]
             });
-            [
-                turned[0],
-                turned[1],
-                turned[2],
-                -0.5 * (x * o1 + y * o2 + z * o3),
-                0.5 * (w * o1 + y * o3 - z * o2),
-                0.5 * (w * o2 + z * o1 - x * o3),
-                0.5 * (w * o3 + x * o2 - y * o1),
-            ]
+            let ([a, b, c], [w, x, y, z]) = (spun, turned([w, x, y, z], omega));
+            [a, b, c, w, x, y, z]
         };
         let [a, b, c] = start.omega.map(|o| o.value());
         let [w, x, y, z] = start.attitude.map(|q| q.value());
@@ -836,19 +734,6 @@ impl Case {
     }
 }
 
-impl Top {
-    fn lossy(&self) -> bool {
-        [self.pivot, self.bearing, self.air, self.tip]
-            .iter()
-            .any(Option::is_some)
-    }
-}
-
-/// What is not a number is as far off as can be.
-fn larger(a: f64, b: f64) -> f64 {
-    if b.is_nan() { f64::INFINITY } else { a.max(b) }
-}
-
 /// How far a row is from the truth: radians, and Ω as a part of `unit`.
 fn apart(row: &[Dd], truth: &Whole, unit: f64) -> f64 {
     let found = Whole {
@@ -857,5 +742,5 @@ fn apart(row: &[Dd], truth: &Whole, unit: f64) -> f64 {
     };
     let [x, y, z, a, b, c] = truth.to(&found);
     let turned = x.hypot(y).hypot(z);
-    larger(turned, a.hypot(b).hypot(c) / unit)
+    greatest([turned, a.hypot(b).hypot(c) / unit])
 }

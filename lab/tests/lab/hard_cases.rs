@@ -1,6 +1,6 @@
 //! The formula of the textbook beside ours, on the cases of the chapter "Hard cases".
 
-use lab::hard_cases::{families, named};
+use lab::hard_cases::{Comparison, families, named};
 use support::observed;
 
 /// Observed: 2.9e-16 at most; 1.0e-15 for the longest time, where a phase of 106 bits begins to show.
@@ -8,11 +8,8 @@ use support::observed;
 fn ours_are_right_to_a_rounding_at_every_step() {
     for family in families() {
         for step in family.comparisons().unwrap() {
-            let phase = if family.name == "long-time" {
-                1e-30 / step.nearness
-            } else {
-                0.0
-            };
+            let long = family.name == "long-time";
+            let phase = if long { 1e-30 / step.nearness } else { 0.0 };
             assert!(step.ours < 4e-16 + phase, "{}: {step:?}", family.name);
         }
     }
@@ -29,11 +26,8 @@ fn the_textbook_is_right_on_paper_and_runs_out_of_digits() {
         // Not a number is no answer.
         let lost = last.textbook.is_nan() || last.textbook > 5e-8;
         assert!(lost, "{}: {last:?}", family.name);
-        assert!(
-            steps
-                .windows(2)
-                .all(|pair| pair[1].nearness < pair[0].nearness)
-        );
+        let nearer = |pair: &[Comparison]| pair[1].nearness < pair[0].nearness;
+        assert!(steps.windows(2).all(nearer));
     }
 }
 

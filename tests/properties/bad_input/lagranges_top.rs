@@ -1,7 +1,7 @@
 //! Lagrange's top.
 
 use super::*;
-use support::refused;
+use support::{near, refused};
 
 #[test]
 fn pivot_at_the_centre_of_mass_is_a_free_top() -> Result<()> {
@@ -15,11 +15,8 @@ fn pivot_at_the_centre_of_mass_is_a_free_top() -> Result<()> {
     }
     let (kind, states) = lagrange(0.0, [0.0, 0.0, 3.0], tilted)?;
     assert_eq!(kind, Nutation::Spinning);
-    assert!(
-        states
-            .iter()
-            .all(|s| s.omega == BodyVector::new(0.0, 0.0, 3.0))
-    );
+    let stays = |s: &State| s.omega == BodyVector::new(0.0, 0.0, 3.0);
+    assert!(states.iter().all(stays));
     Ok(())
 }
 
@@ -28,10 +25,8 @@ fn gravity_upwards_is_the_same_top_upside_down() -> Result<()> {
     for omega in [ZERO, [0.0, 0.0, 3.0]] {
         assert_eq!(lagrange(-1.0, omega, upright())?.0, Nutation::Hanging);
         let stable = omega == [0.0, 0.0, 5.0];
-        assert_eq!(
-            lagrange(-1.0, omega, hanging())?.0,
-            Nutation::Sleeping { stable }
-        );
+        let (kind, _) = lagrange(-1.0, omega, hanging())?;
+        assert_eq!(kind, Nutation::Sleeping { stable });
     }
     // h goes where −h would.
     let [down, up] = [1.0, -1.0].map(|weight| {
@@ -55,11 +50,8 @@ fn tilt_of_exactly_nothing_or_a_half_turn() -> Result<()> {
                 _ => Nutation::Hanging,
             };
             assert_eq!(kind, expected, "at rest or spinning, the axis stays");
-            assert!(
-                states
-                    .iter()
-                    .all(|s| (s.height, s.omega.z()) == (height, spin))
-            );
+            let stays = |s: &State| (s.height, s.omega.z()) == (height, spin);
+            assert!(states.iter().all(stays));
         }
         // Kicked, it leaves the pole and comes back to it.
         for spin in [0.0, 1.0, -7.0] {
@@ -69,10 +61,7 @@ fn tilt_of_exactly_nothing_or_a_half_turn() -> Result<()> {
             let away = top.at(0.5 * top.period())?;
             let back = top.at(top.period())?;
             // Without spin the upright one falls through the bottom; the other swings.
-            assert!(
-                (away.height - height).abs() > 1e-3,
-                "{height} {spin}: {away:?}"
-            );
+            assert!((away.height - height).abs() > 1e-3, "{height} {spin}");
             assert!((back.height - height).abs() < 1e-15);
         }
     }
@@ -84,10 +73,8 @@ fn at_rest_it_falls_unless_upright_or_hanging() -> Result<()> {
     let tilted = Attitude::from_quaternion(2.0, 1.0, 0.0, 0.0)?;
     let turned = Attitude::from_quaternion(0.5, 0.0, 0.2, 0.9)?;
     for omega in [ZERO, [-0.0; 3]] {
-        assert_eq!(
-            lagrange(1.0, omega, upright())?.0,
-            Nutation::Sleeping { stable: false }
-        );
+        let ((kind, _), stable) = (lagrange(1.0, omega, upright())?, false);
+        assert_eq!(kind, Nutation::Sleeping { stable });
         assert_eq!(lagrange(1.0, omega, hanging())?.0, Nutation::Hanging);
         for attitude in [tilted, level()] {
             let (kind, [first, later]) = lagrange(1.0, omega, attitude)?;
@@ -100,11 +87,8 @@ fn at_rest_it_falls_unless_upright_or_hanging() -> Result<()> {
             let (kind, [first, later]) = lagrange(0.0, omega, attitude)?;
             assert_eq!((kind, first), (Nutation::Spinning, later));
             let roots = LagrangeTop::new(1.0, 0.5, 0.0, vector(omega), attitude)?.roots();
-            assert!(
-                [roots.h1, roots.h2]
-                    .iter()
-                    .all(|h| (h - first.height).abs() < 3e-16)
-            );
+            near!(roots.h1, first.height, 3e-16);
+            near!(roots.h2, first.height, 3e-16);
         }
     }
     Ok(())
@@ -201,10 +185,8 @@ fn special_motions_name_what_they_refuse() {
     for tilt in [0.0, std::f64::consts::PI, -0.5, 4.0] {
         assert!(dip(1.0, 1.0, 1.0, tilt).is_err(), "let go at {tilt}");
     }
-    assert!(
-        apsides(0.0, 0.1).is_err(),
-        "a plane pendulum has no ellipse"
-    );
+    // A plane pendulum has no ellipse.
+    assert!(apsides(0.0, 0.1).is_err());
     assert!(apsides(0.2, 0.1).is_err() && apsides(1.0, 3.0).is_err());
     for (a, b) in [(0.0, 1.0), (1.0, 0.5), (1.5, 1.7)] {
         assert!(pendulum_between(a, b, 1.0).is_err());

@@ -1,8 +1,7 @@
 //! What the files of Section 3 share.
 
-use spinning_bodies::conservation::{ForceAndTorque, Particle, Particles};
-use spinning_bodies::frame::SpaceVector;
-use support::Uniform;
+use super::*;
+use spinning_bodies::conservation::ForceAndTorque;
 
 pub type V = SpaceVector;
 

@@ -1,11 +1,7 @@
 //! 3.3, 3.4: energy with heat; why equal and opposite is not enough.
 
-use num_rational::Ratio;
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::conservation::{Law, Ledger, Particle, Particles};
-use support::{observed, relative};
-
-use super::common::{Flight, V};
 
 // claim: C3.3-1
 #[test]
@@ -25,11 +21,8 @@ fn s3_3_energy_with_heat() -> Result<()> {
         assert_eq!(speed, kept);
         let slip = tau - tau * tau * (one + kappa.recip()) / 2; // × V₀²/(μg)
         let energy = speed * speed * (one + kappa) / 2;
-        assert_eq!(
-            Q::new(1, 2) - energy,
-            slip,
-            "lost energy = μMg × slip distance"
-        );
+        // The energy lost is μMg times the slip distance.
+        assert_eq!(Q::new(1, 2) - energy, slip);
         assert_eq!(slip * 2, heat);
     }
     // The same by force alone, Coulomb friction integrated in small steps, watched by the ledger.

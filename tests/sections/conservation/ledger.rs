@@ -1,8 +1,8 @@
 //! The ledger of conserved quantities: what it measures, and what it refuses.
 
-use spinning_bodies::conservation::{Entry, Law, Ledger};
+use super::*;
+use spinning_bodies::conservation::Entry;
 use spinning_bodies::frame::SpaceVector as V;
-use support::{close, refused};
 
 #[test]
 fn ledger_takes_no_nan_for_an_answer() {
@@ -11,20 +11,14 @@ fn ledger_takes_no_nan_for_an_answer() {
     assert!(ledger.is_kept_within(0.0).unwrap());
     refused!(ledger.record(e, f64::NAN), NotFinite, "energy");
     ledger.record(e, 1.0).unwrap();
-    assert_eq!(
-        ledger.entries()[0].relative_drift(),
-        f64::INFINITY,
-        "the stain stays"
-    );
+    // The stain stays.
+    assert_eq!(ledger.entries()[0].relative_drift(), f64::INFINITY);
     assert!(!ledger.is_kept_within(1e300).unwrap());
     assert!(ledger.is_kept_within(f64::NAN).is_err());
     assert!(ledger.is_kept_within(-1.0).is_err());
     assert!(ledger.open("nothing", Law::Conserved, f64::NAN).is_err());
-    assert!(
-        ledger
-            .open_scaled("nothing", Law::Conserved, 0.0, 0.0)
-            .is_err()
-    );
+    let unscaled = ledger.open_scaled("nothing", Law::Conserved, 0.0, 0.0);
+    assert!(unscaled.is_err());
     assert_eq!(ledger.entries().len(), 1, "a refused account is not opened");
 
     // Accounts of another ledger are refused, not indexed.
@@ -52,11 +46,8 @@ fn ledger_measures_each_law_its_own_way() {
     assert_eq!(lines, [1.0, 0.5, 0.5, 0.0]);
     assert!(ledger.is_kept_within(1.0).unwrap() && !ledger.is_kept_within(0.99).unwrap());
     ledger.record(zero, 1e-300).unwrap();
-    assert_eq!(
-        ledger.entries()[3].relative_drift(),
-        f64::INFINITY,
-        "no scale to compare with"
-    );
+    // No scale to compare with.
+    assert_eq!(ledger.entries()[3].relative_drift(), f64::INFINITY);
 
     // A vector that turns without changing its length has drifted all the same.
     let mut turning = Ledger::new();

@@ -8,3 +8,9 @@ mod particles;
 mod points_of_reference;
 mod refusals;
 mod turning_stars;
+
+use super::*;
+use common::*;
+use spinning_bodies::conservation::{Law, Ledger, Particle, Particles, uniform_gravity};
+use spinning_bodies::phenomena::Waist;
+use spinning_bodies::rotating_fluid::{JacobiEllipsoid, MaclaurinSpheroid};

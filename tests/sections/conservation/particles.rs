@@ -1,12 +1,8 @@
 //! 3.2: momentum and its splits for particles and rigid bodies.
 
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::conservation::{Ledger, Particle, Particles};
-use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::inertia::{MassProperties, RigidMotion};
-use support::{observed, relative, runge_kutta};
-
-use super::common::V;
+use spinning_bodies::inertia::RigidMotion;
 
 /// Places and velocities of the three.
 fn parts(state: &[f64; 18]) -> [[V; 3]; 2] {
@@ -115,10 +111,7 @@ fn s3_2_splits_and_the_rigid_body() {
         (motion.momentum(&body), swarm.momentum()),
     ] {
         let left = attitude.to_space(left);
-        assert!(
-            (left - right).norm() < 1e-15 * right.norm(),
-            "{left:?} {right:?}"
-        );
+        within((left - right).norm(), 1e-15 * right.norm());
     }
     assert_eq!(parts.orbital, V::zero());
     let (e, f) = (motion.energy(&body).unwrap(), swarm.energy_split());

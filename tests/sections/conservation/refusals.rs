@@ -1,11 +1,7 @@
 //! No number makes the ledger panic, or its drift not a number.
 
+use super::*;
 use proptest::prelude::*;
-use spinning_bodies::conservation::{Law, Ledger, Particle, Particles, uniform_gravity};
-use spinning_bodies::phenomena::Waist;
-use spinning_bodies::rotating_fluid::{JacobiEllipsoid, MaclaurinSpheroid};
-
-use super::common::V;
 
 fn anything() -> impl Strategy<Value = f64> {
     prop_oneof![

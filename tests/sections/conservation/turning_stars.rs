@@ -1,7 +1,6 @@
 //! 3.5: spheroids and ellipsoids that turn.
 
-use spinning_bodies::rotating_fluid::{JacobiEllipsoid, MaclaurinSpheroid};
-use support::{observed, relative};
+use super::*;
 
 /// Potential coefficient A_i of a spheroid by Simpson's rule, straight from its definition
 /// a²c ∫ du/(Δ (a_i²+u)) with u = c² s²/(1−s)².

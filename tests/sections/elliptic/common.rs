@@ -1,8 +1,7 @@
 //! What the tests of elliptic functions share.
 
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::elliptic::Parameter;
-use support::decimal::hexadecimal;
 
 /// `m:0x…` or `mc:0x…`.
 pub fn parameter(text: &str) -> Result<Parameter> {

@@ -1,11 +1,8 @@
 //! Jacobi functions: against the table, in batches, over successive floats.
 
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::elliptic::{Jacobi, Modulus, Parameter};
-use std::f64::consts::FRAC_PI_2;
-use support::decimal::{hexadecimal, relative_error, units};
-
-use super::common::parameter;
+use support::decimal::units;
 
 struct Row {
     line: &'static str,
@@ -41,11 +38,7 @@ fn jacobi_functions_are_right_to_the_last_places_everywhere() -> Result<()> {
         let Jacobi { sn, cn, dn, am } = row.modulus.jacobi(row.u)?;
         for (i, value) in [sn, cn, dn, am].into_iter().enumerate() {
             let error = units(value, row.exact[i]);
-            assert!(
-                error <= bars[i],
-                "{}: {value:e} is {error} ulp off",
-                row.line
-            );
+            assert!(error <= bars[i], "{}: {value:e}: {error} ulp", row.line);
             worst[i] = worst[i].max(error);
             if i < 3 {
                 let nearest: f64 = row.exact[i].parse().expect("a decimal");
@@ -101,19 +94,13 @@ fn the_amplitude_grows_across_every_multiple_of_k() -> Result<()> {
             for _ in 0..20_000 {
                 u = u.next_up();
                 let am = modulus.jacobi(u)?.am;
-                assert!(
-                    am >= previous,
-                    "mc = {mc}, i = {i}, u = {u:?}: {previous:?}, {am:?}"
-                );
+                assert!(am >= previous, "{mc} {i} {u:?}: {previous:?}, {am:?}");
                 previous = am;
             }
             // And it passes i π/2 there, to the steps of u and of the angle.
             let angle = modulus.jacobi(center)?.am;
             let step = (i * FRAC_PI_2).next_up() - i * FRAC_PI_2 + (center.next_up() - center);
-            assert!(
-                (angle - i * FRAC_PI_2).abs() <= step,
-                "mc = {mc}, i = {i}: {angle}"
-            );
+            near!(angle, i * FRAC_PI_2, step);
         }
     }
     Ok(())

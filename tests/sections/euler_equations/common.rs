@@ -1,9 +1,6 @@
 //! What the files of Section 5 share.
 
-use nalgebra::Complex;
-use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, TopState};
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::ideal_fluid::TruncatedFluid;
+use super::*;
 
 pub const PLATE: [f64; 3] = [2.0, 3.0, 4.0];
 

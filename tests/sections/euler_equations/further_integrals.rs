@@ -1,10 +1,7 @@
 //! 5.3: the tops with a further integral, exactly and along the motion.
 
-use spinning_bodies::euler_equations::{Integrability, TopState};
-use spinning_bodies::frame::BodyVector;
-use support::{R, observed, rational, relative};
-
-use super::common::{START, heavy};
+use super::*;
+use spinning_bodies::euler_equations::Integrability;
 
 /// a + b·dt with exact fractions: carries a derivative through any polynomial.
 #[derive(Clone, Copy)]
@@ -36,11 +33,8 @@ fn exact_state(i: [R; 3], c: [R; 3], omega: [R; 3], z: [R; 3]) -> ([Dual; 3], [D
     let turn = |k: usize| ((k + 1) % 3, (k + 2) % 3);
     let omegas = std::array::from_fn(|k| {
         let (a, b) = turn(k);
-        let torque = z[a] * c[b] - z[b] * c[a];
-        Dual(
-            omega[k],
-            ((i[a] - i[b]) * omega[a] * omega[b] + torque) / i[k],
-        )
+        let torque = (i[a] - i[b]) * omega[a] * omega[b] + z[a] * c[b] - z[b] * c[a];
+        Dual(omega[k], torque / i[k])
     });
     let ups = std::array::from_fn(|k| {
         let (a, b) = turn(k);
@@ -50,15 +44,12 @@ fn exact_state(i: [R; 3], c: [R; 3], omega: [R; 3], z: [R; 3]) -> ([Dual; 3], [D
 }
 
 fn points() -> Vec<([R; 3], [R; 3])> {
-    let z = [
-        [rational(2, 7), rational(3, 7), rational(6, 7)],
-        [rational(-4, 9), rational(7, 9), rational(4, 9)],
-        [rational(1, 3), rational(-2, 3), rational(2, 3)],
-    ];
+    let z =
+        [([2, 3, 6], 7), ([-4, 7, 4], 9), ([1, -2, 2], 3)].map(|(z, n)| z.map(|x| rational(x, n)));
     let o = [
-        [rational(1, 2), rational(-3, 5), rational(2, 1)],
+        [rational(1, 2), rational(-3, 5), TWO],
         [rational(7, 3), rational(1, 4), rational(-5, 6)],
-        [rational(-1, 1), rational(2, 3), rational(3, 4)],
+        [whole(-1), rational(2, 3), rational(3, 4)],
     ];
     o.into_iter().flat_map(|o| z.map(|z| (o, z))).collect()
 }
@@ -66,65 +57,47 @@ fn points() -> Vec<([R; 3], [R; 3])> {
 // claim: C5.3-1, C5.3-2, C5.3-3
 #[test]
 fn s5_3_the_integrals_exactly() {
-    let (zero, one, two, four) = (
-        rational(0, 1),
-        rational(1, 1),
-        rational(2, 1),
-        rational(4, 1),
-    );
-    let number = |x: R| Dual(x, zero);
+    let number = |x: R| Dual(x, ZERO);
+    let sum = |term: &dyn Fn(usize) -> Dual| term(0) + term(1) + term(2);
+    let kovalevskaya = |(o, up): ([Dual; 3], [Dual; 3])| {
+        let c = number(rational(3, 2));
+        let re = o[0] * o[0] - o[1] * o[1] - c * up[0];
+        let im = number(TWO) * o[0] * o[1] - c * up[1];
+        (re * re + im * im).1
+    };
     for (omega, z) in points() {
         let at = |i: [R; 3], c: [R; 3]| exact_state(i, c, omega, z);
         // Energy and L_vert, for any top.
         let (i, c) = (
-            [rational(2, 1), rational(5, 3), rational(3, 2)],
+            [TWO, rational(5, 3), rational(3, 2)],
             [rational(1, 2), rational(-2, 3), rational(1, 5)],
         );
         let (o, up) = at(i, c);
         let l = |k: usize| number(i[k]) * o[k];
-        let twice_energy = (0..3)
-            .map(|k| l(k) * o[k] + number(two * c[k]) * up[k])
-            .reduce(|a, b| a + b)
-            .unwrap();
-        let vertical = (0..3).map(|k| l(k) * up[k]).reduce(|a, b| a + b).unwrap();
-        assert_eq!((twice_energy.1, vertical.1), (zero, zero));
+        let twice_energy = sum(&|k| l(k) * o[k] + number(TWO * c[k]) * up[k]);
+        let vertical = sum(&|k| l(k) * up[k]);
+        assert_eq!([twice_energy.1, vertical.1], [ZERO; 2]);
         // Euler: |L|².
-        let (o, _) = at(i, [zero; 3]);
-        let square = (0..3)
-            .map(|k| number(i[k] * i[k]) * o[k] * o[k])
-            .reduce(|a, b| a + b)
-            .unwrap();
-        assert_eq!(square.1, zero);
+        let (o, _) = at(i, [ZERO; 3]);
+        let square = sum(&|k| number(i[k] * i[k]) * o[k] * o[k]);
+        assert_eq!(square.1, ZERO);
         // Lagrange: L₃. Any C on the sphere: ⟨L, C⟩.
-        let (o, _) = at([two, two, one], [zero, zero, four]);
-        assert_eq!(o[2].1, zero);
-        let (o, _) = at([two; 3], c);
-        let along = (0..3)
-            .map(|k| number(c[k]) * o[k])
-            .reduce(|a, b| a + b)
-            .unwrap();
-        assert_eq!(along.1, zero);
+        let (o, _) = at([TWO, TWO, ONE], [ZERO, ZERO, whole(4)]);
+        assert_eq!(o[2].1, ZERO);
+        let (o, _) = at([TWO; 3], c);
+        assert_eq!(sum(&|k| number(c[k]) * o[k]).1, ZERO);
         // Kovalevskaya: |w² − cζ|².
-        let (o, up) = at([two, two, one], [rational(3, 2), zero, zero]);
-        let re = o[0] * o[0] - o[1] * o[1] - number(rational(3, 2)) * up[0];
-        let im = number(two) * o[0] * o[1] - number(rational(3, 2)) * up[1];
-        assert_eq!((re * re + im * im).1, zero);
+        let lever = [rational(3, 2), ZERO, ZERO];
+        assert_eq!(kovalevskaya(at([TWO, TWO, ONE], lever)), ZERO);
         // At another ratio it is no integral.
-        let (o, up) = at([three(), three(), one], [rational(3, 2), zero, zero]);
-        let re = o[0] * o[0] - o[1] * o[1] - number(rational(3, 2)) * up[0];
-        let im = number(two) * o[0] * o[1] - number(rational(3, 2)) * up[1];
-        assert_ne!((re * re + im * im).1, zero);
+        assert_ne!(kovalevskaya(at([whole(3), whole(3), ONE], lever)), ZERO);
         // Goryachev–Chaplygin: the derivative is −(MgC₁/4I₃) Ω₂ L_vert, and so it is kept where L_vert = 0.
-        let (o, up) = at([four, four, one], [rational(3, 2), zero, zero]);
-        let g = o[2] * (o[0] * o[0] + o[1] * o[1]) - number(rational(3, 2)) * o[0] * up[2];
-        let vertical = four * (omega[0] * z[0] + omega[1] * z[1]) + omega[2] * z[2];
-        assert_ne!(vertical, zero);
+        let (o, up) = at([whole(4), whole(4), ONE], lever);
+        let g = o[2] * (o[0] * o[0] + o[1] * o[1]) - number(lever[0]) * o[0] * up[2];
+        let vertical = whole(4) * (omega[0] * z[0] + omega[1] * z[1]) + omega[2] * z[2];
+        assert_ne!(vertical, ZERO);
         assert_eq!(g.1, -rational(3, 8) * omega[1] * vertical);
     }
-}
-
-fn three() -> R {
-    rational(3, 1)
 }
 
 const WILD: TopState = TopState {
@@ -143,26 +116,16 @@ fn on_level_zero() -> TopState {
 // claim: C5.3-1, C5.3-2
 #[test]
 fn s5_3_the_integrals_along_the_motion() {
+    use Integrability::{Euler, Kovalevskaya, Lagrange, SphericalInertia};
     let cases = [
-        (heavy([2.0, 1.6, 1.0], [0.0; 3]), Integrability::Euler),
-        (
-            heavy([2.0; 3], [0.3, -0.5, 0.2]),
-            Integrability::SphericalInertia,
-        ),
-        (
-            heavy([1.0, 2.0, 2.0], [1.0, 0.0, 0.0]),
-            Integrability::Lagrange(0),
-        ),
-        (
-            heavy([2.0, 2.0, 1.0], [0.6, 0.8, 0.0]),
-            Integrability::Kovalevskaya(2),
-        ),
-        (
-            heavy([2.0, 1.0, 2.0], [0.6, 0.0, 0.8]),
-            Integrability::Kovalevskaya(1),
-        ),
+        ([2.0, 1.6, 1.0], [0.0; 3], Euler),
+        ([2.0; 3], [0.3, -0.5, 0.2], SphericalInertia),
+        ([1.0, 2.0, 2.0], [1.0, 0.0, 0.0], Lagrange(0)),
+        ([2.0, 2.0, 1.0], [0.6, 0.8, 0.0], Kovalevskaya(2)),
+        ([2.0, 1.0, 2.0], [0.6, 0.0, 0.8], Kovalevskaya(1)),
     ];
-    for (top, kind) in cases {
+    for (moments, lever, kind) in cases {
+        let top = heavy(moments, lever);
         assert_eq!(top.kind(), kind);
         let of = |s: &TopState| top.further_integral(s).unwrap();
         let (mut s, h) = (START, 0.001);
@@ -178,24 +141,20 @@ fn s5_3_the_integrals_along_the_motion() {
         let vertical = |s| top.vertical_angular_momentum(s);
         observed!((vertical(&s) - vertical(&START)).abs(), 9e-14..=1e-12);
     }
-    assert_eq!(
-        heavy([2.0, 1.6, 1.0], [1.0, 0.0, 0.0]).kind(),
-        Integrability::None
-    );
-    let next = f64::from_bits(2.0_f64.to_bits() + 1);
-    assert_eq!(
-        heavy([next, next, 1.0], [1.0, 0.0, 0.0]).kind(),
-        Integrability::None
-    );
-    assert_eq!(
-        heavy([2.0, 2.0, 1.0], [1.0, 0.0, 0.1]).kind(),
-        Integrability::None
-    );
-    assert!(
-        heavy([3.0, 3.0, 2.0], [1.0, 0.0, 0.0])
-            .further_integral(&START)
-            .is_none()
-    );
+    let next = 2.0_f64.next_up();
+    for (moments, leaning) in [
+        ([2.0, 1.6, 1.0], 0.0),
+        ([next, next, 1.0], 0.0),
+        ([2.0, 2.0, 1.0], 0.1),
+    ] {
+        assert_eq!(
+            heavy(moments, [1.0, 0.0, leaning]).kind(),
+            Integrability::None
+        );
+    }
+
+    let other = heavy([3.0, 3.0, 2.0], [1.0, 0.0, 0.0]);
+    assert!(other.further_integral(&START).is_none());
 }
 
 // claim: C5.3-3

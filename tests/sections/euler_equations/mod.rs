@@ -7,3 +7,12 @@ mod further_integrals;
 mod momentum_sphere;
 mod motions;
 mod refusals;
+
+use super::*;
+use common::*;
+use nalgebra::Complex;
+use spinning_bodies::euler_equations::{
+    AxisMoments, HeavyTop, SpringBody, TopState, equilibria, flow, rate, rate_in_any_axes,
+    streamline,
+};
+use spinning_bodies::ideal_fluid::{SquareRoot, TruncatedFluid};

@@ -1,13 +1,7 @@
 //! 5.1: the flow on the momentum sphere.
 
-use spinning_bodies::euler_equations::{
-    Nature, equilibria, fastest_flow, flow, separatrix_slope, streamline,
-};
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::inertia::PrincipalMoments;
-use support::{observed, relative};
-
-use super::common::moments;
+use super::*;
+use spinning_bodies::euler_equations::{Nature, fastest_flow, separatrix_slope};
 
 #[test]
 fn s5_1_the_flow_on_the_momentum_sphere() {
@@ -24,11 +18,8 @@ fn s5_1_the_flow_on_the_momentum_sphere() {
     // 6.7: (I₃−I₂)(I₂−I₁)/(I₂²I₁I₃) = 1/12 at the saddle, for |L| = 1.
     let off = relative(equilibria(&body)[2].growth_squared, 1.0 / 12.0);
     observed!(off, 0.0..=3e-16);
-    assert!(
-        equilibria(&moments([2.0, 2.0, 2.0]))
-            .iter()
-            .all(|e| e.nature == Nature::Degenerate)
-    );
+    let round = equilibria(&moments([2.0; 3]));
+    assert!(round.iter().all(|e| e.nature == Nature::Degenerate));
     // The separatrix is a great circle that the flow keeps, and it ends in the saddle.
     let sorted = PrincipalMoments::new(1.0, 2.0, 3.0).unwrap();
     let slope = separatrix_slope(&sorted);

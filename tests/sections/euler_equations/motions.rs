@@ -1,19 +1,12 @@
 //! 5.1: the equations in the body, in space, about any point.
 
-use nalgebra::{Complex, Matrix3, Vector3};
+use super::*;
 use proptest::prelude::*;
 use spinning_bodies::Result;
 use spinning_bodies::euler_equations::{
-    AxisMoments, HeavyTop, ReferencePoint, SpringBody, TopState, equilibria, flow, quaternion_rate,
-    rate, rate_about, rate_in_any_axes, rate_in_space, streamline,
+    ReferencePoint, quaternion_rate, rate_about, rate_in_space,
 };
-use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
-use spinning_bodies::ideal_fluid::{SquareRoot, TruncatedFluid};
-use spinning_bodies::inertia::{InertiaMatrix, MassProperties};
 use std::f64::consts::FRAC_PI_4;
-use support::{observed, relative, runge_kutta};
-
-use super::common::{OMEGA, PLATE, moments};
 
 /// The classical Runge–Kutta method; none of the library's.
 fn integrate<const N: usize>(

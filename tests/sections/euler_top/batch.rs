@@ -1,8 +1,7 @@
 //! Many states at once (6.6, 6.8): those of one call at a time to the last bit, in whatever order and however many. That they are right, the
 //! table of 32 digits says in `tests/hard_cases/free_top.rs`.
 
-use spinning_bodies::euler_top::{EulerTop, Regime, State};
-use support::{Uniform, refused, vector};
+use super::*;
 
 /// One body of each kind, and one whose axes are numbered the other way round.
 fn tops() -> Vec<EulerTop> {
@@ -43,11 +42,8 @@ fn s6_6_many_times_at_once() {
             let times: Vec<f64> = (0..count).map(|k| 7.3 * f64::from(k) + far(k)).collect();
             let mut states = vec![State::default(); times.len()];
             top.states_at(&times, &mut states).unwrap();
-            assert!(
-                top.states(times.clone())
-                    .map(Result::unwrap)
-                    .eq(states.clone())
-            );
+            let alone = top.states(times.clone()).map(Result::unwrap);
+            assert!(alone.eq(states.clone()));
             for (t, state) in times.iter().zip(&states) {
                 assert_eq!(top.at(*t).unwrap(), *state);
                 assert_eq!(top.omega_at(*t).unwrap(), state.omega);

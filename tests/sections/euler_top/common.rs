@@ -1,8 +1,6 @@
 //! What the files of Section 6 share.
 
-use spinning_bodies::euler_top::{EulerTop, Regime, State};
-use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
-use support::{R, Uniform, ration, rational, vector};
+use super::*;
 
 /// 2E = 6, L² = 14, k² = 1/2, moments 1, 2, 3: Ω = (√2, 0, 2/√3).
 pub fn example() -> EulerTop {

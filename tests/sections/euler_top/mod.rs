@@ -1,5 +1,5 @@
 //! Section 6 of the tutorial: Euler's top. The truths it is held against: the register's closed forms and numbers to twenty
-//! digits, exact rationals for identities, quadrature, and an integrator of its own in pairs of doubles (`support/free_top.rs`).
+//! digits, exact rationals for identities, quadrature, and power series of its own in pairs of doubles (`support/power_series.rs`).
 
 mod attitude;
 mod batch;
@@ -12,3 +12,10 @@ mod regimes;
 mod solution;
 mod stability;
 mod symmetric;
+
+use super::*;
+use common::*;
+use spinning_bodies::elliptic::{Modulus, Parameter, complete_first};
+use spinning_bodies::euler_top::{EulerTop, Poinsot, Regime, State, SymmetricTop};
+use support::free_top::Flight;
+use support::inertia::gauss;

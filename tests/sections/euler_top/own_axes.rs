@@ -1,11 +1,9 @@
 //! 2.3, 6.6: a free body along axes that are no principal ones.
 
-use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use super::*;
+use nalgebra::UnitQuaternion;
 use spinning_bodies::Result;
-use spinning_bodies::euler_top::{EulerTop, FreeBody};
-use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::inertia::InertiaMatrix;
-use support::observed;
+use spinning_bodies::euler_top::FreeBody;
 
 /// The same body twice: by its principal moments, and by the matrix that a turn makes of them.
 #[test]

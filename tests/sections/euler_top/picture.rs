@@ -1,17 +1,13 @@
 //! Paragraph 6.3: the polhodes, and what they tell about the racket. Times and rates: `stability.rs`.
 
-use super::common::{at, euler, integrals, omega, random_tops, rational_starts, thrown, tilted};
-use spinning_bodies::euler_top::{Poinsot, Regime, Sector};
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::inertia::{MassProperties, shapes};
-use support::{R, Uniform, observed, rational, relative, vector, within};
+use super::*;
+use spinning_bodies::euler_top::Sector;
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 
 // claim: C6.3-1, C6.3-4
 #[test]
 fn s6_3_range_of_the_ratio_and_lyapunov_functions() {
-    let zero = rational(0, 1);
     for ([i1, i2, i3], o) in rational_starts(631, 300) {
         let [o1, o2, o3] = o;
         let (twice_energy, l2) = integrals([i1, i2, i3], o);
@@ -20,18 +16,16 @@ fn s6_3_range_of_the_ratio_and_lyapunov_functions() {
         let about_largest = |o1: R, o2: R| i1 * (i3 - i1) * o1 * o1 + i2 * (i3 - i2) * o2 * o2;
         assert_eq!(l2 - twice_energy * i1, about_smallest(o2, o3));
         assert_eq!(twice_energy * i3 - l2, about_largest(o1, o2));
-        assert!(i2 > i1 && i3 > i2 && i1 > zero);
-        assert!(
-            twice_energy * i1 < l2 && l2 < twice_energy * i3,
-            "off the axes"
-        );
+        assert!(i2 > i1 && i3 > i2 && i1 > ZERO);
+        // Off the axes.
+        assert!(twice_energy * i1 < l2 && l2 < twice_energy * i3);
         // Indefinite across x₂.
         let about_middle = |o1: R, o3: R| i3 * (i3 - i2) * o3 * o3 - i1 * (i2 - i1) * o1 * o1;
         assert_eq!(l2 - twice_energy * i2, about_middle(o1, o3));
-        assert!(about_middle(o1, zero) < zero && about_middle(zero, o3) > zero);
+        assert!(about_middle(o1, ZERO) < ZERO && about_middle(ZERO, o3) > ZERO);
         // Equality on the axes.
-        let (e1, l1) = integrals([i1, i2, i3], [o1, zero, zero]);
-        let (e3, l3) = integrals([i1, i2, i3], [zero, zero, o3]);
+        let (e1, l1) = integrals([i1, i2, i3], [o1, ZERO, ZERO]);
+        let (e3, l3) = integrals([i1, i2, i3], [ZERO, ZERO, o3]);
         assert!(l1 == e1 * i1 && l3 == e3 * i3);
         // And constant: the gradient is at right angles to Euler's equations.
         let rate = [
@@ -41,11 +35,11 @@ fn s6_3_range_of_the_ratio_and_lyapunov_functions() {
         ];
         assert_eq!(
             i2 * (i2 - i1) * o2 * rate[1] + i3 * (i3 - i1) * o3 * rate[2],
-            zero
+            ZERO
         );
         assert_eq!(
             i1 * (i3 - i1) * o1 * rate[0] + i2 * (i3 - i2) * o2 * rate[1],
-            zero
+            ZERO
         );
     }
 }
@@ -82,7 +76,7 @@ fn s6_3_ellipsoid_meets_sphere() {
     }
     // On these planes, L² = 2EI₂ exactly: 7.5 = 3 · 2.5 and so on.
     let o = [rational(2, 3), rational(1, 6), rational(1, 2)];
-    let i = [rational(3, 2), rational(3, 1), rational(4, 1)];
+    let i = [rational(3, 2), whole(3), whole(4)];
     let (twice_energy, l2) = integrals(i, o);
     assert_eq!(l2, twice_energy * i[1]);
 }
@@ -119,10 +113,8 @@ fn s6_3_four_eyes() {
             for k in 0..steps {
                 let ((a0, b0, c), (a1, b1, _)) = (place(k), place(k + 1));
                 angle += (a0 * b1 - b0 * a1).atan2(a0 * a1 + b0 * b1);
-                assert!(
-                    turning != axis || c.signum() == o[axis].signum(),
-                    "it changed sides"
-                );
+                // It keeps to its side.
+                assert!(turning != axis || c.signum() == o[axis].signum());
             }
             let turns = angle / std::f64::consts::TAU;
             if turning == axis {
@@ -148,10 +140,8 @@ fn s6_3_four_eyes() {
     let close = (0..1000)
         .filter(|k| omega(&top, top.period() * f64::from(*k) / 1000.0)[1].abs() > 0.99)
         .count();
-    assert!(
-        close > 550,
-        "{close} of 1000 equal times within 8 degrees of the middle axis"
-    );
+    // So many of a thousand equal times within 8 degrees of the middle axis.
+    assert!(close > 550, "{close}");
     assert!(near.pace(std::f64::consts::FRAC_PI_2) < 0.02 * near.pace(0.0));
 }
 

@@ -1,16 +1,7 @@
 //! Paragraphs 6.4 and 6.6: the sphere, and the generic top in Jacobi's functions.
 
-use super::common::{
-    at, derivative, difference, distance, euler, example, integrals, kept_axis, norm, omega,
-    random_start, rational_starts, step, thrown, tilted,
-};
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::elliptic::{Modulus, Parameter, complete_first};
-use spinning_bodies::euler_top::{EulerTop, Regime, SymmetricTop};
-use spinning_bodies::frame::{Attitude, BodyVector};
-use support::free_top::Flight;
-use support::inertia::gauss;
-use support::{R, Uniform, close, exact, observed, rational, relative, vector, within};
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 
@@ -74,19 +65,13 @@ fn s6_6_sectors() {
         moments.sort_by(f64::total_cmp);
         let omega0: [f64; 3] = [0; 3].map(|_| numbers.signed());
         let mut flight = Flight::from_omega(moments, omega0);
-        let l = flight.angular_momentum();
-        let (twice_energy, l2) = (flight.twice_energy().value(), l.dot(&l));
+        let l = vector([0, 1, 2].map(|k| moments[k] * omega0[k]));
+        let (twice_energy, l2) = (l.dot(&vector(omega0)), l.dot(&l));
         assert!(moments[0] < l2 / twice_energy && l2 / twice_energy < moments[2]);
         let above = l2 > twice_energy * moments[1];
         let regime = tilted(moments, omega0).regime();
-        assert_eq!(
-            regime,
-            if above {
-                Regime::AroundLargest
-            } else {
-                Regime::AroundSmallest
-            }
-        );
+        let sides = [Regime::AroundSmallest, Regime::AroundLargest];
+        assert_eq!(regime, sides[usize::from(above)]);
         // By the integrator: the one keeps its sign for a period, the two others change theirs.
         let period = tilted(moments, omega0).period();
         let mut changed = [false; 3];
@@ -101,21 +86,15 @@ fn s6_6_sectors() {
     }
     assert!(seen[0] > 15 && seen[1] > 15, "{seen:?}");
     // The condition: on the axes the bounds are reached, and on the separatrix neither sign is in danger.
-    let (energy, l2) = integrals(
-        [1, 2, 3].map(|i| rational(i, 1)),
-        [rational(2, 1), rational(0, 1), rational(0, 1)],
-    );
+    let (energy, l2) = integrals([1, 2, 3].map(whole), [TWO, ZERO, ZERO]);
     assert_eq!(l2, energy);
-    assert_eq!(
-        thrown([1.5, 3.0, 4.0], [1.0, 0.5, 2.0]).regime(),
-        Regime::Separatrix
-    );
+    let between = thrown([1.5, 3.0, 4.0], [1.0, 0.5, 2.0]);
+    assert_eq!(between.regime(), Regime::Separatrix);
 }
 
 // claim: C6.6-2, C6.6-3, C6.6-4, C6.6-5
 #[test]
 fn s6_6_from_the_integrals_to_the_modulus() {
-    let one = rational(1, 1);
     for ([i1, i2, i3], [o1, o2, o3]) in rational_starts(662, 200) {
         let (e, l2) = integrals([i1, i2, i3], [o1, o2, o3]);
         let (d1, d2, d3) = (l2 - e * i1, l2 - e * i2, l2 - e * i3);
@@ -131,41 +110,34 @@ fn s6_6_from_the_integrals_to_the_modulus() {
             rate * rate
         });
         let binomial = [1, -5, 10, -10, 5, -1];
-        let values: Vec<R> = (0..6).map(|n| quartic(rational(n, 1))).collect();
-        let fifth = (0..6).fold(rational(0, 1), |sum, n| {
-            sum + rational(binomial[n], 1) * values[n]
-        });
-        assert_eq!(fifth, rational(0, 1));
+        let values: Vec<R> = (0..6).map(|n| quartic(whole(n))).collect();
+        let fifth = (0..6).fold(ZERO, |sum, n| sum + whole(binomial[n]) * values[n]);
+        assert_eq!(fifth, ZERO);
         let fourth = [1, -4, 6, -4, 1];
-        let fourth = (0..5).fold(rational(0, 1), |sum, n| {
-            sum + rational(fourth[n], 1) * values[n]
-        });
+        let fourth = (0..5).fold(ZERO, |sum, n| sum + whole(fourth[n]) * values[n]);
         // 4! times the leading coefficient.
         let leading =
             factor * factor * (i2 - i1) * i2 * (i2 - i3) * i2 / ((i3 - i1) * i3 * (i1 - i3) * i1);
-        assert_eq!(fourth, rational(24, 1) * leading);
-        assert!(leading != rational(0, 1));
+        assert_eq!(fourth, whole(24) * leading);
+        assert!(leading != ZERO);
         // Its roots: where Ω₃ or Ω₁ vanishes.
-        assert_eq!(third(d1 / ((i2 - i1) * i2)), rational(0, 1));
-        assert_eq!(first(d3 / ((i2 - i3) * i2)), rational(0, 1));
+        assert_eq!(third(d1 / ((i2 - i1) * i2)), ZERO);
+        assert_eq!(first(d3 / ((i2 - i3) * i2)), ZERO);
         // τ² = t²·rate, ω² = Ω₂²·scale: (dω/dτ)² = (1 − ω²)(1 − k²ω²).
         let rate = (i3 - i2) * d1 / (i1 * i2 * i3);
         let scale = (i2 - i3) * i2 / d3;
         let k2 = (i1 - i2) * d3 / ((i3 - i2) * d1);
         for x in [o2, rational(1, 5), rational(7, 3)] {
             let w2 = x * x * scale;
-            assert_eq!(quartic(x) * scale / rate, (one - w2) * (one - k2 * w2));
+            assert_eq!(quartic(x) * scale / rate, (ONE - w2) * (ONE - k2 * w2));
         }
         // The complement, and when it is positive.
-        assert_eq!(one - k2, (i3 - i1) * d2 / ((i3 - i2) * d1));
-        assert!(k2 > rational(0, 1));
-        assert_eq!(
-            k2 < one,
-            d2 > rational(0, 1),
-            "the condition: the sector of Ω₃"
-        );
+        assert_eq!(ONE - k2, (i3 - i1) * d2 / ((i3 - i2) * d1));
+        assert!(k2 > ZERO);
+        // The condition: the sector of Ω₃.
+        assert_eq!(k2 < ONE, d2 > ZERO);
         let exchanged = (i3 - i2) * d1 / ((i1 - i2) * d3);
-        assert_eq!(exchanged, one / k2, "the other sector has the inverse");
+        assert_eq!(exchanged, ONE / k2, "the other sector has the inverse");
         // The motion itself obeys the quartic.
         let moments = [i1, i2, i3].map(exact);
         let start = [o1, o2, o3].map(exact);
@@ -317,24 +289,13 @@ fn s6_6_other_sector() {
     ];
     observed!(distance(at(&top, 1.0).omega, expected), 0.0..=4.5e-16); // observed none
     // 2E = 7, L² = 13: exchange 1 and 3 in every formula, and no sign.
-    observed!(
-        distance(
-            vector(displayed_exchanged(MOMENTS, 7.0, 13.0, 1.0)),
-            expected,
-        ),
-        0.0..=4.5e-16
-    ); // observed none
-    observed!(
-        distance(
-            vector(displayed_exchanged(MOMENTS, 7.0, 13.0, 5.0)),
-            omega(&top, 5.0),
-        ),
-        1e-16..=2e-15
-    ); // observed 3.8e-16
+    let shown = |t: f64| vector(displayed_exchanged(MOMENTS, 7.0, 13.0, t));
+    observed!(distance(shown(1.0), expected), 0.0..=4.5e-16); // observed none
+    observed!(distance(shown(5.0), omega(&top, 5.0)), 1e-16..=2e-15); // observed 3.8e-16
     let off = relative(top.period(), 7.470_389_337_573_354_766_3);
     observed!(off, 0.0..=4.5e-16);
     // The modulus is 3/4, exactly.
-    let q = |n: i128| rational(n, 1);
+    let q = |n: i128| whole(n);
     let k2 = (q(3) - q(2)) * (q(13) - q(7)) / ((q(1) - q(2)) * (q(13) - q(21)));
     assert_eq!(k2, rational(3, 4));
 }

@@ -1,13 +1,9 @@
 //! Paragraphs 6.3 and 6.7: which rotations last, how long the racket waits, and the factor that λ lacks.
 
-use super::common::{at, distance, norm, omega, rational_moments, thrown, tilted};
+use super::*;
 use spinning_bodies::euler_top::stability::{
     flip_time_asymptote, lambda, lyapunov, oscillations, saddle,
 };
-use spinning_bodies::euler_top::{EulerTop, Regime};
-use spinning_bodies::inertia::PrincipalMoments;
-use support::free_top::Flight;
-use support::{Uniform, observed, ration, rational, refused, relative, vector, within};
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 
@@ -240,11 +236,7 @@ fn s6_7_growth_rate() {
             let error = |rate: f64| (grown / (rate * t).cosh() - 1.0).abs();
             observed!(error(rate), 0.0..=7e-16); // observed 2.2e-16
             let printed_error = error(wrong);
-            assert_eq!(
-                printed_error < 1e-6,
-                omega2 == 1.0,
-                "Ω₂ = {omega2}, t = {t}: {printed_error}"
-            );
+            assert_eq!(printed_error < 1e-6, omega2 == 1.0, "Ω₂ = {omega2}");
         }
     }
     // λ is one over time squared: run the same film at double speed and it must be four times as large.
@@ -256,7 +248,7 @@ fn s6_7_growth_rate() {
         let twice = (i2 - i3) * o / i1 * ((i1 - i2) * o / i3);
         let printed = (i1 - i2) * (i2 - i3) / (i3 * i1);
         assert_eq!(twice, printed * o * o);
-        assert_eq!(twice == printed, o * o == rational(1, 1));
+        assert_eq!(twice == printed, o * o == ONE);
     }
 }
 
@@ -282,10 +274,8 @@ fn s6_7_omega2_is_steady_to_first_order() {
         assert!((omega(&top, 1.0)[0] - e * a).abs() > 0.5 * e);
     }
     for pair in changes.windows(2) {
-        assert!(
-            (pair[0] / pair[1] - 100.0).abs() < 0.1,
-            "a tenth of the disturbance, a hundredth of the change"
-        );
+        // A tenth of the disturbance, a hundredth of the change.
+        near!(pair[0] / pair[1], 100.0, 0.1);
     }
 }
 
@@ -301,9 +291,9 @@ fn s6_7_same_rate_as_the_separatrix() {
         let of_sech = (i3 - i2) * (l2 - e * i1) / (i1 * i2 * i3);
         let printed = (i1 - i2) * (i2 - i3) / (i3 * i1);
         assert_eq!(of_sech, printed * o * o);
-        assert_eq!(of_sech == printed, o * o == rational(1, 1));
+        assert_eq!(of_sech == printed, o * o == ONE);
     }
-    let q = |n: i128| rational(n, 1);
+    let q = |n: i128| whole(n);
     assert_eq!((q(3) - q(2)) * (q(16) - q(8)) / q(6), rational(4, 3));
     let rate = saddle(&moments(MOMENTS), 2.0).unwrap().rate;
     observed!(relative(rate, 2.0 / 3f64.sqrt()), 0.0..=4.5e-16);
@@ -355,14 +345,8 @@ fn s6_7_the_incoming_separatrix() {
     // I = (3/2, 3, 4): slope 3/4, so that the incoming direction is (4, 0, 3)/5.
     let i = [1.5, 3.0, 4.0];
     let fate = saddle(&moments(i), 2.0).unwrap();
-    observed!(
-        norm([
-            fate.incoming.x() - 0.8,
-            fate.incoming.y(),
-            fate.incoming.z() - 0.6,
-        ]),
-        0.0..=4e-16
-    ); // observed 1.1e-16
+    let [x, y, z]: [f64; 3] = fate.incoming.components().into();
+    observed!(norm([x - 0.8, y, z - 0.6]), 0.0..=4e-16); // observed 1.1e-16
     // It is the tangent of the separatrix in Poinsot's picture.
     let error = (fate.incoming.z() / fate.incoming.x() - 0.75).abs();
     observed!(error, 0.0..=7e-16); // observed 2.2e-16

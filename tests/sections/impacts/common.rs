@@ -1,9 +1,7 @@
 //! What the files of 4.2 share.
 
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::impacts::{Meteorite, Planet, Strike, strike};
-use spinning_bodies::inertia::shapes;
-use support::{R, cross, rational};
+use super::*;
+use spinning_bodies::impacts::Strike;
 
 pub type V = BodyVector;
 
@@ -29,12 +27,7 @@ pub fn example() -> Strike {
 }
 
 pub fn close(actual: V, expected: [f64; 3], tolerance: f64) {
-    let difference = actual - V::new(expected[0], expected[1], expected[2]);
-    assert!(
-        difference.norm() <= tolerance,
-        "{actual:?} against {expected:?}: {:e}",
-        difference.norm()
-    );
+    within((actual - vector(expected)).norm(), tolerance);
 }
 
 pub fn add(a: Q3, b: Q3, factor: R) -> Q3 {
@@ -52,41 +45,29 @@ pub fn balances(
     velocity: Q3,
     omega: Q3,
 ) -> (Q3, Q3) {
-    let zero = rational(0, 1);
     let momentum = add(velocity.map(|c| c * big), flight, small);
     let spin = add(omega.map(|c| c * moment), cross(at, flight), small);
     let right: Vec<R> = momentum.into_iter().chain(spin).collect();
     let left = |velocity: Q3, omega: Q3| -> Vec<R> {
-        let ground = add(velocity, cross(omega, at), rational(1, 1));
+        let ground = add(velocity, cross(omega, at), ONE);
         let p = add(velocity.map(|c| c * big), ground, small);
         let l = add(omega.map(|c| c * moment), cross(at, ground), small);
         p.into_iter().chain(l).collect()
     };
-    let unit = |i: usize| [0, 1, 2].map(|j| if i == j { rational(1, 1) } else { zero });
-    let columns: Vec<Vec<R>> = (0..6)
-        .map(|i| {
-            if i < 3 {
-                left(unit(i), [zero; 3])
-            } else {
-                left([zero; 3], unit(i - 3))
-            }
-        })
-        .collect();
-    let mut rows: Vec<Vec<R>> = (0..6)
-        .map(|i| columns.iter().map(|c| c[i]).chain([right[i]]).collect())
-        .collect();
+    let unit = |i: usize| [0, 1, 2].map(|j| if i == j { ONE } else { ZERO });
+    let columns = [0, 1, 2, 3, 4, 5].map(|i| left(unit(i), unit(i.wrapping_sub(3))));
+    let row = |i| columns.iter().map(|c| c[i]).chain([right[i]]).collect();
+    let mut rows: Vec<Vec<R>> = (0..6).map(row).collect();
     for i in 0..6 {
-        let pivot = (i..6).find(|&r| rows[r][i] != zero).unwrap();
+        let pivot = (i..6).find(|&r| rows[r][i] != ZERO).unwrap();
         rows.swap(i, pivot);
         let scale = rows[i][i];
         rows[i].iter_mut().for_each(|c| *c /= scale);
         for r in (0..6).filter(|&r| r != i) {
             let factor = rows[r][i];
             let row = rows[i].clone();
-            rows[r]
-                .iter_mut()
-                .zip(row)
-                .for_each(|(c, p)| *c -= factor * p);
+            let pairs = rows[r].iter_mut().zip(row);
+            pairs.for_each(|(c, p)| *c -= factor * p);
         }
     }
     let solution = |i: usize| rows[i][6];
@@ -99,23 +80,15 @@ pub fn defects(hit: &Strike) -> (V, V) {
     let ground = hit.velocity_after + hit.omega_after.cross(&x);
     let (m, v) = (meteorite.mass, meteorite.velocity);
     let momentum = planet.mass * (hit.velocity_after - planet.velocity) + m * (ground - v);
-    let spin = planet
-        .inertia
-        .angular_momentum(hit.omega_after - planet.omega);
+    let change = hit.omega_after - planet.omega;
+    let spin = planet.inertia.angular_momentum(change);
     (momentum, spin + x.cross(&(m * (ground - v))))
 }
 
 pub fn lopsided() -> Planet {
     // A box: I is a matrix here, and the axes are turned so that it is not even diagonal.
     let attitude = spinning_bodies::frame::Attitude::from_quaternion(0.9, 0.2, -0.3, 0.1).unwrap();
-    let body = shapes::cuboid(5.0, [1.0, 2.0, 3.0])
-        .unwrap()
-        .turned(&attitude);
-    Planet::new(
-        5.0,
-        body.inertia(),
-        V::new(1.0, -2.0, 0.5),
-        V::new(0.3, 0.2, -1.0),
-    )
-    .unwrap()
+    let body = shapes::cuboid(5.0, [1.0, 2.0, 3.0]).unwrap();
+    let (velocity, omega) = (V::new(1.0, -2.0, 0.5), V::new(0.3, 0.2, -1.0));
+    Planet::new(5.0, body.turned(&attitude).inertia(), velocity, omega).unwrap()
 }

@@ -1,67 +1,41 @@
 //! The exact solution, its balances, and a capture by springs.
 
-use spinning_bodies::impacts::{Meteorite, Planet, strike};
-use spinning_bodies::inertia::{InertiaMatrix, MassProperties};
-use support::{R, observed, rational, relative};
-
-use super::common::{M, MOMENT, Q3, SMALL, V, balances, close, defects, example, lopsided, v, x};
+use super::*;
 
 fn rational_example() -> (Q3, Q3) {
-    let zero = rational(0, 1);
     balances(
-        rational(1, 1),
+        ONE,
         rational(2, 5),
         rational(1, 100),
-        [rational(3, 5), zero, rational(4, 5)],
-        [rational(-10, 1), rational(-20, 1), rational(5, 1)],
-        [zero; 3],
-        [zero, zero, rational(1, 1)],
+        [rational(3, 5), ZERO, rational(4, 5)],
+        [whole(-10), whole(-20), whole(5)],
+        [ZERO; 3],
+        [ZERO, ZERO, ONE],
     )
-}
-
-fn float(value: Q3) -> [f64; 3] {
-    value.map(|c| *c.numer() as f64 / *c.denom() as f64)
 }
 
 // claim: C4.2-3
 #[test]
 fn s4_2_exact_solution() {
     let (velocity, omega) = rational_example();
-    assert_eq!(
-        omega,
-        [rational(412, 1035), rational(-55, 207), rational(242, 345)]
-    );
-    assert_eq!(
-        velocity,
-        [
-            rational(-2026, 20907),
-            rational(-206, 1035),
-            rational(334, 6969)
-        ]
-    );
+    let known = [(412, 1035), (-55, 207), (242, 345)].map(|(n, d)| rational(n, d));
+    assert_eq!(omega, known);
+    let known = [(-2026, 20907), (-206, 1035), (334, 6969)].map(|(n, d)| rational(n, d));
+    assert_eq!(velocity, known);
     // Observed: 1.2e-16 and 3e-17, within 2 ulp of each component.
     let hit = example();
-    close(hit.omega_after, float(omega), 2.3e-16);
-    close(hit.velocity_after, float(velocity), 6e-17);
+    close(hit.omega_after, omega.map(exact), 2.3e-16);
+    close(hit.velocity_after, velocity.map(exact), 6e-17);
 
     // The matrix is the inertia of the joined body about its own centre: L about that centre, from the composed body.
-    let joined = MassProperties::compose(&[
-        MassProperties::new(
-            M,
-            V::zero(),
-            InertiaMatrix::diagonal(MOMENT, MOMENT, MOMENT).unwrap(),
-        )
-        .unwrap(),
-        MassProperties::particle(SMALL, x()).unwrap(),
-    ])
-    .unwrap();
+    let round = InertiaMatrix::diagonal(MOMENT, MOMENT, MOMENT).unwrap();
+    let alone = MassProperties::new(M, V::zero(), round).unwrap();
+    let stuck = MassProperties::particle(SMALL, x()).unwrap();
+    let joined = MassProperties::compose(&[alone, stuck]).unwrap();
     let mu = M * SMALL / (M + SMALL);
     let l = joined.inertia().angular_momentum(hit.omega_after);
     let brought = MOMENT * V::new(0.0, 0.0, 1.0) + mu * x().cross(&v());
-    assert!(
-        (l - brought).norm() < 2e-16 * brought.norm().max(1.0),
-        "{l:?} {brought:?}"
-    );
+    within((l - brought).norm(), 2e-16 * brought.norm().max(1.0));
 
     // With scalar I the component of Ω along x does not change.
     let along = x().dot(&(hit.omega_after - hit.planet.omega));
@@ -71,27 +45,22 @@ fn s4_2_exact_solution() {
     for k in 1..=20_i128 {
         let (at, flight) = (
             [rational(k, 7), rational(-2, 3), rational(1, k)],
-            [rational(-3, 2), rational(k, 4), rational(9, 1)],
+            [rational(-3, 2), rational(k, 4), whole(9)],
         );
         let (velocity, omega) = (
-            [rational(1, 3), rational(-k, 5), rational(2, 1)],
-            [rational(1, k), rational(3, 1), rational(-1, 2)],
+            [rational(1, 3), rational(-k, 5), TWO],
+            [rational(1, k), whole(3), rational(-1, 2)],
         );
-        let (big, moment, small) = (rational(3, 1), rational(k + 1, 2), rational(k, 10));
+        let (big, moment, small) = (whole(3), rational(k + 1, 2), rational(k, 10));
         let truth = balances(big, moment, small, at, flight, velocity, omega);
-        let vector = |value: Q3| {
-            let [a, b, c] = float(value);
-            V::new(a, b, c)
-        };
-        let single = |value: R| *value.numer() as f64 / *value.denom() as f64;
-        let planet =
-            Planet::spherical(single(big), single(moment), vector(velocity), vector(omega))
-                .unwrap();
-        let meteorite = Meteorite::new(single(small), vector(flight)).unwrap();
+        let vector = |value: Q3| vector(value.map(exact));
+        let (v, turning) = (vector(velocity), vector(omega));
+        let planet = Planet::spherical(exact(big), exact(moment), v, turning).unwrap();
+        let meteorite = Meteorite::new(exact(small), vector(flight)).unwrap();
         let hit = strike(&planet, &meteorite, vector(at)).unwrap();
         // Absolute, numbers up to 10: observed 2e-15.
-        close(hit.velocity_after, float(truth.0), 4e-15);
-        close(hit.omega_after, float(truth.1), 4e-15);
+        close(hit.velocity_after, truth.0.map(exact), 4e-15);
+        close(hit.omega_after, truth.1.map(exact), 4e-15);
     }
 }
 

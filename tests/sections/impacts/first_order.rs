@@ -1,9 +1,6 @@
 //! The formula to first order, its frame and its error.
 
-use spinning_bodies::impacts::{Meteorite, Planet, strike};
-use support::{near, observed, rational, relative};
-
-use super::common::{M, MOMENT, SMALL, V, balances, close, example, lopsided, v, x};
+use super::*;
 
 // claim: C4.2-4
 #[test]
@@ -32,10 +29,8 @@ fn s4_2_first_order_formula_and_the_frame() {
     let meteorite = Meteorite::new(1e-3, V::new(3.0, 8.0, -20.0)).unwrap();
     let at = V::new(0.4, -1.0, 1.2);
     let hit = strike(&lopsided(), &meteorite, at).unwrap();
-    let kick = hit
-        .planet
-        .inertia
-        .angular_momentum(hit.first_order_at_rest().unwrap() - hit.planet.omega);
+    let change = hit.first_order_at_rest().unwrap() - hit.planet.omega;
+    let kick = hit.planet.inertia.angular_momentum(change);
     let expected = 1e-3 * at.cross(&(meteorite.velocity - hit.planet.velocity));
     assert!((kick - expected).norm() < 1e-15 * expected.norm().max(1.0));
 }
@@ -43,12 +38,8 @@ fn s4_2_first_order_formula_and_the_frame() {
 /// Approximate over exact change of Ω, minus one, for a tangential hit on a resting uniform ball.
 fn tangential_excess(mass: f64) -> f64 {
     let planet = Planet::spherical(M, MOMENT, V::zero(), V::zero()).unwrap();
-    let hit = strike(
-        &planet,
-        &Meteorite::new(mass, V::new(0.0, 7.0, 0.0)).unwrap(),
-        V::new(1.0, 0.0, 0.0),
-    )
-    .unwrap();
+    let meteorite = Meteorite::new(mass, V::new(0.0, 7.0, 0.0)).unwrap();
+    let hit = strike(&planet, &meteorite, V::new(1.0, 0.0, 0.0)).unwrap();
     hit.first_order().unwrap().z() / hit.omega_after.z() - 1.0
 }
 
@@ -56,26 +47,12 @@ fn tangential_excess(mass: f64) -> f64 {
 #[test]
 fn s4_2_size_of_the_error() {
     // Exactly, as fractions: for every m, not only to first order.
-    let zero = rational(0, 1);
-    for small in [
-        rational(1, 1_000_000),
-        rational(1, 100),
-        rational(1, 2),
-        rational(7, 1),
-    ] {
-        let rest = [zero; 3];
-        let flight = [zero, rational(7, 1), zero];
-        let (_, omega) = balances(
-            rational(1, 1),
-            rational(2, 5),
-            small,
-            [rational(1, 1), zero, zero],
-            flight,
-            rest,
-            rest,
-        );
-        let rough = small * rational(7, 1) / rational(2, 5);
-        assert_eq!(rough / omega[2] - rational(1, 1), rational(7, 2) * small);
+    for small in [(1, 1_000_000), (1, 100), (1, 2), (7, 1)].map(|(n, d)| rational(n, d)) {
+        let rest = [ZERO; 3];
+        let (at, flight) = ([ONE, ZERO, ZERO], [ZERO, whole(7), ZERO]);
+        let (_, omega) = balances(ONE, rational(2, 5), small, at, flight, rest, rest);
+        let rough = small * whole(7) / rational(2, 5);
+        assert_eq!(rough / omega[2] - ONE, rational(7, 2) * small);
     }
     for mass in [0.01, 0.5, 7.0] {
         observed!(relative(tangential_excess(mass), 3.5 * mass), 3e-16..=1e-13);

@@ -5,3 +5,7 @@ mod energy_and_tilt;
 mod exact;
 mod first_order;
 mod refusals;
+
+use super::*;
+use common::*;
+use spinning_bodies::impacts::{Meteorite, Planet, grazing_mass_ratio, strike};

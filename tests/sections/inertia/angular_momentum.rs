@@ -1,17 +1,7 @@
 //! 2.2: the velocity field of a rigid body and its angular momentum.
 
-use approx::assert_relative_eq;
-use nalgebra::{Matrix3, Vector3};
-use num_rational::Ratio;
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::inertia::{InertiaMatrix, PrincipalMoments};
-use support::inertia::particles;
-use support::{R, Uniform, close, cross, dot, exact, observed, rational, relative, vector};
-
-use super::common::{
-    EPS, OMEGA, POSITIONS, U, add, direct_sums, four_masses, motion_about_origin, swarms,
-};
 
 fn assert_close(computed: BodyVector, exact: [R; 3]) {
     let exact = exact.map(|x| *x.numer() as f64 / *x.denom() as f64);
@@ -27,9 +17,9 @@ fn assert_close(computed: BodyVector, exact: [R; 3]) {
 fn s2_2_velocity_field() {
     // claim: C2.2-1
     let motion = motion_about_origin();
-    let p = [5, -7, 11].map(|x| Ratio::from_integer(x as i128));
+    let p = [5, -7, 11].map(|x| whole(x as i128));
     let elsewhere = motion.seen_from(vector([5.0, -7.0, 11.0]));
-    let (u, omega) = (U.map(Ratio::from_integer), OMEGA.map(Ratio::from_integer));
+    let (u, omega) = (U.map(whole), OMEGA.map(whole));
     // Small integers are exact in f64, so these are equalities.
     assert_close(elsewhere.velocity, add(u, cross(omega, p)));
     assert_eq!(elsewhere.omega, motion.omega);
@@ -38,7 +28,7 @@ fn s2_2_velocity_field() {
         assert_eq!(motion.velocity_at(point), elsewhere.velocity_at(point));
         assert_close(
             motion.velocity_at(point),
-            add(u, cross(omega, x.map(Ratio::from_integer))),
+            add(u, cross(omega, x.map(whole))),
         );
     }
 }
@@ -57,7 +47,7 @@ fn s2_2_angular_momentum_splits() -> Result<()> {
         epsilon = EPS
     );
     let split = motion_about_origin().angular_momentum(&body)?;
-    let integers = |v: [i128; 3]| v.map(Ratio::from_integer);
+    let integers = |v: [i128; 3]| v.map(whole);
     assert_close(split.of_motion, integers([32, -8, -16]));
     assert_close(split.of_rotation, integers([26, 8, -23]));
     assert_close(split.of_motion + split.of_rotation, integers([58, 0, -39]));
@@ -71,8 +61,8 @@ fn s2_2_cross_term_drops() -> Result<()> {
     let body = four_masses()?;
     let center = [rational(1, 2), rational(3, 5), rational(7, 10)];
     let inertia = [
-        [rational(9, 2), rational(-1, 1), rational(-1, 2)],
-        [rational(-1, 1), rational(23, 5), rational(1, 5)],
+        [rational(9, 2), whole(-1), rational(-1, 2)],
+        [whole(-1), rational(23, 5), rational(1, 5)],
         [rational(-1, 2), rational(1, 5), rational(49, 10)],
     ];
     for (i, row) in inertia.iter().enumerate() {
@@ -81,7 +71,7 @@ fn s2_2_cross_term_drops() -> Result<()> {
             assert!((computed - exact(*entry)).abs() <= 2.0 * EPS * 4.9);
         }
     }
-    let omega = OMEGA.map(Ratio::from_integer);
+    let omega = OMEGA.map(whole);
     let i_omega = inertia.map(|row| dot(row, omega));
     assert_eq!(direct_sums(center).0, i_omega, "L = I_C Ω in rationals");
     let motion = motion_about_origin().seen_from(body.center());

@@ -1,13 +1,7 @@
 //! 2.6: box, cylinder, equilateral lamina.
 
-use approx::assert_relative_eq;
-use nalgebra::Matrix3;
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::inertia::{PlatonicSolid, mesh_mass_properties, shapes};
-use support::inertia::{assert_inertia, circle, cubature, gauss, particles, unit_gauss};
-use support::{Uniform, close, exact, observed, rational, vector};
-
-use super::common::EPS;
 
 #[test]
 fn s2_6_box() -> Result<()> {
@@ -47,7 +41,7 @@ fn s2_6_cylinder() -> Result<()> {
     // claim: C2.6-2
     let (radius, height) = (1.5, 2.0);
     let body = shapes::cylinder(3.0, radius, height)?;
-    let across = rational(3 * 9, 4) + rational(4, 1);
+    let across = rational(3 * 9, 4) + whole(4);
     let across = exact(across / 12);
     assert_inertia(&body, [across, across, 1.125, 0.0, 0.0, 0.0]);
     let entries = cubature([unit_gauss(), circle(), gauss()], |[r, phi, u]| {

@@ -1,11 +1,7 @@
 //! What the files of Section 2 share.
 
-use num_rational::Ratio;
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::inertia::{InertiaMatrix, MassProperties, RigidMotion};
-use support::inertia::particles;
-use support::{R, Uniform, cross, dot, rational, vector};
 
 pub const EPS: f64 = f64::EPSILON;
 
@@ -55,11 +51,11 @@ pub fn add(a: [R; 3], b: [R; 3]) -> [R; 3] {
 
 /// Σ m x∧v and ½Σ m v², in rationals, for the four masses with base point `base`.
 pub fn direct_sums(base: [R; 3]) -> ([R; 3], R) {
-    let (u, omega) = (U.map(Ratio::from_integer), OMEGA.map(Ratio::from_integer));
-    let mut l = [rational(0, 1); 3];
-    let mut energy = rational(0, 1);
+    let (u, omega) = (U.map(whole), OMEGA.map(whole));
+    let mut l = [ZERO; 3];
+    let mut energy = ZERO;
     for (m, x) in MASSES.into_iter().zip(POSITIONS) {
-        let x = x.map(Ratio::from_integer);
+        let x = x.map(whole);
         let v = add(u, cross(omega, x));
         let arm = [x[0] - base[0], x[1] - base[1], x[2] - base[2]];
         l = add(l, cross(arm, v).map(|c| c * m));

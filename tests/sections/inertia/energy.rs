@@ -1,11 +1,7 @@
 //! 2.3: kinetic energy in three parts.
 
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::inertia::InertiaMatrix;
-use support::{Uniform, close, exact, rational};
-
-use super::common::{EPS, direct_sums, four_masses, motion_about_origin};
 
 #[test]
 fn s2_3_energy_splits_in_three() -> Result<()> {
@@ -15,23 +11,17 @@ fn s2_3_energy_splits_in_three() -> Result<()> {
     assert_eq!(split.of_motion, 70.0);
     close!(split.cross, 72.0, 2.0 * EPS);
     close!(split.of_rotation, 41.5, 2.0 * EPS);
-    close!(
-        split.of_motion + split.cross + split.of_rotation,
-        183.5,
-        2.0 * EPS
-    );
-    assert_eq!(direct_sums([rational(0, 1); 3]).1, rational(367, 2));
+    let whole = split.of_motion + split.cross + split.of_rotation;
+    close!(whole, 183.5, 2.0 * EPS);
+    assert_eq!(direct_sums([ZERO; 3]).1, rational(367, 2));
     // About the centre the cross term is gone and the sum is the same.
     let centered = motion_about_origin()
         .seen_from(body.center())
         .energy(&body)?;
     assert_eq!(centered.cross, 0.0);
     close!(centered.of_rotation, exact(rational(251, 20)), 4.0 * EPS);
-    close!(
-        centered.of_motion + centered.cross + centered.of_rotation,
-        183.5,
-        4.0 * EPS
-    );
+    let whole = centered.of_motion + centered.cross + centered.of_rotation;
+    close!(whole, 183.5, 4.0 * EPS);
     // And where U is perpendicular to Ω∧(C−O), though neither vanishes.
     let mut motion = motion_about_origin();
     motion.velocity = motion.omega;

@@ -1,11 +1,7 @@
 //! 2.1: mass is a coefficient, inertia depends on the axis.
 
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::inertia::{MassProperties, RigidMotion, shapes};
-use support::{close, exact, rational, vector};
-
-use super::common::EPS;
 
 #[test]
 fn s2_1_mass_as_a_coefficient() -> Result<()> {

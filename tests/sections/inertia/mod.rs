@@ -11,3 +11,8 @@ mod principal_axes;
 mod routh;
 mod same_inertia;
 mod symmetry;
+
+use super::*;
+use common::*;
+use spinning_bodies::inertia::{PlatonicSolid, RigidMotion, mesh_mass_properties};
+use support::inertia::{assert_inertia, circle, cubature, gauss, particles, unit_gauss};

@@ -1,13 +1,8 @@
 //! 2.8: the theorem of parallel axes.
 
-use nalgebra::{Matrix3, Vector3};
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::inertia::{InertiaMatrix, MassProperties, principal_axes_of, shapes};
-use support::inertia::assert_inertia;
-use support::{close, rational, vector};
-
-use super::common::{EPS, MASSES, POSITIONS, four_masses};
+use spinning_bodies::inertia::principal_axes_of;
 
 #[test]
 fn s2_8_parallel_axes() -> Result<()> {
@@ -17,11 +12,8 @@ fn s2_8_parallel_axes() -> Result<()> {
     let expected = Matrix3::new(13.0, -4.0, -4.0, -4.0, 12.0, -4.0, -4.0, -4.0, 11.0);
     assert!((shifted.matrix() - expected).amax() <= 4.0 * EPS * 13.0);
     // In rationals: the diagonal entry 9/2 + 10(36 + 49)/100 = 13.
-    assert_eq!(
-        rational(9, 2) + rational(10 * (36 + 49), 100),
-        rational(13, 1)
-    );
-    assert_eq!(rational(-1, 2) - rational(10 * 35, 100), rational(-4, 1));
+    assert_eq!(rational(9, 2) + rational(10 * 85, 100), whole(13));
+    assert_eq!(rational(-1, 2) - rational(10 * 35, 100), whole(-4));
     // Only from the centre: shifting on from the origin as if it were the centre gives another matrix.
     let point = vector([1.0, 1.0, 1.0]);
     let right = body.about(point)?.matrix();

@@ -1,12 +1,8 @@
 //! 2.4: the matrix is symmetric; its axes, its moments, its ellipsoid.
 
-use nalgebra::{Matrix3, Vector3};
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::inertia::{InertiaMatrix, PrincipalMoments, ellipsoid_of_inertia, shapes};
-use support::inertia::particles;
-use support::{Uniform, close, observed, refused, vector};
-
-use super::common::{EPS, four_masses, swarms};
+use spinning_bodies::inertia::ellipsoid_of_inertia;
 
 #[test]
 fn s2_4_symmetric() {

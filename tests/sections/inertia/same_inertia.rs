@@ -1,13 +1,7 @@
 //! 2.5: different bodies, one inertia.
 
-use nalgebra::Matrix3;
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::inertia::{InertiaMatrix, shapes};
-use support::inertia::{assert_inertia, particles};
-use support::{Uniform, close, vector};
-
-use super::common::EPS;
 
 /// Six masses on the axes and eight at the corners of a box, both with moments 2, 3, 4 (2.5).
 fn six_and_eight() -> [Vec<(f64, [f64; 3])>; 2] {

@@ -1,15 +1,7 @@
 //! 2.6: what an axis of symmetry does; the cube quiz and the Platonic solids.
 
-use nalgebra::{Matrix3, Vector3};
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::inertia::{
-    InertiaMatrix, MassProperties, PlatonicSolid, mesh_mass_properties, shapes,
-};
-use support::inertia::{assert_inertia, cubature, gauss, particles};
-use support::{Uniform, close, exact, observed, rational, relative, vector};
-
-use super::common::EPS;
 
 /// A symmetric matrix with random entries, made an inertia matrix by its second moments: S = A Aᵀ.
 fn random_inertia(uniform: &mut Uniform) -> Result<InertiaMatrix> {
@@ -86,10 +78,7 @@ fn s2_6_two_axes_make_a_ball() -> Result<()> {
         let generator = other.cross_matrix();
         let spin = (first * generator - generator * first).norm_squared();
         let closed = 2.0 * (a - c).powi(2) * u.sin().powi(2);
-        assert!(
-            (spin - closed).abs() <= 32.0 * EPS * closed.max(1e-16),
-            "{spin} {closed}"
-        );
+        near!(spin, closed, 32.0 * EPS * closed.max(1e-16));
         assert_eq!(misfit > 1e-12, u > 0.0);
     }
     // Averaging over both symmetries in turn drives any body to a ball, at the rate ((3cos²u − 1)/2)² a round.

@@ -1,8 +1,7 @@
 //! What the files of Section 8 share.
 
-use spinning_bodies::kovalevskaya_top::KovalevskayaTop;
+use super::*;
 use support::power_series::Whole;
-use support::{R, Uniform, cross, rational, vector};
 
 pub type Result = spinning_bodies::Result<()>;
 

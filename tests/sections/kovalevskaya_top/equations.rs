@@ -1,21 +1,14 @@
 //! 8.1: the equations with gravity, and what stays.
 
-use approx::assert_relative_eq;
-use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, TopState};
-
-use super::common::{Result, points, rates};
-use support::{R, dot, exact, rational, vector};
+use super::common::Result;
+use super::*;
 
 // claim: C8.1-1
 #[test]
 fn s8_1_eulers_equations_with_gravity() -> Result {
     for [a, b, c, o1, o2, o3, z1, z2, z3, c1, c2, c3] in points() {
         // Moments that a body has.
-        let (x, y, w) = (
-            a * a + rational(1, 1),
-            b * b + rational(1, 1),
-            c * c + rational(1, 1),
-        );
+        let (x, y, w) = (a * a + ONE, b * b + ONE, c * c + ONE);
         let [i1, i2, i3] = [y + w, w + x, x + y];
         let [change, _] = rates([i1, i2, i3], [c1, c2, c3], [o1, o2, o3], [z1, z2, z3]);
         let displayed = [
@@ -32,12 +25,8 @@ fn s8_1_eulers_equations_with_gravity() -> Result {
         for k in 0..3 {
             assert_eq!(change[k] * [i1, i2, i3][k], displayed[k]);
             // Observed: 1e-14 for numbers up to 9 and their products.
-            assert_relative_eq!(
-                computed.omega.components()[k],
-                exact(change[k]),
-                max_relative = 1e-14,
-                epsilon = 1e-13
-            );
+            let (found, exact) = (computed.omega.components()[k], exact(change[k]));
+            assert_relative_eq!(found, exact, max_relative = 1e-14, epsilon = 1e-13);
         }
     }
     Ok(())
@@ -81,27 +70,24 @@ fn s8_1_the_library_keeps_energy_and_vertical_momentum() -> Result {
 fn s8_1_energy_and_vertical_momentum_stay_and_l3_does_not() {
     let mut lost = 0;
     for [a, b, c, o1, o2, o3, z1, z2, z3, c1, c2, c3] in points() {
-        let moments = [a * a, b * b, c * c].map(|x| x + rational(1, 1));
+        let moments = [a * a, b * b, c * c].map(|x| x + ONE);
         let (omega, z, lever) = ([o1, o2, o3], [z1, z2, z3], [c1, c2, c3]);
         let [change, up_change] = rates(moments, lever, omega, z);
         let l: [R; 3] = std::array::from_fn(|i| moments[i] * omega[i]);
         let l_change: [R; 3] = std::array::from_fn(|i| moments[i] * change[i]);
-        let zero = rational(0, 1);
-        assert_eq!(dot(l, change) + dot(lever, up_change), zero, "dE/dt");
-        assert_eq!(dot(l_change, z) + dot(l, up_change), zero, "dL_vert/dt");
-        assert_eq!(dot(z, up_change), zero, "d|z|²/dt");
+        assert_eq!(dot(l, change) + dot(lever, up_change), ZERO, "dE/dt");
+        assert_eq!(dot(l_change, z) + dot(l, up_change), ZERO, "dL_vert/dt");
+        assert_eq!(dot(z, up_change), ZERO, "d|z|²/dt");
         // I₁ = I₂, C on axis 1: dL₃/dt = −MgC₁z₂.
         let [change, _] = rates(
             [moments[0], moments[0], moments[2]],
-            [c1, zero, zero],
+            [c1, ZERO, ZERO],
             omega,
             z,
         );
         assert_eq!(moments[2] * change[2], -c1 * z2);
-        lost += usize::from(change[2] != zero);
+        lost += usize::from(change[2] != ZERO);
     }
-    assert!(
-        lost > 150,
-        "L3 changes except where C1 z2 = 0: {lost} of 200"
-    );
+    // L₃ changes except where C₁z₂ = 0.
+    assert!(lost > 150, "{lost} of 200");
 }

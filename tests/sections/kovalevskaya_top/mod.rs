@@ -10,3 +10,9 @@ mod equations;
 mod pivots;
 mod separation;
 mod toda;
+
+use super::*;
+use common::*;
+use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, Integrability, TopState};
+use spinning_bodies::kovalevskaya_top::{KovalevskayaTop, Method};
+use support::power_series;

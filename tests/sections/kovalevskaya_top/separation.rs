@@ -1,10 +1,7 @@
 //! 8.2: the separation of variables, roots and periods.
 
-use spinning_bodies::euler_equations::TopState;
-use spinning_bodies::kovalevskaya_top::KovalevskayaTop;
-use support::{observed, power_series, relative, vector};
-
-use super::common::{MOMENTS, REGISTER, Result, register};
+use super::common::Result;
+use super::*;
 
 // claim: C8.2-10
 #[test]

@@ -1,10 +1,8 @@
 //! 8.3: the lattice that came next.
 
-use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, Integrability, TopState};
+use super::common::Result;
+use super::*;
 use spinning_bodies::kovalevskaya_top::toda::{Ends, Lattice};
-use support::{close, near, observed, relative, vector};
-
-use super::common::{EPS, Result};
 
 // claim: C8.3-1
 #[test]

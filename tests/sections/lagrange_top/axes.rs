@@ -1,10 +1,7 @@
 //! 7.1 and the first half of 7.2: what the top is, its axes, and what is conserved.
 
-use super::common::{AXIAL, UP, at, axis, azimuth, cubic, roots, tilted, unit_vector};
+use super::*;
 use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, Integrability, TopState};
-use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::lagrange_top::{LagrangeTop, State};
-use support::{R, Uniform, cross, dot, observed, ration, rational, within, wrapped};
 
 /// I₁ and I₃, and Mgl.
 struct Body {
@@ -72,26 +69,15 @@ fn s7_2_axes_that_follow_the_tilt_and_not_the_spin() {
             let (h, sine) = (state.height, (state.one_less * state.one_more).sqrt());
             // x₂ horizontal and square to x₃, x₁ completing: x₁ = x₂∧x₃ has +sin θ along the vertical.
             let e2 = [e3[1] / sine, -e3[0] / sine, 0.0];
-            let e1 = [
-                e2[1] * e3[2] - e2[2] * e3[1],
-                e2[2] * e3[0] - e2[0] * e3[2],
-                e2[0] * e3[1] - e2[1] * e3[0],
-            ];
+            let e1 = cross(e2, e3);
             observed!((e1[2] - sine).abs(), 4e-16..=3e-15);
             observed!((e3[2] - h).abs(), 2e-16..=3e-15);
             // In these axes I is diag(I₁, I₁, I₃) all the same, and Ω₁ = φ' sin θ, Ω₂ = θ' up to its sign.
             let turning: [f64; 3] = state.attitude.to_space(state.omega).components().into();
-            let along = |e: [f64; 3]| e[0] * turning[0] + e[1] * turning[1] + e[2] * turning[2];
-            let Body {
-                transverse: i1,
-                axial: i3,
-                ..
-            } = body;
-            let momentum: [f64; 3] = state
-                .attitude
-                .to_space(state.angular_momentum)
-                .components()
-                .into();
+            let along = |e: [f64; 3]| dot(e, turning);
+            let (i1, i3) = (body.transverse, body.axial);
+            let momentum = state.attitude.to_space(state.angular_momentum);
+            let momentum: [f64; 3] = momentum.components().into();
             for k in 0..3 {
                 let l = i1 * along(e1) * e1[k] + i1 * along(e2) * e2[k] + i3 * along(e3) * e3[k];
                 observed!((l - momentum[k]).abs() / (1.0 + i1 + i3), 1e-15..=2e-14);
@@ -112,13 +98,13 @@ fn s7_2_axes_that_follow_the_tilt_and_not_the_spin() {
 #[test]
 fn s7_2_no_torque_about_the_axis_or_the_vertical() {
     let mut numbers = Uniform(722);
-    let vertical = [rational(0, 1), rational(0, 1), rational(1, 1)];
+    let vertical = [ZERO, ZERO, ONE];
     for _ in 0..200 {
         let (e, weight) = (unit_vector(&mut numbers), ration(&mut numbers));
         // l e∧(−Mg ẑ), exactly.
         let torque = cross(e.map(|x| x * weight), vertical.map(|x| -x));
-        assert_eq!(dot(torque, e), rational(0, 1));
-        assert_eq!(dot(torque, vertical), rational(0, 1));
+        assert_eq!(dot(torque, e), ZERO);
+        assert_eq!(dot(torque, vertical), ZERO);
     }
     // It is what turns L: by the library's states, L' = Mgl ẑ∧e to the fourth order of the step.
     for (body, top) in random_tops(20) {
@@ -141,17 +127,8 @@ fn s7_2_no_torque_about_the_axis_or_the_vertical() {
 #[test]
 fn s7_2_three_constants() {
     for (body, top) in random_tops(100) {
-        let Body {
-            transverse: i1,
-            axial: i3,
-            weight_moment,
-        } = body;
-        let State {
-            omega,
-            angular_momentum,
-            ..
-        } = at(&top, 0.0);
-        let l3 = angular_momentum.z();
+        let (i1, i3) = (body.transverse, body.axial);
+        let (omega, (l3, _)) = (at(&top, 0.0).omega, spins(&top));
         let scale = 1.0 + i1 * omega.norm();
         within((l3 - i3 * omega.z()).abs(), 1e-15 * l3.abs());
         for t in [-7.3, 0.4, 20.0] {
@@ -165,9 +142,8 @@ fn s7_2_three_constants() {
             let vertical = i1 * precessing * sine + l3 * h;
             let off = (vertical - top.vertical_angular_momentum()).abs() / scale;
             observed!(off, 2e-16..=2e-15);
-            let energy = 0.5 * i1 * (tilting * tilting + precessing * precessing)
-                + l3 * l3 / (2.0 * i3)
-                + weight_moment * h;
+            let kinetic = 0.5 * i1 * (tilting * tilting + precessing * precessing);
+            let energy = kinetic + l3 * l3 / (2.0 * i3) + body.weight_moment * h;
             let off = (energy - top.energy()).abs() / (scale * scale);
             observed!(off, 5e-16..=5e-15);
         }
@@ -186,19 +162,16 @@ fn s7_2_the_equation_for_h_is_exact() {
         // h' is the third component of z∧Ω (5.1); L_vert and E' = E − L₃²/2I₃ from their definitions.
         let rate = z[0] * omega[1] - z[1] * omega[0];
         let vertical = i1 * (omega[0] * z[0] + omega[1] * z[1]) + l3 * h;
-        let energy = i1 * (omega[0] * omega[0] + omega[1] * omega[1]) / rational(2, 1) + weight * h;
+        let energy = i1 * (omega[0] * omega[0] + omega[1] * omega[1]) / TWO + weight * h;
         let at = |h: R| cubic([i1, weight], energy, l3, vertical, h);
         assert_eq!(at(h), i1 * i1 * rate * rate);
         // A cubic: its third difference is 6 times the leading coefficient 2I₁Mgl.
-        let [a, b, c, d] = [0, 1, 2, 3].map(|k| at(rational(k, 1)));
-        let three = rational(3, 1);
-        assert_eq!(d - three * c + three * b - a, rational(12, 1) * i1 * weight);
+        let [a, b, c, d] = [0, 1, 2, 3].map(|k| at(whole(k)));
+        let three = whole(3);
+        assert_eq!(d - three * c + three * b - a, whole(12) * i1 * weight);
         // Without gravity a quadratic.
-        let at = |k: i128| cubic([i1, rational(0, 1)], energy, l3, vertical, rational(k, 1));
-        assert_eq!(
-            at(3) - three * at(2) + three * at(1) - at(0),
-            rational(0, 1)
-        );
+        let at = |k: i128| cubic([i1, ZERO], energy, l3, vertical, whole(k));
+        assert_eq!(at(3) - three * (at(2) - at(1)) - at(0), ZERO);
     }
 }
 
@@ -227,25 +200,20 @@ fn s7_2_order_of_the_roots() {
     let mut numbers = Uniform(728);
     for _ in 0..200 {
         let [weight, l3, vertical, energy] = [0; 4].map(|_| ration(&mut numbers));
-        let one = rational(1, 1);
-        for end in [one, -one] {
-            let value = cubic([one, weight], energy, l3, vertical, end);
+        for end in [ONE, -ONE] {
+            let value = cubic([ONE, weight], energy, l3, vertical, end);
             assert_eq!(value, -(vertical - l3 * end) * (vertical - l3 * end));
         }
     }
     for (body, top) in random_tops(300) {
         let [h1, h2, h3] = roots(&top);
-        assert!(
-            -1.0 <= h1 && h1 <= h2 && h2 <= 1.0 && 1.0 <= h3,
-            "{h1} {h2} {h3}"
-        );
+        assert!([-1.0, h1, h2, 1.0, h3].is_sorted(), "{h1} {h2} {h3}");
         for t in [0.0, 0.7, 3.0] {
             let h = at(&top, t).height;
             assert!(h1 - 1e-15 <= h && h <= h2 + 1e-15, "{h1} {h} {h2}");
         }
         // f in factors is f: by its values at ±1 and at 0.
-        let l3 = top.at(0.0).unwrap().angular_momentum.z();
-        let vertical = top.vertical_angular_momentum();
+        let (l3, vertical) = spins(&top);
         let leading = 2.0 * body.transverse * body.weight_moment;
         let factors = |h: f64| leading * (h - h1) * (h - h2) * (h - h3);
         let size = leading * h3 + vertical * vertical + l3 * l3;

@@ -1,8 +1,6 @@
 //! What the files of Section 7 share. The unit top has I₁ = Mgl = 1.
 
-use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
-use spinning_bodies::lagrange_top::{LagrangeTop, Nutation, State};
-use support::{R, Uniform, rational, wrapped};
+use super::*;
 
 /// The axial moment of the unit top: with it L₃ = Ω₃/2.
 pub const AXIAL: f64 = 0.5;
@@ -81,25 +79,28 @@ pub fn gained_azimuth(top: &LagrangeTop, t: f64, steps: u32) -> f64 {
     total
 }
 
+/// L₃ and L_vert.
+pub fn spins(top: &LagrangeTop) -> (f64, f64) {
+    (
+        at(top, 0.0).angular_momentum.z(),
+        top.vertical_angular_momentum(),
+    )
+}
+
 /// The rate φ' = (L_vert − L₃h)/(I₁(1 − h²)) of the unit top.
 pub fn precession(top: &LagrangeTop, state: &State) -> f64 {
-    let h = state.height;
-    (top.vertical_angular_momentum() - top.at(0.0).unwrap().angular_momentum.z() * h)
-        / (state.one_less * state.one_more)
+    let (l3, vertical) = spins(top);
+    (vertical - l3 * state.height) / (state.one_less * state.one_more)
 }
 
 /// f(h) = 2I₁(E' − Mgl h)(1 − h²) − (L_vert − L₃h)², with I₁ and Mgl.
 pub fn cubic([i1, weight]: [R; 2], energy: R, l3: R, vertical: R, h: R) -> R {
-    let [one, two] = [rational(1, 1), rational(2, 1)];
-    two * i1 * (energy - weight * h) * (one - h * h) - (vertical - l3 * h) * (vertical - l3 * h)
+    TWO * i1 * (energy - weight * h) * (ONE - h * h) - (vertical - l3 * h) * (vertical - l3 * h)
 }
 
 /// f(h) of the unit top.
 pub fn f(top: &LagrangeTop, h: f64) -> f64 {
-    let (l3, vertical) = (
-        top.at(0.0).unwrap().angular_momentum.z(),
-        top.vertical_angular_momentum(),
-    );
+    let (l3, vertical) = spins(top);
     let energy = top.energy() - l3 * l3 / (2.0 * AXIAL);
     2.0 * (energy - h) * (1.0 - h * h) - (vertical - l3 * h) * (vertical - l3 * h)
 }
@@ -107,12 +108,10 @@ pub fn f(top: &LagrangeTop, h: f64) -> f64 {
 /// A rational unit vector: a quaternion of small whole numbers turns the third axis there.
 pub fn unit_vector(numbers: &mut Uniform) -> [R; 3] {
     let mut whole = || (numbers.next() * 9.0) as i128 - 4;
-    let [a, b, c, d] = loop {
-        let q = [whole(), whole(), whole(), whole()];
-        if q.iter().any(|x| *x != 0) {
-            break q;
-        }
-    };
+    let quaternions = std::iter::repeat_with(|| [0; 4].map(|_| whole()));
+    let [a, b, c, d] = { quaternions }
+        .find(|q| *q != [0; 4])
+        .expect("one that turns");
     let n = a * a + b * b + c * c + d * d;
     [
         rational(2 * (b * d - a * c), n),
@@ -124,10 +123,8 @@ pub fn unit_vector(numbers: &mut Uniform) -> [R; 3] {
 /// Sum of the integrand at equal distances over one period: exact to rounding for a periodic function.
 pub fn periodic_mean(count: u32, integrand: impl Fn(f64) -> f64) -> f64 {
     let step = std::f64::consts::TAU / f64::from(count);
-    let sum: f64 = (0..count)
-        .map(|k| integrand((f64::from(k) + 0.5) * step))
-        .sum();
-    sum / f64::from(count)
+    let terms = (0..count).map(|k| integrand((f64::from(k) + 0.5) * step));
+    terms.sum::<f64>() / f64::from(count)
 }
 
 /// Whether the motion is of this kind.

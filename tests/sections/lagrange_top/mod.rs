@@ -11,3 +11,7 @@ mod release;
 mod sleeping;
 mod special;
 mod traces;
+
+use super::*;
+use common::*;
+use spinning_bodies::lagrange_top::{LagrangeTop, Nutation, State, pendulum_between};

@@ -1,15 +1,9 @@
 //! The second half of 7.2: nutation by elliptic functions, its period, the azimuth, and the erratum of its integral.
 
-use super::common::{
-    AXIAL, at, axis, azimuth, cubic, cusp, f, gained_azimuth, periodic_mean, roots, spun, swirl,
-    tilted, turning, wave,
-};
+use super::*;
 use spinning_bodies::elliptic::{
     Characteristic, Modulus, Parameter, complete_first, complete_third,
 };
-use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::lagrange_top::LagrangeTop;
-use support::{Uniform, observed, ration, rational, within, wrapped};
 
 const EXAMPLES: [fn() -> LagrangeTop; 3] = [cusp, wave, swirl];
 
@@ -89,10 +83,7 @@ fn s7_2_period_of_nutation() {
     let lambda = (1.0 - 1.5 * 1.5 / 4.0_f64).sqrt();
     for (kick, bound) in [(1e-3, 1e-5), (1e-6, 1e-10), (1e-9, 1e-13)] {
         let growth = period(kick) - period(10.0 * kick);
-        within(
-            (growth * lambda / (2.0 * 10_f64.ln()) - 1.0).abs(),
-            bound * 100.0,
-        );
+        near!(growth * lambda / (2.0 * 10_f64.ln()), 1.0, bound * 100.0);
     }
 }
 
@@ -117,10 +108,7 @@ fn s7_2_azimuth_in_a_nutation() {
         observed!(off, 0.0..=2e-15);
         // Two integrals of the third kind, one for each pole.
         let [h1, h2, _] = roots(&top);
-        let (l3, vertical) = (
-            top.at(0.0).unwrap().angular_momentum.z(),
-            top.vertical_angular_momentum(),
-        );
+        let (l3, vertical) = spins(&top);
         let third = |sign: f64| {
             let base = 1.0 - sign * h1;
             let n = Characteristic::from_characteristic(sign * (h2 - h1) / base).unwrap();
@@ -145,13 +133,12 @@ fn s7_2_azimuth_in_a_nutation() {
 #[test]
 fn s7_2_the_integral_for_the_azimuth_starts_at_h_of_0() {
     // Released from rest at h = 2/3 with L₃ = 3, E5: the band is [1/2, 2/3] and f(0) = −8/3, exactly.
-    let [one, zero] = [rational(1, 1), rational(0, 1)];
-    let (l3, vertical, energy) = (rational(3, 1), rational(2, 1), rational(2, 3));
-    let value = |h| cubic([one, one], energy, l3, vertical, h);
-    for root in [rational(1, 2), rational(2, 3), rational(4, 1)] {
-        assert_eq!(value(root), zero);
+    let (l3, vertical, energy) = (whole(3), TWO, rational(2, 3));
+    let value = |h| cubic([ONE, ONE], energy, l3, vertical, h);
+    for root in [rational(1, 2), rational(2, 3), whole(4)] {
+        assert_eq!(value(root), ZERO);
     }
-    assert_eq!(value(zero), rational(-8, 3));
+    assert_eq!(value(ZERO), rational(-8, 3));
     let top = turning(0.5, 3.0, 2.0);
     for (root, expected) in roots(&top).into_iter().zip([0.5, 2.0 / 3.0, 4.0]) {
         observed!((root - expected).abs(), 0.0..=4e-16);
@@ -209,11 +196,9 @@ fn s7_2_a_duality() {
     for _ in 0..200 {
         let [energy, l3, vertical, h] = [0; 4].map(|_| ration(&mut numbers));
         let [i1, weight] = [ration(&mut numbers), ration(&mut numbers)].map(|x| x * x);
-        let raised = energy + (l3 * l3 - vertical * vertical) / (rational(2, 1) * i1);
-        assert_eq!(
-            cubic([i1, weight], energy, l3, vertical, h),
-            cubic([i1, weight], raised, vertical, l3, h)
-        );
+        let raised = energy + (l3 * l3 - vertical * vertical) / (TWO * i1);
+        let dual = cubic([i1, weight], raised, vertical, l3, h);
+        assert_eq!(cubic([i1, weight], energy, l3, vertical, h), dual);
     }
     // Cusp and wave are such a pair: the same height at every time, another azimuth.
     let (cusp, wave) = (cusp(), wave());
@@ -273,15 +258,14 @@ fn s7_2_many_times_at_once() {
     tops.push(LagrangeTop::from_integrals(1.0, 0.5, 1.0, 1.0, 1.0, 2.0).unwrap());
     for top in tops {
         for count in [0, 1, 2, 3, 8, 9, 20] {
-            let times: Vec<f64> = (0..count)
-                .map(|k| {
-                    if k % 7 == 6 {
-                        1e9
-                    } else {
-                        7.3 * f64::from(k) - 50.0
-                    }
-                })
-                .collect();
+            let time = |k| {
+                if k % 7 == 6 {
+                    1e9
+                } else {
+                    7.3 * f64::from(k) - 50.0
+                }
+            };
+            let times: Vec<f64> = (0..count).map(time).collect();
             let mut states = vec![top.at(0.0).unwrap(); times.len()];
             top.states_at(&times, &mut states).unwrap();
             for (t, state) in times.iter().zip(&states) {

@@ -1,10 +1,8 @@
 //! 7.3: pure precession, slow and fast, and when there is any.
 
-use super::common::{AXIAL, at, axis, cubic, gained_azimuth, is, roots, spun, tilted, unit_vector};
+use super::*;
 use spinning_bodies::euler_top::SymmetricTop;
-use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::lagrange_top::{LagrangeTop, Nutation, least_axial_angular_momentum};
-use support::{R, Uniform, observed, ration, rational, runge_kutta, within};
+use spinning_bodies::lagrange_top::least_axial_angular_momentum;
 
 /// Both roots of I₁h w² − L₃w + Mgl = 0 for the unit top, slow and fast, without cancellation; L₃ > 0.
 fn rates(h: f64, l3: f64) -> [f64; 2] {
@@ -21,10 +19,10 @@ fn exactly(w: f64, l3: f64, weight: f64) -> LagrangeTop {
 
 /// Steady precession, exactly: E', L₃, L_vert from w, h, I₁ and Mgl.
 fn steady([i1, weight]: [R; 2], w: R, h: R) -> [R; 3] {
-    let sine2 = rational(1, 1) - h * h;
+    let sine2 = ONE - h * h;
     let l3 = (i1 * h * w * w + weight) / w;
     let vertical = i1 * w * sine2 + l3 * h;
-    let energy = i1 * w * w * sine2 / rational(2, 1) + weight * h;
+    let energy = i1 * w * w * sine2 / TWO + weight * h;
     [energy, l3, vertical]
 }
 
@@ -36,17 +34,17 @@ fn s7_3_pure_precession_is_a_double_root() {
     while checked < 200 {
         let [i1, weight] = [ration(&mut numbers), ration(&mut numbers)].map(|x| x * x);
         let (w, h) = (ration(&mut numbers), unit_vector(&mut numbers)[2]);
-        if h * h == rational(1, 1) {
+        if h * h == ONE {
             continue;
         }
         checked += 1;
         let [energy, l3, vertical] = steady([i1, weight], w, h);
         let value = |h: R| cubic([i1, weight], energy, l3, vertical, h);
-        assert_eq!(value(h), rational(0, 1), "f");
+        assert_eq!(value(h), ZERO, "f");
         // f(h + d) + f(h − d) − 2f(h) and f(h + d) − f(h − d) give f' of a cubic exactly: f' = (8Δ₁ − Δ₂)/12.
-        let difference = |d: i128| value(h + rational(d, 1)) - value(h - rational(d, 1));
-        let slope = (rational(8, 1) * difference(1) - difference(2)) / rational(12, 1);
-        assert_eq!(slope, rational(0, 1), "f'");
+        let difference = |d: i128| value(h + whole(d)) - value(h - whole(d));
+        let slope = (whole(8) * difference(1) - difference(2)) / whole(12);
+        assert_eq!(slope, ZERO, "f'");
     }
     // In the library: h₁ = h₂, and the tilt does not move.
     for (w, l3, weight) in [(5.0, 4.0, 5.0), (5.0, 23.0, 100.0), (5.0, 6.0, 15.0)] {
@@ -73,7 +71,6 @@ fn s7_3_pure_precession_is_a_double_root() {
 fn s7_3_quadratic_for_the_rate() {
     // f' = −2I₁(1 − h²)(I₁h w² − L₃w + Mgl) wherever f = 0 and w = (L_vert − L₃h)/(I₁(1 − h²)), exactly.
     let mut numbers = Uniform(732);
-    let [one, two] = [rational(1, 1), rational(2, 1)];
     let mut checked = 0;
     while checked < 200 {
         let [i1, weight] = [ration(&mut numbers), ration(&mut numbers)].map(|x| x * x);
@@ -82,21 +79,19 @@ fn s7_3_quadratic_for_the_rate() {
             ration(&mut numbers),
             unit_vector(&mut numbers)[2],
         );
-        let sine2 = one - h * h;
-        if sine2 == rational(0, 1) {
+        let sine2 = ONE - h * h;
+        if sine2 == ZERO {
             continue;
         }
         checked += 1;
         let vertical = i1 * w * sine2 + l3 * h;
-        let energy = i1 * w * w * sine2 / two + weight * h;
+        let energy = i1 * w * w * sine2 / TWO + weight * h;
         let value = |h: R| cubic([i1, weight], energy, l3, vertical, h);
-        assert_eq!(value(h), rational(0, 1));
-        let difference = |d: i128| value(h + rational(d, 1)) - value(h - rational(d, 1));
-        let slope = (rational(8, 1) * difference(1) - difference(2)) / rational(12, 1);
-        assert_eq!(
-            slope,
-            -two * i1 * sine2 * (i1 * h * w * w - l3 * w + weight)
-        );
+        assert_eq!(value(h), ZERO);
+        let difference = |d: i128| value(h + whole(d)) - value(h - whole(d));
+        let slope = (whole(8) * difference(1) - difference(2)) / whole(12);
+        let quadratic = i1 * h * w * w - l3 * w + weight;
+        assert_eq!(slope, -TWO * i1 * sine2 * quadratic);
     }
     // L₃ = 3, θ = 60°: 3 ∓ √7. Both keep the tilt.
     let expected = [0.3542486889354094094983842, 5.645751311064590590501616];
@@ -158,11 +153,7 @@ fn s7_3_when_there_is_pure_precession() {
         });
         bands.fold(f64::INFINITY, f64::min)
     };
-    assert!(
-        narrowest(0.99 * least) > 0.01,
-        "{}",
-        narrowest(0.99 * least)
-    );
+    assert!(narrowest(0.99 * least) > 0.01);
     observed!(narrowest(1.01 * least), 7e-6..=1e-4);
     for w in rates(0.5, 1.01 * least) {
         let [h1, h2, _] = roots(&spun(theta, 0.0, w, 1.01 * least));
@@ -246,14 +237,9 @@ fn dragged(w: f64, l3: f64, drag: f64, time: f64) -> [f64; 2] {
         let along = x * a + yy * b + z * c;
         // Ω⊥ = L⊥/I₁, and e' = L∧e.
         let across = [a - along * x, b - along * yy, c - along * z];
-        [
-            b * z - c * yy,
-            c * x - a * z,
-            a * yy - b * x,
-            -yy - drag * across[0],
-            x - drag * across[1],
-            -drag * across[2],
-        ]
+        let [p, q, r] = cross([a, b, c], [x, yy, z]);
+        let [u, v, w] = across.map(|x| -drag * x);
+        [p, q, r, u - yy, v + x, w]
     };
     let (sine, h) = theta.sin_cos();
     // The axis (sin θ, 0, cos θ), Ω⊥ = w(ẑ − h e).

@@ -1,9 +1,6 @@
 //! 7.4: released from a tilt, the top dips, draws something close to a cycloid, and settles.
 
-use super::common::{AXIAL, at, gained_azimuth, released, roots, tilted};
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::lagrange_top::{LagrangeTop, Nutation};
-use support::{observed, runge_kutta, within};
+use super::*;
 
 const TILT: f64 = std::f64::consts::FRAC_PI_3;
 
@@ -53,14 +50,9 @@ fn s7_4_nearly_a_cycloid() {
                     return worst.max(off);
                 }
                 let azimuth = gained_azimuth(&top, part * period, 8);
-                let along = if stretched {
-                    azimuth
-                } else {
-                    azimuth * TILT.sin()
-                };
-                worst
-                    .max(off)
-                    .max((along - amplitude * (u - u.sin())).abs())
+                let along = azimuth * if stretched { 1.0 } else { TILT.sin() };
+                let ahead = (along - amplitude * (u - u.sin())).abs();
+                worst.max(off).max(ahead)
             }) / amplitude
         };
         assert!(worst(true, false) <= worst(false, false));
@@ -69,10 +61,7 @@ fn s7_4_nearly_a_cycloid() {
         deviations.push(worst(false, false));
     }
     for (deviation, expected) in deviations.iter().zip([0.358, 0.0934, 0.0235]) {
-        within(
-            (deviation - expected).abs(),
-            5.1e-4 * f64::max(1.0, expected * 2.0),
-        );
+        near!(*deviation, expected, 5.1e-4 * f64::max(1.0, expected * 2.0));
     }
     observed!((deviations[2] - 0.0235113).abs(), 2e-8..=2e-7);
     // The approach is as 1/L₃².
@@ -99,10 +88,7 @@ fn s7_4_mean_precession_and_nutation() {
     // Both tend to 1 as L₃⁻²: the differences times L₃² settle.
     let kinds = [0, 1].map(|k| [off[0][k], off[1][k], off[2][k]]);
     for [a, b, c] in kinds {
-        assert!(
-            a.abs() < 2.0 && b.abs() < 2.0 && c.abs() < 2.0,
-            "{a} {b} {c}"
-        );
+        assert!([a, b, c].iter().all(|x| x.abs() < 2.0), "{a} {b} {c}");
         assert!((c - b).abs() < 0.3 * (b - a).abs(), "{a} {b} {c}");
     }
 }

@@ -1,9 +1,6 @@
 //! 7.5: the sleeping top, its threshold with equality, and how it wakes and goes to sleep.
 
-use super::common::{AXIAL, at, cubic, is, roots, tilted};
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::lagrange_top::{LagrangeTop, Nutation};
-use support::{Uniform, cross, observed, ration, rational, runge_kutta, within};
+use super::*;
 
 /// Upright with L₃ and a kick across the axis.
 fn kicked(l3: f64, kick: f64) -> LagrangeTop {
@@ -20,12 +17,11 @@ fn greatest_tilt(top: &LagrangeTop) -> f64 {
 #[test]
 fn s7_5_the_cubic_of_the_sleeping_top() {
     let mut numbers = Uniform(751);
-    let [one, two] = [rational(1, 1), rational(2, 1)];
     for _ in 0..200 {
         let [i1, weight, l3, h] = [0; 4].map(|_| ration(&mut numbers));
         // Upright, E' = Mgl and L_vert = L₃.
         let f = cubic([i1, weight], weight, l3, l3, h);
-        let factors = (one - h) * (one - h) * (two * i1 * weight * (one + h) - l3 * l3);
+        let factors = (ONE - h) * (ONE - h) * (TWO * i1 * weight * (ONE + h) - l3 * l3);
         assert_eq!(f, factors);
     }
 }
@@ -46,11 +42,7 @@ fn s7_5_criterion() {
     ] {
         let l3 = AXIAL * omega3;
         let top = kicked(l3, 0.0);
-        assert!(
-            is(&top, Nutation::Sleeping { stable }),
-            "{omega3}: {:?}",
-            top.kind()
-        );
+        assert_eq!(top.kind(), Nutation::Sleeping { stable }, "{omega3}");
         assert_eq!(omega3 * omega3 > threshold * threshold, stable);
         // The text's criterion: the sign of f = (1 − h)²(2(1 + h) − L₃²) just below h = 1.
         let below: f64 = f64::EPSILON / 4.0;
@@ -96,17 +88,12 @@ fn s7_5_size_of_the_response() {
 fn s7_5_at_equality_it_is_stable() {
     // f = −2I₁Mgl(1 − h)³ where L₃² = 4I₁Mgl, exactly: negative for every h < 1.
     let mut numbers = Uniform(754);
-    let one = rational(1, 1);
     for _ in 0..100 {
-        let (s, t, h) = (
-            ration(&mut numbers),
-            ration(&mut numbers),
-            ration(&mut numbers),
-        );
-        let (i1, weight, l3) = (s * s, t * t, rational(2, 1) * s * t);
+        let [s, t, h] = [0; 3].map(|_| ration(&mut numbers));
+        let (i1, weight, l3) = (s * s, t * t, TWO * s * t);
         let f = cubic([i1, weight], weight, l3, l3, h);
-        let gap = one - h;
-        assert_eq!(f, -rational(2, 1) * i1 * weight * gap * gap * gap);
+        let gap = ONE - h;
+        assert_eq!(f, -TWO * i1 * weight * gap * gap * gap);
     }
     // As displayed, Ω² > 4I₁Mgl/I₃², the criterion refuses equality (E7). These tops are at equality, exactly, and sleep well.
     for (transverse, axial, omega3) in [(1.0, 0.5, 4.0), (2.0, 0.5, -32.0), (0.25, 0.375, 1.0)] {
@@ -117,10 +104,7 @@ fn s7_5_at_equality_it_is_stable() {
         let omega = BodyVector::new(0.0, 0.0, omega3);
         let top = LagrangeTop::new(transverse, axial, weight, omega, tilted(0.0)).unwrap();
         let stable = is(&top, Nutation::Sleeping { stable: true });
-        assert_eq!(
-            (stable, stable == displayed, stable == sharp),
-            (true, false, true)
-        );
+        assert_eq!([stable, sharp, displayed], [true, true, false]);
     }
     // The tilt tends to zero with the kick, like its root: a hundredth of the kick, a tenth of the tilt.
     for kick in [1e-6, 1e-8, 1e-10] {
@@ -215,16 +199,12 @@ fn on_a_peg(spin: f64, friction: f64, time: f64) -> [f64; 2] {
         let e = [y[0], y[1], y[2]];
         let l = [y[3], y[4], y[5]];
         let along = e[0] * l[0] + e[1] * l[1] + e[2] * l[2];
-        let omega: [f64; 3] =
-            std::array::from_fn(|k| l[k] / I1 + (1.0 / I3 - 1.0 / I1) * along * e[k]);
+        let omega = [0, 1, 2].map(|k| l[k] / I1 + (1.0 / I3 - 1.0 / I1) * along * e[k]);
         // From the centre of mass to the point of contact.
         let arm = [-HEIGHT * e[0], -HEIGHT * e[1], -HEIGHT * e[2] - PEG];
         let turning = cross(omega, arm);
-        let force = [
-            -friction * (y[6] + turning[0]),
-            -friction * (y[7] + turning[1]),
-            1.0,
-        ];
+        let [x, z] = [0, 1].map(|k| -friction * (y[6 + k] + turning[k]));
+        let force = [x, z, 1.0];
         // All per unit of normal force N; N from the height's own acceleration, HEIGHT·e₃'' = N/M − g.
         let torque = cross(arm, force);
         let falling = cross(l, e).map(|x| x / I1);
@@ -232,16 +212,9 @@ fn on_a_peg(spin: f64, friction: f64, time: f64) -> [f64; 2] {
         let swing = cross(l, falling)[2] / I1;
         let normal = (GRAVITY + HEIGHT * swing) / (1.0 - HEIGHT * pull);
         assert!(normal > 0.0, "the peg left the table");
-        [
-            falling[0],
-            falling[1],
-            falling[2],
-            normal * torque[0],
-            normal * torque[1],
-            normal * torque[2],
-            normal * force[0],
-            normal * force[1],
-        ]
+        let [a, b, c] = torque.map(|x| normal * x);
+        let [u, v, _] = force.map(|x| normal * x);
+        [falling[0], falling[1], falling[2], a, b, c, u, v]
     };
     let (sine, h) = 0.5_f64.sin_cos();
     let y = [sine, 0.0, h, I3 * spin * sine, 0.0, I3 * spin * h, 0.0, 0.0];

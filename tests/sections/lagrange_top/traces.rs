@@ -1,11 +1,6 @@
 //! The pictures k, l, m and n: what the axis writes on the sphere, and where φ' changes its sign (7.2, 7.3, 7.4).
 
-use super::common::{
-    AXIAL, at, axis, is, periodic_mean, precession, released, roots, spun, swirl, turning, wave,
-};
-use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::lagrange_top::{LagrangeTop, Nutation};
-use support::{observed, within};
+use super::*;
 
 /// Signs of φ' at 400 moments of one nutation: how many are negative, zero up to rounding, positive.
 fn signs(top: &LagrangeTop) -> [u32; 3] {
@@ -13,13 +8,7 @@ fn signs(top: &LagrangeTop) -> [u32; 3] {
     for k in 0..400 {
         let state = at(top, top.period() * (f64::from(k) + 0.5) / 400.0);
         let rate = precession(top, &state);
-        counts[if rate < 0.0 {
-            0
-        } else if rate > 0.0 {
-            2
-        } else {
-            1
-        }] += 1;
+        counts[usize::from(rate >= 0.0) + usize::from(rate > 0.0)] += 1;
     }
     counts
 }
@@ -30,14 +19,10 @@ fn s7_2_waves_or_swirls() {
     // L_vert/L₃ = 2 is outside the band [0, ½], 1/3 is strictly inside [−½, ½].
     for (top, kind) in [(wave(), Nutation::Waves), (swirl(), Nutation::Loops)] {
         assert!(is(&top, kind), "{:?}", top.kind());
-        let [h1, h2, _] = roots(&top);
-        let still = top.vertical_angular_momentum() / top.at(0.0).unwrap().angular_momentum.z();
+        let ([h1, h2, _], (l3, vertical)) = (roots(&top), spins(&top));
+        let still = vertical / l3;
         let [negative, _, positive] = signs(&top);
-        assert_eq!(
-            h1 < still && still < h2,
-            negative > 0 && positive > 0,
-            "{negative} {positive}"
-        );
+        assert_eq!(h1 < still && still < h2, negative > 0 && positive > 0);
     }
     // Equal to h₂: cusps. Whatever the tilt and the spin, release from rest is that.
     for (degrees, l3) in [(30.0_f64, 2.0), (90.0, -3.0), (120.0, 0.7), (60.0, 20.0)] {
@@ -98,11 +83,8 @@ fn s7_2_picture_m_loops() {
     let (mut before, mut after) = (0.0, 0.5 * top.period());
     for _ in 0..60 {
         let middle = 0.5 * (before + after);
-        if at(&top, middle).height < 1.0 / 3.0 {
-            before = middle;
-        } else {
-            after = middle;
-        }
+        let below = at(&top, middle).height < 1.0 / 3.0;
+        *(if below { &mut before } else { &mut after }) = middle;
     }
     let ends = [before, top.period() - before].map(|t| axis(&at(&top, t)));
     let back = ends[0][0] * ends[1][1] - ends[0][1] * ends[1][0];

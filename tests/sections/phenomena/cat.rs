@@ -1,18 +1,10 @@
 //! The falling cat.
 
-use std::f64::consts::{FRAC_PI_3, PI, TAU};
-
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
-use spinning_bodies::inertia::InertiaMatrix;
-use spinning_bodies::integrators::{Effort, Kept, Method, order_eight};
-use spinning_bodies::phenomena::{
-    Bend, Cat, EqualHalves, Half, Hub, ShapePlane, Step, turn_along, turn_within,
-};
-use spinning_bodies::scene::effects::{Pace, Turnover};
-use spinning_bodies::scene::{Request, Scene, shape};
-use support::inertia::integral;
-use support::{close, observed, relative};
+use spinning_bodies::phenomena::{Bend, Cat, EqualHalves, Half};
+use spinning_bodies::scene::effects::Turnover;
+use std::f64::consts::FRAC_PI_3;
 
 /// Two cylinders: I/J = 4.
 fn equal_half(ratio: f64, to_joint: f64) -> Half {
@@ -129,12 +121,7 @@ fn s1_1_the_reconstructed_cat_turns_over() {
     ] {
         let forward = f64::to_radians(forward);
         let found = closed.back_bend_for_half_turn(forward).unwrap().unwrap();
-        observed!(
-            (found.to_degrees() - back).abs(),
-            1e-3..=5e-3,
-            "{}",
-            found.to_degrees()
-        );
+        observed!((found.to_degrees() - back).abs(), 1e-3..=5e-3);
         let (turn, _) = turned(equal(4.0, 0.12), forward, found, 0.5);
         observed!((turn - PI).abs(), 0.0..=4e-12, "{turn}");
     }
@@ -145,12 +132,7 @@ fn s1_1_the_reconstructed_cat_turns_over() {
             f64::to_radians(back),
             0.5,
         );
-        observed!(
-            (turn.to_degrees() - degrees).abs(),
-            7e-3..=0.05,
-            "{}",
-            turn.to_degrees()
-        );
+        observed!((turn.to_degrees() - degrees).abs(), 7e-3..=0.05);
         // The cat went past half a turn.
         let whole = closed
             .turn_of_uneven_swing(f64::to_radians(forward), f64::to_radians(back))
@@ -191,12 +173,7 @@ fn s1_1_a_bent_loop_turns_the_cat_about_its_mean_spine() {
     let run = order_eight(&system, Kept::Nothing, &start, &[1.0; 4], &[TAU], effort);
     let [w, x, y, z] = run.unwrap().states[0];
     let turn = 2.0 * x.hypot(y).hypot(z).atan2(w.abs());
-    observed!(
-        (turn.to_degrees() - 161.007).abs(),
-        8e-5..=1e-3,
-        "{}",
-        turn.to_degrees()
-    );
+    observed!((turn.to_degrees() - 161.007).abs(), 8e-5..=1e-3);
     let tilt = y.atan2(x).rem_euclid(PI);
     observed!((tilt - 0.5 * forward).abs(), 3e-16..=4e-14, "{tilt} {z:e}");
     observed!(z.abs(), 0.0..=1e-12, "{tilt} {z:e}");

@@ -5,3 +5,10 @@ mod paper_cat;
 mod skater;
 mod sliding;
 mod swivelling;
+
+use super::*;
+use spinning_bodies::integrators::{Method, order_eight};
+use spinning_bodies::phenomena::{Hub, ShapePlane, Step, turn_along, turn_within};
+use spinning_bodies::scene::effects::{Gravity, Pace};
+use spinning_bodies::scene::shape;
+use support::inertia::integral;

@@ -1,12 +1,9 @@
 //! The cat of paper, which the air turns.
 
-use std::f64::consts::PI;
-
+use super::*;
 use spinning_bodies::Result;
 use spinning_bodies::phenomena::PaperCat;
-use spinning_bodies::scene::effects::{Air, Gravity};
-use spinning_bodies::scene::{Request, Scene, shape};
-use support::{observed, relative};
+use spinning_bodies::scene::effects::Air;
 
 // claim: C1.1-9, C1.1-13
 #[test]
@@ -33,12 +30,7 @@ fn s1_1_the_paper_cat_needs_air() -> Result<()> {
         let scene = shape::PaperCat::new(cat, tilt)?.with(g)?;
         let airy = scene.with(air)?;
         let righted = airy.rights_itself(10.0)?.unwrap();
-        observed!(
-            (righted.fall - fall).abs(),
-            1e-7..=1e-6,
-            "{degrees}: {}",
-            righted.fall
-        );
+        observed!((righted.fall - fall).abs(), 1e-7..=1e-6, "{degrees}");
         // In a vacuum it lands as it was let go.
         assert_eq!(scene.rights_itself(10.0)?, None);
         let motion = scene.simulate(&Request::at([0.5])?)?;
@@ -49,12 +41,7 @@ fn s1_1_the_paper_cat_needs_air() -> Result<()> {
     // Upright is the only rest that lasts: it gets there and stays.
     let scene = shape::PaperCat::new(cat, 3.0)?.with(air)?.with(g)?;
     let motion = scene.simulate(&Request::at([30.0])?)?;
-    observed!(
-        motion.rows[0].1.tilt.abs(),
-        0.0..=1e-8,
-        "{:?}",
-        motion.rows[0].1
-    );
+    observed!(motion.rows[0].1.tilt.abs(), 0.0..=1e-8);
     // Speed and fall have a closed form, the tilt has no say in them.
     let speed = cat.terminal_speed(1.2, 9.81);
     let x: f64 = 9.81 * 30.0 / speed;

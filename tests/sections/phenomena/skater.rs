@@ -1,16 +1,9 @@
 //! The skater, and a top of three different moments.
 
-use std::f64::consts::TAU;
-
+use super::*;
 use spinning_bodies::conservation::{Law, Ledger};
-use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::inertia::InertiaMatrix;
-use spinning_bodies::integrators::Method;
 use spinning_bodies::phenomena::Skater;
-use spinning_bodies::scene::effects::{Draw, Pace};
-use spinning_bodies::scene::{Request, Scene, shape};
-use support::inertia::integral;
-use support::{observed, relative};
+use spinning_bodies::scene::effects::Draw;
 
 // claim: C1.1-10
 #[test]

@@ -1,12 +1,8 @@
 //! Sliding: on ice nobody gets anywhere, with a little friction anybody does.
 
-use std::f64::consts::TAU;
-
-use spinning_bodies::integrators::{Effort, Kept, order_eight};
+use super::*;
 use spinning_bodies::phenomena::{Crawler, PARTS, Part, Strokes, Wriggler, feet};
-use spinning_bodies::scene::effects::{Coulomb, Gravity};
-use spinning_bodies::scene::{Request, Scene, shape};
-use support::{near, observed};
+use spinning_bodies::scene::effects::Coulomb;
 
 // claim: C1.1-1
 #[test]
@@ -108,10 +104,8 @@ fn s1_1_picture_a_a_closed_cycle_of_shapes_brings_the_feet_back() {
         }
         assert!(furthest > 0.2, "the feet moved on the way: {furthest}");
         observed!((place - home).abs(), 0.0..=1e-12, "{:e}", place - home);
-        assert!(
-            turned.abs() > 1e-2,
-            "the same loop turns a swivel: {turned}"
-        );
+        // The same loop turns a swivel.
+        assert!(turned.abs() > 1e-2);
     }
 }
 

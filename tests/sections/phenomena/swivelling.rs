@@ -1,12 +1,10 @@
 //! Swivelling: a net turn without angular momentum, and the area that it is.
 
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, FRAC_PI_8};
-
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::phenomena::{Hub, ShapePlane, Step, Swivel, Waist, turn_along, turn_within};
-use spinning_bodies::scene::effects::{FourPhases, Pace};
-use spinning_bodies::scene::{Request, Scene, shape};
-use support::{observed, relative};
+use spinning_bodies::phenomena::{Swivel, Waist};
+use spinning_bodies::scene::effects::FourPhases;
+use std::f64::consts::{FRAC_PI_4, FRAC_PI_8};
 
 const DEFAULT: Waist = Waist {
     upper_arms_out: 2.0,

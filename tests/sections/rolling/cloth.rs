@@ -1,18 +1,11 @@
 //! Paragraph 4.3 after the cue: from sliding to rolling to rest, in closed forms from event to event, against a general integrator.
 
-use std::f64::consts::FRAC_PI_2;
-
-use approx::assert_relative_eq;
-use lab::general::DifferentialEquations;
+use super::*;
 use proptest::prelude::*;
-use spinning_bodies::integrators::{Effort, Kept, Method, order_eight};
-use spinning_bodies::rolling::{
-    Coulomb, Course, Happening, InPlane, Load, Moment, RollingResistance, RoundBody,
-    painleve_friction,
-};
-use spinning_bodies::scene::{Choice, Geometric, Request, Roller, Scene, Solver};
+use spinning_bodies::integrators::order_eight;
+use spinning_bodies::rolling::{InPlane, RollingResistance, painleve_friction};
+use spinning_bodies::scene::Geometric;
 use support::double_double::Dd;
-use support::{close, observed, refused};
 
 const G: f64 = 9.81;
 

@@ -1,13 +1,10 @@
 //! One bounce: the balances, the two solutions, the matrices.
 
-use spinning_bodies::superball::{Motion, Surface, bounce, bounce_matrix};
-
-use super::common::{determinant, kappas, moving, thrown, times};
-use support::{R, rational};
+use super::*;
 
 /// −2κu/(1+κ): what friction gives, per mass.
 fn rubbed(before: Motion<R>, surface: Surface, kappa: R) -> R {
-    -rational(2, 1) * before.contact_speed(surface) * kappa / (rational(1, 1) + kappa)
+    -TWO * before.contact_speed(surface) * kappa / (ONE + kappa)
 }
 
 fn apply(a: [[R; 2]; 2], m: Motion<R>) -> Motion<R> {
@@ -17,34 +14,24 @@ fn apply(a: [[R; 2]; 2], m: Motion<R>) -> Motion<R> {
     )
 }
 
-const IDENTITY: fn() -> [[R; 2]; 2] = || {
-    [
-        [rational(1, 1), rational(0, 1)],
-        [rational(0, 1), rational(1, 1)],
-    ]
-};
+const IDENTITY: [[R; 2]; 2] = [[ONE, ZERO], [ZERO, ONE]];
 
 // claim: C4.6-1, C4.6-3
 #[test]
 fn s4_6_balances_and_reversed_contact_speed() {
     for kappa in kappas() {
         for before in [
-            moving(rational(1, 1), rational(3, 10)),
+            moving(ONE, rational(3, 10)),
             moving(rational(-7, 3), rational(5, 2)),
-            moving(rational(2, 1), rational(2, 1)),
+            moving(TWO, TWO),
         ] {
-            for (surface, sign) in [
-                (Surface::Floor, rational(1, 1)),
-                (Surface::Ceiling, rational(-1, 1)),
-            ] {
+            for (surface, sign) in [(Surface::Floor, ONE), (Surface::Ceiling, whole(-1))] {
                 let after = bounce(before, surface, kappa);
                 // Per mass: V' − V = F, κ(RΩ' − RΩ) = ∓F; the ceiling has the other sign, R → −R.
                 let impulse = rubbed(before, surface, kappa);
                 assert_eq!(after.velocity - before.velocity, impulse);
-                assert_eq!(
-                    kappa * (after.rim_speed - before.rim_speed),
-                    -sign * impulse
-                );
+                let spun = kappa * (after.rim_speed - before.rim_speed);
+                assert_eq!(spun, -sign * impulse);
                 assert_eq!(after.energy(kappa), before.energy(kappa));
                 assert_eq!(after.contact_speed(surface), -before.contact_speed(surface));
             }
@@ -57,21 +44,18 @@ fn s4_6_balances_and_reversed_contact_speed() {
 fn s4_6_exactly_two_solutions() {
     // Along the line of the two momentum balances, V' = V + f and RΩ' = RΩ − f/κ, the energy is a quadratic in f without a
     // constant term: f² (1 + 1/κ) + 2 f (V − RΩ) = 0. Three points fix it; its roots are the dull one and the superball's.
-    for kappa in kappas()
-        .into_iter()
-        .filter(|kappa| *kappa != rational(0, 1))
-    {
-        let before = moving(rational(1, 1), rational(3, 10));
+    for kappa in kappas().into_iter().filter(|kappa| *kappa != ZERO) {
+        let before = moving(ONE, rational(3, 10));
         let gain = |f: R| {
             moving(before.velocity + f, before.rim_speed - f / kappa).energy(kappa)
                 - before.energy(kappa)
         };
-        let quadratic = (gain(rational(1, 1)) + gain(rational(-1, 1))) / rational(2, 1);
-        let linear = (gain(rational(1, 1)) - gain(rational(-1, 1))) / rational(2, 1);
-        assert_eq!(gain(rational(0, 1)), rational(0, 1));
-        assert_ne!(quadratic, rational(0, 1));
+        let quadratic = (gain(ONE) + gain(whole(-1))) / TWO;
+        let linear = (gain(ONE) - gain(whole(-1))) / TWO;
+        assert_eq!(gain(ZERO), ZERO);
+        assert_ne!(quadratic, ZERO);
         let other = -linear / quadratic;
-        assert_eq!(gain(other), rational(0, 1));
+        assert_eq!(gain(other), ZERO);
         assert_eq!(other, rubbed(before, Surface::Floor, kappa));
         // A ball that already rolls has only one solution.
         let rolling = moving(rational(5, 7), rational(5, 7));
@@ -83,40 +67,26 @@ fn s4_6_exactly_two_solutions() {
 #[test]
 fn s4_6_matrices_of_floor_and_ceiling() {
     let sevenths = |m: [[i128; 2]; 2]| m.map(|row| row.map(|n| rational(n, 7)));
-    assert_eq!(
-        bounce_matrix(Surface::Floor, rational(2, 5)),
-        sevenths([[3, 4], [10, -3]])
+    let spun = moving(ONE, rational(3, 10));
+    let floor = ([[3, 4], [10, -3]], moving(rational(3, 5), rational(13, 10)));
+    let ceiling = (
+        [[3, -4], [-10, -3]],
+        moving(rational(9, 35), rational(-109, 70)),
     );
-    assert_eq!(
-        bounce_matrix(Surface::Ceiling, rational(2, 5)),
-        sevenths([[3, -4], [-10, -3]])
-    );
-    let spun = moving(rational(1, 1), rational(3, 10));
-    assert_eq!(
-        bounce(spun, Surface::Floor, rational(2, 5)),
-        moving(rational(3, 5), rational(13, 10))
-    );
-    assert_eq!(
-        bounce(spun, Surface::Ceiling, rational(2, 5)),
-        moving(rational(9, 35), rational(-109, 70))
-    );
+    for (surface, (matrix, after)) in [(Surface::Floor, floor), (Surface::Ceiling, ceiling)] {
+        assert_eq!(bounce_matrix(surface, KAPPA), sevenths(matrix));
+        assert_eq!(bounce(spun, surface, KAPPA), after);
+    }
     for kappa in kappas() {
         for surface in [Surface::Floor, Surface::Ceiling] {
-            assert_eq!(
-                apply(bounce_matrix(surface, kappa), spun),
-                bounce(spun, surface, kappa)
-            );
+            let after = apply(bounce_matrix(surface, kappa), spun);
+            assert_eq!(after, bounce(spun, surface, kappa));
         }
     }
     // All mass at the centre: spin has no say. All mass on the rim: velocity and rim speed swap.
-    assert_eq!(
-        bounce(spun, Surface::Floor, rational(0, 1)).velocity,
-        spun.velocity
-    );
-    assert_eq!(
-        bounce(spun, Surface::Floor, rational(1, 1)),
-        moving(spun.rim_speed, spun.velocity)
-    );
+    let floor = |kappa| bounce(spun, Surface::Floor, kappa);
+    assert_eq!(floor(ZERO).velocity, spun.velocity);
+    assert_eq!(floor(ONE), moving(spun.rim_speed, spun.velocity));
 }
 
 // claim: C4.6-6
@@ -125,10 +95,10 @@ fn s4_6_reflections() {
     for kappa in kappas() {
         for surface in [Surface::Floor, Surface::Ceiling] {
             let m = bounce_matrix(surface, kappa);
-            assert_eq!(determinant(m), rational(-1, 1));
-            assert_eq!(times(m, m), IDENTITY());
+            assert_eq!(determinant(m), whole(-1));
+            assert_eq!(times(m, m), IDENTITY);
             // Trace 0 with determinant −1: eigenvalues +1 and −1.
-            assert_eq!(m[0][0] + m[1][1], rational(0, 1));
+            assert_eq!(m[0][0] + m[1][1], ZERO);
         }
     }
 }
@@ -138,6 +108,6 @@ fn s4_6_reflections() {
 fn s4_6_energy_is_kept_exactly() {
     // The squares of 22 bounces are the last that fit into 127 bits.
     for motion in thrown().take(21) {
-        assert_eq!(motion.energy(rational(2, 5)), rational(1, 1));
+        assert_eq!(motion.energy(rational(2, 5)), ONE);
     }
 }

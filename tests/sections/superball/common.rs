@@ -1,9 +1,9 @@
 //! What the files of 4.6 share.
 
-use spinning_bodies::superball::{Motion, UnderTable};
-use support::{R, rational};
+use super::*;
 
 pub const BALL: f64 = 2.0 / 5.0;
+pub const KAPPA: R = R::new_raw(2, 5);
 
 pub fn moving<T: Copy>(velocity: T, rim_speed: T) -> Motion<T> {
     Motion {
@@ -13,7 +13,7 @@ pub fn moving<T: Copy>(velocity: T, rim_speed: T) -> Motion<T> {
 }
 
 pub fn thrown() -> UnderTable<R> {
-    UnderTable::new(moving(rational(1, 1), rational(0, 1)), rational(2, 5))
+    UnderTable::new(moving(ONE, ZERO), KAPPA)
 }
 
 pub fn times(a: [[R; 2]; 2], b: [[R; 2]; 2]) -> [[R; 2]; 2] {
@@ -25,12 +25,5 @@ pub fn determinant(a: [[R; 2]; 2]) -> R {
 }
 
 pub fn kappas() -> [R; 6] {
-    [
-        rational(2, 5),
-        rational(2, 3),
-        rational(1, 2),
-        rational(1, 1),
-        rational(1, 3),
-        rational(0, 1),
-    ]
+    [(2, 5), (2, 3), (1, 2), (1, 1), (1, 3), (0, 1)].map(|(n, d)| rational(n, d))
 }

@@ -1,10 +1,7 @@
 //! Ten million bounces, and a million million.
 
-use spinning_bodies::Error;
-use spinning_bodies::superball::{BounceRotation, Flight, InFlight, Surface, UnderTable, bounce};
-use support::{near, observed, relative, samples};
-
-use super::common::{BALL, moving};
+use super::*;
+use support::samples;
 
 /// Energy gained in `count` bounces with a step of one's own, from V = 1 without spin.
 fn drift(count: u32, step: impl Fn(f64, f64, f64) -> (f64, f64)) -> f64 {

@@ -7,3 +7,10 @@ mod losses;
 mod refusals;
 mod spring;
 mod under_the_table;
+
+use super::*;
+use common::*;
+use spinning_bodies::superball::{
+    BounceRotation, Flight, InFlight, Motion, Surface, UnderTable, bounce, bounce_matrix,
+    checked_bounce, reach, spring_bounce,
+};

@@ -1,12 +1,7 @@
 //! What is refused, and that nothing panics.
 
+use super::*;
 use proptest::prelude::*;
-use spinning_bodies::superball::{
-    BounceRotation, Surface, UnderTable, bounce, checked_bounce, reach, spring_bounce,
-};
-
-use super::common::moving;
-use support::{rational, refused};
 
 #[test]
 fn superball_refuses_what_is_no_ball() {
@@ -15,19 +10,11 @@ fn superball_refuses_what_is_no_ball() {
     refused!(BounceRotation::of_fraction(1, 0), NotPositive);
     let start = moving(1.0, 0.0);
     refused!(spring_bounce(start, Surface::Floor, 0.4, -1.0), Negative);
-    let exact_start = moving(rational(1, 1), rational(0, 1));
-    assert_eq!(
-        checked_bounce(exact_start, Surface::Floor, rational(-1, 1)),
-        None
-    );
-    assert_eq!(
-        checked_bounce(
-            moving(rational(i128::MAX, 1), rational(-1, 1)),
-            Surface::Floor,
-            rational(2, 5)
-        ),
-        None
-    );
+    let exact_start = moving(ONE, ZERO);
+    let far = moving(whole(i128::MAX), whole(-1));
+    for (start, kappa) in [(exact_start, whole(-1)), (far, KAPPA)] {
+        assert_eq!(checked_bounce(start, Surface::Floor, kappa), None);
+    }
 }
 
 proptest! {

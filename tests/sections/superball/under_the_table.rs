@@ -1,11 +1,6 @@
 //! Bounce after bounce: the rotation, the way back out, no period.
 
-use spinning_bodies::superball::{
-    BounceRotation, Surface, UnderTable, bounce_matrix, checked_bounce, reach,
-};
-use support::{R, near, observed, rational, relative};
-
-use super::common::{BALL, determinant, kappas, moving, thrown, times};
+use super::*;
 
 // claim: C4.6-7, C4.6-13
 #[test]
@@ -23,33 +18,24 @@ fn s4_6_table_of_three_bounces() {
         places,
         [rational(3, 7), rational(-10, 49), rational(-403, 343)]
     );
-    let senses: Vec<_> = bounces
-        .iter()
-        .map(|m| m.rim_speed > rational(0, 1))
-        .collect();
-    assert_eq!(senses, [true, false, false]);
+    let senses = bounces.iter().map(|m| m.rim_speed > ZERO);
+    assert!(senses.eq([true, false, false]));
 }
 
 // claim: C4.6-9
 #[test]
 fn s4_6_double_bounce_is_a_rotation() {
-    let double = times(
-        bounce_matrix(Surface::Ceiling, rational(2, 5)),
-        bounce_matrix(Surface::Floor, rational(2, 5)),
-    );
-    assert_eq!(determinant(double), rational(1, 1));
-    assert_eq!(double[0][0] + double[1][1], rational(-62, 49));
+    let double = |kappa| {
+        let [ceiling, floor] = [Surface::Ceiling, Surface::Floor].map(|s| bounce_matrix(s, kappa));
+        times(ceiling, floor)
+    };
+    let trace = |m: [[R; 2]; 2]| m[0][0] + m[1][1];
+    assert_eq!(determinant(double(KAPPA)), ONE);
+    assert_eq!(trace(double(KAPPA)), rational(-62, 49));
     for kappa in kappas() {
-        let double = times(
-            bounce_matrix(Surface::Ceiling, kappa),
-            bounce_matrix(Surface::Floor, kappa),
-        );
         // trace = 2 cos 2δ = 4 cos² δ − 2 with cos δ = (1−κ)/(1+κ)
-        let cos = (rational(1, 1) - kappa) / (rational(1, 1) + kappa);
-        assert_eq!(
-            double[0][0] + double[1][1],
-            rational(4, 1) * cos * cos - rational(2, 1)
-        );
+        let cos = (ONE - kappa) / (ONE + kappa);
+        assert_eq!(trace(double(kappa)), whole(4) * cos * cos - TWO);
     }
     let delta = BounceRotation::of_fraction(2, 5).unwrap().angle();
     observed!(relative(delta, 1.127_885_282_721_257_7), 0.0..=2.3e-16);
@@ -70,28 +56,17 @@ fn s4_6_chebyshev() {
     ];
     let motions: Vec<_> = thrown().take(12).collect();
     for (n, velocity, rim_speed) in known {
-        let sevens = 7i128.pow(n as u32);
-        assert_eq!(
-            motions[n - 1],
-            moving(rational(velocity, sevens), rational(rim_speed, sevens))
-        );
+        let [v, w] = [velocity, rim_speed].map(|speed| rational(speed, 7i128.pow(n as u32)));
+        assert_eq!(motions[n - 1], moving(v, w));
     }
     // T and U by their own recurrence.
     let x = rational(3, 7);
-    let (mut t, mut u) = ([rational(1, 1), x], [rational(0, 1), rational(1, 1)]);
+    let (mut t, mut u) = ([ONE, x], [ZERO, ONE]);
     for (n, motion) in (1..).zip(motions) {
-        let sign = if n % 2 == 1 {
-            rational(1, 1)
-        } else {
-            rational(-1, 1)
-        };
-        assert_eq!(
-            motion,
-            moving(t[1], sign * rational(10, 7) * u[1]),
-            "bounce {n}"
-        );
-        t = [t[1], rational(2, 1) * x * t[1] - t[0]];
-        u = [u[1], rational(2, 1) * x * u[1] - u[0]];
+        let spin = if n % 2 == 1 { u[1] } else { -u[1] };
+        assert_eq!(motion, moving(t[1], rational(10, 7) * spin), "{n}");
+        t = [t[1], TWO * x * t[1] - t[0]];
+        u = [u[1], TWO * x * u[1] - u[0]];
     }
     // Any start, any κ: the closed form against 200 bounces one by one. The rim speed grows as 1/√κ.
     for (numerator, denominator) in [(2, 5), (2, 3), (1, 1), (1, 3), (1, 1000)] {
@@ -113,21 +88,10 @@ fn s4_6_it_comes_back_out() {
     let third = thrown().nth(2).unwrap();
     assert_eq!(third.velocity, rational(-333, 343));
     let places: Vec<_> = thrown().positions().take(4).collect();
-    assert_eq!(
-        places,
-        [
-            rational(3, 7),
-            rational(-10, 49),
-            rational(-403, 343),
-            rational(-3300, 2401)
-        ]
-    );
+    assert_eq!(places[3], rational(-3300, 2401));
     // It runs outward after bounces 2, 3, 4 and inward again after the fifth.
-    let outward: Vec<_> = thrown()
-        .take(5)
-        .map(|m| m.velocity < rational(0, 1))
-        .collect();
-    assert_eq!(outward, [false, true, true, true, false]);
+    let outward = thrown().take(5).map(|m| m.velocity < ZERO);
+    assert!(outward.eq([false, true, true, true, false]));
     // Between endless plates: never beyond −½ ± √(7/8), and as near to it as one waits for.
     let [least, greatest] = reach(BALL).unwrap();
     observed!(relative(least, -1.435_414_346_693_485_4), 0.0..=2.3e-16);
@@ -138,20 +102,8 @@ fn s4_6_it_comes_back_out() {
         (low, high) = (low.min(x), high.max(x));
     }
     assert!(low > least && high < greatest, "{low} {high}");
-    observed!(
-        low - least,
-        1e-11..=5e-10,
-        "{} {}",
-        low - least,
-        greatest - high
-    );
-    observed!(
-        greatest - high,
-        8e-12..=3e-10,
-        "{} {}",
-        low - least,
-        greatest - high
-    );
+    observed!(low - least, 1e-11..=5e-10);
+    observed!(greatest - high, 8e-12..=3e-10);
     // κ → 0: it passes straight through, and nothing holds it.
     let light = UnderTable::new(start, 1e-12).positions().nth(99).unwrap();
     observed!(relative(light, 100.0), 2e-9..=7e-8);
@@ -163,42 +115,29 @@ fn s4_6_it_comes_back_out() {
 fn s4_6_never_periodic_except() {
     // 7ⁿ V_n is an integer that leaves a remainder mod 7 (3, then 6 times the last): no V_n after the start is ±1, and no
     // bounce repeats the start. 7⁴³ is the last power whose bounce fits into 127 bits.
-    let mut motion = moving(rational(1, 1), rational(0, 1));
+    let mut motion = moving(ONE, ZERO);
     let mut surface = Surface::Floor;
     let mut remainder = 4; // so that the first step gives 3
     for n in 1..=43u32 {
-        motion = checked_bounce(motion, surface, rational(2, 5)).unwrap();
+        motion = checked_bounce(motion, surface, KAPPA).unwrap();
         surface = surface.opposite();
         remainder = remainder * 6 % 7;
         assert_eq!(*motion.velocity.denom(), 7i128.pow(n), "bounce {n}");
-        assert_eq!(
-            motion.velocity.numer().rem_euclid(7),
-            remainder,
-            "bounce {n}"
-        );
+        assert_eq!(motion.velocity.numer().rem_euclid(7), remainder);
     }
     // The monic equation of 2 cos 2δ = −62/49 has no integer root: not an algebraic integer, so δ/π is irrational (Niven).
-    assert!(!(rational(2, 1) * thrown().nth(1).unwrap().velocity).is_integer());
+    assert!(!(TWO * thrown().nth(1).unwrap().velocity).is_integer());
     let period = |kappa: R| {
-        let start = moving(rational(1, 1), rational(3, 10));
+        let start = moving(ONE, rational(3, 10));
         let seen: Vec<_> = UnderTable::new(start, kappa).take(24).collect();
         (1..=12).map(|m| 2 * m).find(|&n| seen[n - 1] == start)
     };
-    assert_eq!(period(rational(1, 1)), Some(4));
+    assert_eq!(period(ONE), Some(4));
     assert_eq!(period(rational(1, 3)), Some(6));
     assert_eq!(period(rational(2, 3)), None);
     // All mass on the rim: motion reversal after two. κ = 1/3: after three, with the spin gone.
-    let after = |n: usize, kappa| {
-        UnderTable::new(moving(rational(1, 1), rational(0, 1)), kappa)
-            .nth(n - 1)
-            .unwrap()
-    };
-    assert_eq!(
-        after(2, rational(1, 1)),
-        moving(rational(-1, 1), rational(0, 1))
-    );
-    assert_eq!(
-        after(3, rational(1, 3)),
-        moving(rational(-1, 1), rational(0, 1))
-    );
+    for (bounces, kappa) in [(2, ONE), (3, rational(1, 3))] {
+        let after = UnderTable::new(moving(ONE, ZERO), kappa).nth(bounces - 1);
+        assert_eq!(after, Some(moving(-ONE, ZERO)));
+    }
 }

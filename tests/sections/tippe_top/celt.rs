@@ -1,16 +1,7 @@
 //! Chirality of rolling: celt-ended tops, the register's chiral top, the rattleback.
 
-use nalgebra::Matrix3;
-use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::inertia::InertiaMatrix;
-use spinning_bodies::scene::contact::passage;
-use spinning_bodies::scene::effects::{NoSlip, Viscous};
-use spinning_bodies::tippe_top::{
-    ConvexBody, Start, Surface, Viscous as Law, bodies, quasi_steady, rolling_growth_rates,
-};
-use support::observed;
-
-use super::common::{G, degrees, last, most, on_a_table, regularised, run};
+use super::*;
+use spinning_bodies::tippe_top::{Viscous as Law, rolling_growth_rates};
 
 #[test]
 fn s4_7_celt_ended_tops() {

@@ -1,15 +1,8 @@
 //! The chiral tippe top: turned over one way only, its mirror image the other way, its symmetric relatives alike both ways.
 
-use nalgebra::Matrix3;
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::inertia::MassProperties;
-use spinning_bodies::scene::contact::{TableTop, passage};
-use spinning_bodies::scene::effects::{Gravity, Regularised};
-use spinning_bodies::tippe_top::{ConvexBody, Start, beads, bodies, chirality_index, quasi_steady};
-use support::{observed, relative};
-
-use super::common::{G, degrees, last, most, on_a_table, regularised, run};
+use spinning_bodies::tippe_top::{beads, chirality_index};
 
 const SPIN: f64 = 132.9;
 
@@ -47,13 +40,9 @@ fn s4_7_chirality_index() {
     observed!(relative(chi, closed), 0.0..=1e-12);
     let body = bodies::chiral_top().unwrap();
     let image = body.mirrored();
-    observed!(
-        relative(
-            chirality_index(image.inertia(), image.center()).unwrap(),
-            -chirality_index(body.inertia(), body.center()).unwrap()
-        ),
-        0.0..=1e-12
-    );
+    let [mirrored, own] =
+        [&image, &body].map(|body| chirality_index(body.inertia(), body.center()).unwrap());
+    observed!(relative(mirrored, -own), 0.0..=1e-12);
     for (expected, moment) in [0.41469, 0.48380, 0.53151]
         .iter()
         .zip(body.inertia().principal_axes().moments)
@@ -142,10 +131,8 @@ fn s4_7_chiral_top_turns_over_one_way_only() {
         observed!((over / horizontal - 1.0).abs(), 1e-3..=0.01);
         assert!((degrees(&last(&turns)) - ends_over).abs() < 1.0);
         for rows in [&stays, &turns] {
-            assert!(
-                -most(rows, |s| -s.reaction) > 0.85 * 0.02 * G,
-                "no hopping is involved"
-            );
+            // No hopping is involved.
+            assert!(-most(rows, |s| -s.reaction) > 0.85 * 0.02 * G);
         }
         if mu == 0.3 {
             observed!((last(&stays).spin() - 124.9).abs(), 9e-3..=0.1);

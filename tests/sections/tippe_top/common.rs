@@ -1,9 +1,7 @@
 //! Runs and readings.
 
-use spinning_bodies::scene::contact::{State, TableTop};
-use spinning_bodies::scene::effects::{Effect, Gravity, Regularised};
-use spinning_bodies::scene::{Request, Scene};
-use spinning_bodies::tippe_top::{ConvexBody, Start};
+use super::*;
+use spinning_bodies::scene::effects::Effect;
 
 /// Gravity of the models, m/s².
 pub const G: f64 = 9.81;

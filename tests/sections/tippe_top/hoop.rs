@@ -1,17 +1,9 @@
 //! The hoop with clay: the tutorial's estimate, what it leaves out, and the full motion.
 
-use core::f64::consts::PI;
-
+use super::*;
 use spinning_bodies::Result;
-use spinning_bodies::frame::SpaceVector;
-use spinning_bodies::inertia::shapes;
-use spinning_bodies::scene::Request;
-use spinning_bodies::scene::contact::{Support, TableTop, passage};
-use spinning_bodies::scene::effects::{Gravity, Viscous};
-use spinning_bodies::tippe_top::{HoopWithClay, Start, TippeTop, bodies};
-use support::{observed, relative};
-
-use super::common::{G, degrees, last, most, on_a_table, regularised, run};
+use spinning_bodies::scene::contact::Support;
+use spinning_bodies::tippe_top::HoopWithClay;
 
 /// The tutorial's toy: R = 2 cm, 50 turns a second, μ = 1/3.
 fn toy(alpha: f64, gravity: f64) -> HoopWithClay {
@@ -64,10 +56,8 @@ fn s4_7_slip_at_the_contact_and_torque_of_friction() {
             -f * offset * theta.sin(),
         );
         assert!((torque - expected).norm() < 1e-15 * f * r);
-        assert!(
-            torque.z().abs() < 0.12 * torque.x().abs(),
-            "mostly horizontal"
-        );
+        // Mostly horizontal.
+        assert!(torque.z().abs() < 0.12 * torque.x().abs());
         // d(L·e)/dt = N·e = −R f sin θ, exactly; and the normal force has no moment about K's axis through C.
         let e = SpaceVector::new(theta.sin(), 0.0, theta.cos());
         observed!((torque.dot(&e) + r * f * theta.sin()).abs(), 0.0..=1e-16);

@@ -8,3 +8,10 @@ mod egg;
 mod hoop;
 mod reference;
 mod tippe;
+
+use super::*;
+use common::*;
+use core::f64::consts::PI;
+use spinning_bodies::scene::contact::{State, TableTop, passage};
+use spinning_bodies::scene::effects::{Gravity, NoSlip, Regularised, Viscous};
+use spinning_bodies::tippe_top::{ConvexBody, Start, Surface, TippeTop, bodies, quasi_steady};

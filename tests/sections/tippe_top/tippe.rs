@@ -1,16 +1,8 @@
 //! The axisymmetric tippe top: closed forms and the full motion.
 
-use core::f64::consts::PI;
-
-use nalgebra::{Matrix3, Vector3};
-use spinning_bodies::frame::BodyVector;
-use spinning_bodies::inertia::InertiaMatrix;
-use spinning_bodies::scene::contact::{State, TableTop, passage};
-use spinning_bodies::scene::effects::{NoSlip, Resistance, Viscous};
-use spinning_bodies::tippe_top::{ConvexBody, Inversion, Start, Surface, TippeTop, bodies};
-use support::{observed, relative};
-
-use super::common::{G, degrees, last, most, on_a_table, run};
+use super::*;
+use spinning_bodies::scene::effects::Resistance;
+use spinning_bodies::tippe_top::Inversion;
 
 const MR2: f64 = 0.02 * 0.02 * 0.02;
 
@@ -44,10 +36,8 @@ fn s4_7_tippe_top_turns_over() {
     let weight = 0.02 * 9.82;
     let least = -most(&rows, |s| -s.reaction) / weight;
     observed!((least - 0.70).abs(), 1e-4..=0.005);
-    assert!(
-        end.position.z() > first.position.z() + 0.011,
-        "C has risen while energy fell"
-    );
+    // C has risen while energy fell.
+    assert!(end.position.z() > first.position.z() + 0.011);
     for pair in rows.windows(2) {
         assert!(pair[1].1.energy <= pair[0].1.energy * (1.0 + 1e-12));
     }
@@ -89,12 +79,7 @@ fn s4_7_thresholds_and_final_tilts() {
     ] {
         let jellett = top.jellett_of_spin(spin, 0.1);
         let closed = top.final_tilt(jellett, 0.1).unwrap();
-        observed!(
-            (closed.to_degrees() - tilt).abs(),
-            3e-4..=6e-3,
-            "{spin}: {}",
-            closed.to_degrees()
-        );
+        observed!((closed.to_degrees() - tilt).abs(), 3e-4..=6e-3, "{spin}");
         if closed < PI {
             // A stationary point of the effective potential, and the steady state there has this very λ.
             let steady = top.steady_jellett(closed).unwrap();

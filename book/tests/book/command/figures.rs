@@ -12,9 +12,7 @@ fn an_unknown_figure_is_answered_with_the_nearest_name() {
 
 #[test]
 fn figures_are_listed_with_their_chapters() {
-    let output = book(&["figures", "--list"]);
-    assert_eq!(output.status.code(), Some(0));
-    let listed = text(&output.stdout);
+    let listed = printed(&book(&["figures", "--list"]));
     assert_eq!(listed.lines().count(), ::figures::all().len());
     for (line, entry) in listed.lines().zip(::figures::all()) {
         let words: Vec<&str> = line.split_whitespace().collect();
@@ -26,29 +24,18 @@ fn figures_are_listed_with_their_chapters() {
 
 #[test]
 fn a_program_is_told_what_a_figure_claims_and_takes() {
-    let output = book(&[
-        "figures",
-        "--list",
-        "--format",
-        "json",
-        "spool-dial",
-        "cat-film",
-    ]);
+    let named = ["spool-dial", "cat-film"];
+    let output = book(&[&["figures", "--list", "--format", "json"][..], &named].concat());
     let told: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-    assert_eq!(
-        [&told[0]["name"], &told[1]["name"]],
-        ["spool-dial", "cat-film"]
-    );
+    assert_eq!([&told[0]["name"], &told[1]["name"]], named);
     assert_eq!(told[1]["parameters"], serde_json::json!([]));
     let (dial, axle) = (&told[0], &told[0]["parameters"][0]);
     assert_eq!(dial["chapter"], "spool");
     // arccos 0.4
     assert!(dial["claim"].as_str().unwrap().contains("66.42 degrees"));
     let keys = ["key", "unit", "least", "greatest", "scale", "default"].map(|key| &axle[key]);
-    assert_eq!(
-        serde_json::json!(keys),
-        serde_json::json!(["axle", "", 0.05, 0.95, "linear", 0.4])
-    );
+    let expected = serde_json::json!(["axle", "", 0.05, 0.95, "linear", 0.4]);
+    assert_eq!(serde_json::json!(keys), expected);
 }
 
 #[test]
@@ -60,38 +47,27 @@ fn a_figure_is_drawn_as_it_is_wanted() {
     assert!(listed.contains("axle = 0.4 (0.05 to 0.95): "), "{listed}");
     let wanted = ["figures", "spool-dial", "--set", "axle=0.6,tension=0.2"];
     let rest = ["--theme", "dark", "--out", out_name, "--data", table_name];
-    let output = book(&[&wanted[..], &rest].concat());
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     // arccos 0.6, and the caption says so.
-    assert!(text(&output.stdout).contains("lower than 53.13 degrees"));
+    let told = printed(&book(&[&wanted[..], &rest].concat()));
+    assert!(told.contains("lower than 53.13 degrees"));
     let svg = std::fs::read_to_string(out.join("spool-dial.svg")).unwrap();
     assert!(svg.contains("53.13°") && svg.contains("background:#161923"));
     let rows = std::fs::read_to_string(table).unwrap();
     let mut lines = rows.lines();
     assert_eq!(lines.next(), Some("curve,angle (°),acceleration (m/s²)"));
     // a = T(R cos θ − r)/(R(M + I/R²)) = 0.2 · (1 − 0.6)/(1.5 · 0.2)
-    let level: f64 = lines
-        .next()
-        .unwrap()
-        .split(',')
-        .nth(2)
-        .unwrap()
-        .parse()
-        .unwrap();
+    let level = lines.next().unwrap().split(',').nth(2).unwrap();
+    let level: f64 = level.parse().unwrap();
     assert!((level - 0.08 / 0.3).abs() < 1e-15, "{level}");
 }
 
 #[test]
 fn a_wrong_number_of_a_figure_is_refused_by_name() {
+    let axel = "figure spool-dial has no parameter 'axel': expected one of [axle, tension]; did you mean `axle`?";
+    let beyond = "axle is 1.5, expected a number from 0.05 to 0.95";
     for (set, told) in [
-        (
-            "axle=1.5",
-            "axle is 1.5, expected a number from 0.05 to 0.95",
-        ),
-        (
-            "axel=0.5",
-            "figure spool-dial has no parameter 'axel': expected one of [axle, tension]; did you mean `axle`?",
-        ),
+        ("axle=1.5", beyond),
+        ("axel=0.5", axel),
         ("axle", "'axle' has no value, expected KEY=VALUE"),
         ("axle=x", "axle is 'x', expected a number"),
     ] {
@@ -114,22 +90,14 @@ fn figures_are_written_to_the_folder_asked_for() {
     for entry in ::figures::all().iter().take(1) {
         let into = out.to_str().unwrap();
         let check = || book(&["figures", entry.name, "--check", "--out", into]);
-        let output = book(&["figures", entry.name, "--out", into]);
-        assert_eq!(output.status.code(), Some(0));
-        let names: Vec<_> = std::fs::read_dir(&out)
-            .unwrap()
-            .map(|file| file.unwrap().file_name().into_string().unwrap())
-            .collect();
+        printed(&book(&["figures", entry.name, "--out", into]));
+        let names = names(&out);
         assert_eq!(names, [format!("{}.svg", entry.name)]);
-        let output = check();
-        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        printed(&check());
 
         let path = out.join(&names[0]);
-        let spoilt = std::fs::read_to_string(&path).unwrap().replacen(
-            "viewBox=\"0 0 6",
-            "viewBox=\"0 0 7",
-            1,
-        );
+        let svg = std::fs::read_to_string(&path).unwrap();
+        let spoilt = svg.replacen("viewBox=\"0 0 6", "viewBox=\"0 0 7", 1);
         std::fs::write(&path, spoilt).unwrap();
         let output = check();
         assert_eq!(output.status.code(), Some(1));

@@ -11,15 +11,9 @@ fn a_film_shows_the_axis_where_the_closed_form_has_it() {
     let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
     let [scene, film] = ["free.toml", "free.svg"].map(|name| folder.path().join(name));
     std::fs::write(&scene, FREE).unwrap();
-    let arguments = [
-        "--film",
-        "--speed",
-        "0.7",
-        "--output",
-        film.to_str().unwrap(),
-    ];
-    let done = book(&[&["scene", scene.to_str().unwrap()][..], &arguments].concat());
-    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
+    let out = ["--output", film.to_str().unwrap()];
+    let arguments = [&["--film", "--speed", "0.7"][..], &out].concat();
+    printed(&super::scene(&scene, &arguments));
     let svg = std::fs::read_to_string(&film).unwrap();
     assert!(svg.contains("prefers-reduced-motion") && svg.contains("prefers-color-scheme"));
     assert!(svg.contains("0.7 × real time"));
@@ -62,59 +56,44 @@ fn every_scene_of_the_book_is_filmed() {
         if path.extension().is_none_or(|ending| ending != "toml") {
             continue;
         }
-        let done = book(&["scene", path.to_str().unwrap(), "--film"]);
+        let svg = printed(&super::scene(&path, &["--film"]));
         filmed += 1;
-        assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
-        let svg = text(&done.stdout);
         assert!(svg.len() < 400_000 && svg.ends_with("</svg>\n"), "{path:?}");
         // What is no number is drawn far outside.
-        assert!(
-            !svg.contains("NaN") && !svg.contains("2147483648"),
-            "{path:?}"
-        );
+        let lost = svg.contains("NaN") || svg.contains("2147483648");
+        assert!(!lost, "{path:?}");
     }
     assert!(filmed >= 24, "{filmed}");
     for (wrong, told) in [
-        (&["--film", "--speed=-1"][..], "expected a speed from"),
-        (
-            &["--film", "--speed", "1e3"],
-            "expected a speed from 1.667e-1 to 1.000e1",
-        ),
-        (&["--speed", "1"], "--film"),
-        (&["--speed", "1", "--plot", "tilt"], "--speed"),
-        (&["--film", "--as", "png"], "--as"),
-        (&["--plot", "tlit"], "did you mean `tilt`?"),
-        (&["--plot", "x:x"], "has no column `x`"),
-        (&["--film", "--plot", "tilt"], "cannot be used with"),
-        (&["--film", "--speed", "0"], "expected a speed from"),
-        (&["--film", "--output", "x.png"], "should end with `.svg`"),
-        (
-            &["--frames", "src", "10"],
-            "expected an empty folder or a new one",
-        ),
-        (
-            &["--frames", "stills", "0"],
-            "expected a whole number from 1 to 10000",
-        ),
+        ("--film --speed=-1", "expected a speed from"),
+        ("--film --speed 1e3", "a speed from 1.667e-1 to 1.000e1"),
+        ("--speed 1", "--film"),
+        ("--speed 1 --plot tilt", "--speed"),
+        ("--film --as png", "--as"),
+        ("--plot tlit", "did you mean `tilt`?"),
+        ("--plot x:x", "has no column `x`"),
+        ("--film --plot tilt", "cannot be used with"),
+        ("--film --speed 0", "expected a speed from"),
+        ("--film --output x.png", "should end with `.svg`"),
+        ("--frames src 10", "expected an empty folder or a new one"),
+        ("--frames stills 0", "a whole number from 1 to 10000"),
     ] {
-        refused(&book(&[&["scene", "racket"], wrong].concat()), &[told]);
+        let wrong = ["scene", "racket"].into_iter().chain(wrong.split(' '));
+        refused(&book(&wrong.collect::<Vec<_>>()), &[told]);
     }
     // A single time is no motion.
     let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
     let scene = folder.path().join("once.toml");
-    std::fs::write(
-        &scene,
-        FREE.replace("until = 7.0\nsamples = 2", "times = [1.0, 1.0]"),
-    )
-    .unwrap();
-    for (option, more) in [
-        ("--film", &[][..]),
-        ("--plot", &["tilt"]),
-        ("--frames", &["stills", "2"]),
+    let once = FREE.replace("until = 7.0\nsamples = 2", "times = [1.0, 1.0]");
+    std::fs::write(&scene, once).unwrap();
+    for options in [
+        &["--film"][..],
+        &["--plot", "tilt"],
+        &["--frames", "stills", "2"],
     ] {
-        let done = book(&[&["scene", scene.to_str().unwrap(), option], more].concat());
+        let done = super::scene(&scene, options);
         let told = "once.toml: key `until` or `times` in [run]: expected times that go on";
-        refused(&done, &[option, told]);
+        refused(&done, &[options[0], told]);
     }
 }
 
@@ -123,20 +102,10 @@ fn stills_are_whole_and_numbered() {
     let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
     let stills = folder.path().join("stills");
     let wanted = ["scene", "spool", "--frames", stills.to_str().unwrap(), "12"];
-    let done = book(&wanted);
-    assert_eq!(done.status.code(), Some(0), "{}", text(&done.stderr));
-    let names = std::fs::read_dir(&stills).unwrap();
-    let mut names: Vec<_> = names.map(|file| file.unwrap().file_name()).collect();
-    names.sort();
-    assert_eq!(
-        (names.len(), &names[0], &names[11]),
-        (12, &"01.svg".into(), &"12.svg".into())
-    );
+    printed(&book(&wanted));
+    assert!((1..=12).map(|k| format!("{k:02}.svg")).eq(names(&stills)));
     let last = std::fs::read_to_string(stills.join("12.svg")).unwrap();
     assert!(last.contains(">1.00 s<") && last.ends_with("</svg>\n"));
-    assert_eq!(
-        book(&wanted).status.code(),
-        Some(2),
-        "there are stills already"
-    );
+    // There are stills already.
+    assert_eq!(book(&wanted).status.code(), Some(2));
 }

@@ -1,7 +1,8 @@
 //! The superball: parabolas between bounces.
 
 use super::super::random::Random;
-use super::{Scene, Sort, told};
+use super::rolling;
+use super::{Scene, Sort, line, told};
 use support::double_double::Dd;
 
 #[derive(Clone, Copy)]
@@ -26,34 +27,33 @@ struct State {
 impl Ball {
     /// The time to the next contact, the speed there, and whether it is with the ceiling.
     fn contact(&self, state: &State) -> Option<(Dd, Dd, bool)> {
-        let (two, zero) = (Dd::from(2.0), Dd::ZERO);
         let (c, h, g) = (state.climb, state.height, self.gravity);
         if let Some(room) = self.room
             && c.hi > 0.0
         {
-            let square = c * c - two * g * (room - h);
+            let square = c * c - 2.0 * g * (room - h);
             if square.hi > 0.0 {
                 let speed = square.sqrt();
-                return Some((two * (room - h) / (c + speed), speed, true));
+                return Some((2.0 * (room - h) / (c + speed), speed, true));
             }
         }
-        if g == zero && c.hi >= 0.0 {
+        if g == Dd::ZERO && c.hi >= 0.0 {
             return None;
         }
-        let speed = (c * c + two * g * h).sqrt();
-        let wait = if c.hi > 0.0 {
+        let speed = (c * c + 2.0 * g * h).sqrt();
+        let rises = c.hi > 0.0;
+        let wait = if rises {
             (c + speed) / g
         } else {
-            two * h / (speed - c)
+            2.0 * h / (speed - c)
         };
         Some((wait, speed, false))
     }
 
     fn flown(&self, state: &State, t: Dd) -> State {
-        let half = Dd::from(0.5);
         State {
             x: state.x + t * state.v,
-            height: state.height + t * state.climb - half * self.gravity * t * t,
+            height: state.height + t * state.climb - 0.5 * self.gravity * t * t,
             climb: state.climb - self.gravity * t,
             ..*state
         }
@@ -61,24 +61,19 @@ impl Ball {
 
     fn bounced(&self, state: &State, t: Dd, speed: Dd, ceiling: bool) -> State {
         let [normal, tangential] = self.restitution;
-        let one = Dd::from(1.0);
         let sense = Dd::from(if ceiling { -1.0 } else { 1.0 });
         // At the contact the rim runs against the velocity below, and with it above. An impulse J per mass changes V by J and sense·RΩ by −J/κ.
         let slip = state.v - sense * state.rim;
-        let mut impulse = -(one + tangential) * slip * self.kappa / (one + self.kappa);
+        let mut impulse = -(1.0 + tangential) * slip * self.kappa / (1.0 + self.kappa);
         if let Some(mu) = self.grip {
-            let most = mu * (one + normal) * speed;
-            if (impulse.abs() - most).value() > 0.0 {
+            let most = mu * (1.0 + normal) * speed;
+            if impulse.abs() > most {
                 impulse = if slip.hi > 0.0 { -most } else { most };
             }
         }
         State {
             x: state.x + t * state.v,
-            height: if ceiling {
-                self.room.unwrap_or(Dd::ZERO)
-            } else {
-                Dd::ZERO
-            },
+            height: self.room.filter(|_| ceiling).unwrap_or(Dd::ZERO),
             climb: sense * normal * speed,
             v: state.v + impulse,
             rim: state.rim - sense * impulse / self.kappa,
@@ -92,7 +87,7 @@ impl Ball {
             let next = self.contact(&state);
             while let Some(&t) = times.get(rows.len()) {
                 let t = Dd::from(t) - now;
-                if next.is_some_and(|(wait, ..)| (t - wait).value() > 0.0) {
+                if next.is_some_and(|(wait, ..)| t > wait) {
                     break;
                 }
                 rows.push(self.flown(&state, t));
@@ -119,11 +114,7 @@ impl Ball {
 
 fn thrown(r: &mut Random, losses: bool) -> Scene {
     let mass = r.scaled(1e-2, 1.0);
-    let kappa = if r.percent(40) {
-        0.4
-    } else {
-        r.within(0.05, 1.0)
-    };
+    let kappa = rolling::inertia_factor(r);
     let fast = r.scaled(0.5, 10.0);
     let gravity = r.percent(80).then(|| r.scaled(1.0, 20.0));
     let room = r.percent(60).then(|| r.scaled(0.1, 3.0));
@@ -132,12 +123,8 @@ fn thrown(r: &mut Random, losses: bool) -> Scene {
     let mut text = format!(
         "kind = \"superball\"\n[body]\nmass = {mass:?}\ninertia_factor = {kappa:?}\n[initial]\nheight = {height:?}\nclimb = {climb:?}\nvelocity = {v:?}\nrim_speed = {rim:?}\n[effects]\n"
     );
-    if let Some(g) = gravity {
-        text += &format!("gravity = {g:?}\n");
-    }
-    if let Some(room) = room {
-        text += &format!("ceiling = {room:?}\n");
-    }
+    line(&mut text, "gravity", gravity);
+    line(&mut text, "ceiling", room);
     let mut ball = Ball {
         kappa: Dd::from(kappa),
         gravity: Dd::from(gravity.unwrap_or(0.0)),
@@ -154,17 +141,18 @@ fn thrown(r: &mut Random, losses: bool) -> Scene {
         }
         if which != 0 {
             let grip = r.scaled(0.02, 1.0);
-            text += &format!("grip = {grip:?}\n");
+            line(&mut text, "grip", Some(grip));
             ball.grip = Some(Dd::from(grip));
         }
     }
-    let state = State {
+    let begun = |start: &[Dd]| State {
         x: Dd::ZERO,
-        height: Dd::from(height),
-        climb: Dd::from(climb),
-        v: Dd::from(v),
-        rim: Dd::from(rim),
+        height: start[0],
+        climb: start[1],
+        v: start[2],
+        rim: start[3],
     };
+    let state = begun(&[height, climb, v, rim].map(Dd::from));
     let bounces = 1 + r.whole(if losses { 25 } else { 300 });
     let span = ball.time_of(state, bounces).unwrap_or(1.0);
     Scene {
@@ -176,25 +164,14 @@ fn thrown(r: &mut Random, losses: bool) -> Scene {
             (Sort::Speed, fast),
             (Sort::Energy, mass * fast * fast),
         ],
-        columns: told(&[
-            (Sort::Length, "x height"),
-            (Sort::Speed, "velocity climb rim_speed"),
-            (Sort::Energy, "energy"),
-        ]),
+        columns: told("length x height, speed velocity climb rim_speed, energy energy"),
         truth: Box::new(move |start, times| {
-            let state = State {
-                x: Dd::ZERO,
-                height: start[0],
-                climb: start[1],
-                v: start[2],
-                rim: start[3],
-            };
             let row = |s: &State| {
                 let speeds = s.v * s.v + s.climb * s.climb + ball.kappa * s.rim * s.rim;
-                let energy = Dd::from(mass) * (Dd::from(0.5) * speeds + ball.gravity * s.height);
+                let energy = mass * (0.5 * speeds + ball.gravity * s.height);
                 vec![s.x, s.height, s.v, s.climb, s.rim, energy]
             };
-            ball.rows(state, times).iter().map(row).collect()
+            ball.rows(begun(start), times).iter().map(row).collect()
         }),
     }
 }

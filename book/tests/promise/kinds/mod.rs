@@ -11,7 +11,9 @@ mod yo_yo;
 use super::door::{self, Answer};
 use super::random::Random;
 use super::verdict::{Given, Outcome};
+use core::fmt;
 use support::double_double::Dd;
+use support::{greatest, multiplied};
 
 /// What a column measures; the errors of all of one sort are judged by the greatest of them that the motion has, or by the size that they naturally
 /// have for such a body.
@@ -46,11 +48,30 @@ pub struct Scene {
     pub truth: Box<Truth>,
 }
 
-/// Columns by what they measure.
-fn told(groups: &[(Sort, &'static str)]) -> Vec<(&'static str, Sort)> {
-    let columns =
-        |&(sort, names): &(Sort, &'static str)| names.split(' ').map(move |name| (name, sort));
-    groups.iter().flat_map(columns).collect()
+/// Columns by what they measure: `length x y, speed vx vy`.
+fn told(groups: &'static str) -> Vec<(&'static str, Sort)> {
+    let columns = |group: &'static str| {
+        let mut names = group.split(' ');
+        let sort = match names.next() {
+            Some("length") => Sort::Length,
+            Some("speed") => Sort::Speed,
+            Some("angle") => Sort::Angle,
+            Some("rate") => Sort::Rate,
+            Some("energy") => Sort::Energy,
+            Some("momentum") => Sort::Momentum,
+            Some("attitude") => Sort::Attitude,
+            other => panic!("{other:?} is no sort"),
+        };
+        names.map(move |name| (name, sort))
+    };
+    groups.split(", ").flat_map(columns).collect()
+}
+
+/// A line of the scene file, if there is a value.
+pub fn line<T: fmt::Debug>(text: &mut String, key: &str, value: Option<T>) {
+    if let Some(value) = value {
+        *text += &format!("{key} = {value:?}\n");
+    }
 }
 
 /// A scene and what is asked of it.
@@ -127,7 +148,7 @@ impl Case {
         all.sort_by(f64::total_cmp);
         all.dedup();
         let rows = (self.scene.truth)(start, &all);
-        let greatest = |sort: Sort| {
+        let most = |sort: Sort| {
             let places = (0..self.scene.columns.len()).filter(|&k| self.scene.columns[k].1 == sort);
             let sizes = places.flat_map(|k| rows.iter().map(move |row| row[k].value().abs()));
             let natural = self.scene.sizes.iter().filter(|size| size.0 == sort);
@@ -136,7 +157,7 @@ impl Case {
         };
         let scales = self.scene.columns.iter().map(|(_, sort)| match sort {
             Sort::Angle | Sort::Attitude => 1.0,
-            sort => greatest(*sort),
+            sort => most(*sort),
         });
         let at = |t: &f64| all.iter().position(|x| x == t).expect("among them");
         let asked = self.times.iter().map(|t| rows[at(t)].clone()).collect();
@@ -146,8 +167,8 @@ impl Case {
     /// The most by which rows are apart.
     fn apart(&self, a: &[Vec<Dd>], b: &[Vec<Dd>], scales: &[f64]) -> f64 {
         let columns = &self.scene.columns;
-        let mut worst = 0.0_f64;
-        for (a, b) in a.iter().zip(b) {
+        let apart = |(a, b): (&Vec<Dd>, &Vec<Dd>)| {
+            let mut worst = 0.0_f64;
             let mut k = 0;
             while k < columns.len() {
                 let off = if columns[k].1 == Sort::Attitude {
@@ -156,15 +177,12 @@ impl Case {
                 } else {
                     (a[k] - b[k]).value().abs() / scales[k]
                 };
-                worst = if off.is_nan() {
-                    f64::INFINITY
-                } else {
-                    worst.max(off)
-                };
+                worst = greatest([worst, off]);
                 k += 1;
             }
-        }
-        worst
+            worst
+        };
+        greatest(a.iter().zip(b).map(apart))
     }
 
     pub fn judged(&self) -> Outcome {
@@ -198,28 +216,23 @@ impl Case {
     fn growth(&self, truth: &[Vec<Dd>], scales: &[f64]) -> f64 {
         const BESIDE: f64 = 1e-16;
         let numbers = &self.scene.start;
-        (0..numbers.len())
-            .map(|k| {
-                let mut start: Vec<Dd> = numbers.iter().map(|&(x, _)| Dd::from(x)).collect();
-                start[k] = start[k] + Dd::from(BESIDE * numbers[k].1);
-                let (rows, _) = self.truth(&start);
-                self.apart(&rows, truth, scales) / BESIDE
-            })
-            .fold(1.0, f64::max)
+        let grown = (0..numbers.len()).map(|k| {
+            let mut start: Vec<Dd> = numbers.iter().map(|&(x, _)| Dd::from(x)).collect();
+            start[k] = start[k] + BESIDE * numbers[k].1;
+            let (rows, _) = self.truth(&start);
+            self.apart(&rows, truth, scales) / BESIDE
+        });
+        grown.fold(1.0, f64::max)
     }
 }
 
 /// The angle between two attitudes.
 fn turn(a: &[Dd], b: &[Dd]) -> f64 {
-    let dot = (0..4).fold(Dd::ZERO, |s, k| s + a[k] * b[k]);
-    let sizes = [a, b].map(|q| q.iter().fold(Dd::ZERO, |s, x| s + *x * *x).sqrt());
-    let sign = if dot.hi < 0.0 { -1.0 } else { 1.0 };
-    let apart: f64 = (0..4)
-        .map(|k| {
-            (a[k] / sizes[0] - b[k] / sizes[1] * Dd::from(sign))
-                .value()
-                .powi(2)
-        })
-        .sum();
-    4.0 * (0.5 * apart.sqrt()).min(1.0).asin()
+    let unit = |q: &[Dd]| {
+        let size = q.iter().map(|&x| x * x).sum::<Dd>().sqrt();
+        core::array::from_fn(|k| q[k] / size)
+    };
+    let [w, x, y, z] = unit(b);
+    let [even, x, y, z] = multiplied(unit(a), [w, -x, -y, -z]).map(Dd::value);
+    2.0 * x.hypot(y).hypot(z).atan2(even.abs())
 }

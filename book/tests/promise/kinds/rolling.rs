@@ -2,7 +2,7 @@
 
 use super::super::number::Angle;
 use super::super::random::Random;
-use super::{Scene, Sort, told};
+use super::{Scene, Sort, line, told};
 use support::double_double::Dd;
 
 /// Forces per mass: a steady push and its moment, the table's reaction, friction when it slides and at most when it holds, and the arm of the
@@ -26,7 +26,7 @@ struct Sheet {
     margin: Dd,
 }
 
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 struct State {
     x: Dd,
     v: Dd,
@@ -62,27 +62,22 @@ impl Table {
     /// What dry friction and resistance do: where slip or turning is nil they do what keeps it so, if they can.
     fn forces(&self, state: &State, ground: Dd, friction: Option<[Dd; 2]>) -> Forces {
         let zero = Dd::ZERO;
-        let one = Dd::from(1.0);
         let (p, q, n) = (self.push, self.twist, self.reaction);
         let sign = |x: Dd| Dd::from(x.hi.signum());
-        let small = |x: Dd, most: Dd| (x.abs() - most).value() <= 0.0;
-        let moving = |f: Dd, m: Dd, holds: bool| Forces {
+        let small = |x: Dd, most: Dd| x.abs() <= most;
+        let forces = |f, m, holds, stands| Forces {
             f,
             m,
             holds,
-            stands: false,
+            stands,
         };
+        let moving = |f: Dd, m: Dd, holds: bool| forces(f, m, holds, false);
         let free = |f: Dd, m: Dd| moving(f, m, false);
-        let standing = |f: Dd, holds: bool| Forces {
-            f,
-            m: f - q,
-            holds,
-            stands: true,
-        };
+        let standing = |f: Dd, holds: bool| forces(f, f - q, holds, true);
         let rest = self.resistance.map_or(zero, |arm| arm * n);
         let [kinetic, grip] = friction.map_or([zero; 2], |pair| pair.map(|mu| mu * n));
         // What friction must be so that the contact does not begin to slip, under this couple.
-        let rolls = |m: Dd| (self.kappa * (ground - p) + q + m) / (one + self.kappa);
+        let rolls = |m: Dd| (self.kappa * (ground - p) + q + m) / (1.0 + self.kappa);
         let slides = state.slip != zero;
         let turns = state.rim != zero;
         let couple = if turns { -sign(state.rim) * rest } else { zero };
@@ -91,10 +86,8 @@ impl Table {
         } else {
             zero
         };
-        match (
-            slides || friction.is_none(),
-            turns || self.resistance.is_none(),
-        ) {
+        let (glides, spins) = (friction.is_none(), self.resistance.is_none());
+        match (slides || glides, turns || spins) {
             (true, true) => free(rubbed, couple),
             (true, false) if small(rubbed - q, rest) => standing(rubbed, false),
             (true, false) => free(rubbed, sign(rubbed - q) * rest),
@@ -112,7 +105,7 @@ impl Table {
                     return standing(f, true);
                 }
                 for way in [1.0, -1.0] {
-                    let m = Dd::from(-way) * rest;
+                    let m = -way * rest;
                     let f = rolls(m);
                     let begins = (q + m - f).hi * way;
                     if small(f, grip) && begins > 0.0 {
@@ -120,12 +113,12 @@ impl Table {
                     }
                 }
                 for way in [1.0, -1.0] {
-                    let f = Dd::from(way) * kinetic;
+                    let f = way * kinetic;
                     if small(f - q, rest) && (p + f - ground).hi * way < 0.0 {
                         return standing(f, false);
                     }
                     for other in [1.0, -1.0] {
-                        let m = Dd::from(-other) * rest;
+                        let m = -other * rest;
                         let spun = (q + m - f) / self.kappa;
                         if spun.hi * other > 0.0 && (p + f - spun - ground).hi * way < 0.0 {
                             return free(f, m);
@@ -138,7 +131,6 @@ impl Table {
     }
 
     fn rows(&self, mut state: State, times: &[f64]) -> Vec<State> {
-        let half = Dd::from(0.5);
         let mut rows = Vec::new();
         let mut now = Dd::ZERO;
         let (mut on_sheet, mut margin) = (self.sheet.is_some(), Dd::ZERO);
@@ -167,29 +159,25 @@ impl Table {
                 Some(sheet) if on_sheet => Some([sheet.friction; 2]),
                 _ => self.friction,
             };
+            let does = self.forces(&state, ground, law);
             let Forces {
                 f,
                 m,
                 holds,
                 stands,
-            } = self.forces(&state, ground, law);
+            } = does;
             let v_rate = self.push + f;
-            let rim_rate = if stands {
-                Dd::ZERO
-            } else if holds {
-                v_rate - ground
-            } else {
-                (self.twist + m - f) / self.kappa
+            let rim_rate = match (stands, holds) {
+                (true, _) => Dd::ZERO,
+                (_, true) => v_rate - ground,
+                _ => (self.twist + m - f) / self.kappa,
             };
-            let slip_rate = if holds {
-                Dd::ZERO
-            } else {
-                v_rate - rim_rate - ground
-            };
+            let slip_rate = v_rate - rim_rate - ground;
+            let slip_rate = if holds { Dd::ZERO } else { slip_rate };
             // What comes next.
             let mut wait: Option<(Dd, u8)> = ends.map(|t| (t, 0));
             let mut sooner = |t: Dd, what: u8| {
-                if t.value() >= 0.0 && wait.is_none_or(|(w, _)| (t - w).value() < 0.0) {
+                if t.value() >= 0.0 && wait.is_none_or(|(w, _)| t < w) {
                     wait = Some((t, what));
                 }
             };
@@ -202,18 +190,15 @@ impl Table {
             if self.sheet.is_some() {
                 let (drift, bend) = (state.v - cloth, v_rate - pull);
                 let sense = if on_sheet { 1.0 } else { -1.0 };
-                if let Some(t) = falls(
-                    margin * Dd::from(sense),
-                    drift * Dd::from(sense),
-                    bend * Dd::from(sense),
-                ) {
+                let [a, b, c] = [margin, drift, bend].map(|x| x * sense);
+                if let Some(t) = falls(a, b, c) {
                     sooner(t, 3);
                 }
             }
             let at = |t: Dd| {
-                let way = t * (state.v + half * t * v_rate);
-                let turn = t * (state.rim + half * t * rim_rate);
-                let slid = t * (state.slip + half * t * slip_rate);
+                let way = t * (state.v + 0.5 * t * v_rate);
+                let turn = t * (state.rim + 0.5 * t * rim_rate);
+                let slid = t * (state.slip + 0.5 * t * slip_rate);
                 State {
                     x: state.x + way,
                     v: state.v + t * v_rate,
@@ -226,13 +211,13 @@ impl Table {
             };
             while let Some(&t) = times.get(rows.len()) {
                 let t = Dd::from(t) - now;
-                if wait.is_some_and(|(w, _)| (t - w).value() > 0.0) {
+                if wait.is_some_and(|(w, _)| t > w) {
                     break;
                 }
                 rows.push(at(t));
             }
             let Some((t, what)) = wait else { continue };
-            let way = t * (state.v + half * t * v_rate) - t * (cloth + half * t * pull);
+            let way = t * (state.v + 0.5 * t * v_rate) - t * (cloth + 0.5 * t * pull);
             margin = margin + way;
             let speed = speed + t * ground;
             let cloth = cloth + t * pull;
@@ -269,25 +254,21 @@ impl Table {
 
 /// The first time at which a + bt + ct²/2, positive or falling through zero, is below zero.
 fn falls(a: Dd, b: Dd, c: Dd) -> Option<Dd> {
-    let (two, zero) = (Dd::from(2.0), Dd::ZERO);
-    if a == zero {
-        if b.hi < 0.0 || b == zero && c.hi < 0.0 {
-            return Some(zero);
+    if a == Dd::ZERO {
+        if b.hi < 0.0 || b == Dd::ZERO && c.hi < 0.0 {
+            return Some(Dd::ZERO);
         }
-        return (b.hi > 0.0 && c.hi < 0.0).then(|| -two * b / c);
+        return (b.hi > 0.0 && c.hi < 0.0).then(|| -2.0 * b / c);
     }
-    let square = b * b - two * c * a;
+    let square = b * b - 2.0 * c * a;
     if square.hi < 0.0 {
         return None;
     }
     let root = square.sqrt();
     if b.hi < 0.0 {
-        Some(two * a / (root - b))
-    } else if c.hi < 0.0 {
-        Some((b + root) / -c)
-    } else {
-        None
+        return Some(2.0 * a / (root - b));
     }
+    (c.hi < 0.0).then(|| (b + root) / -c)
 }
 
 struct Body {
@@ -297,15 +278,20 @@ struct Body {
     gravity: f64,
 }
 
+/// I/MR²: a ball's, or any.
+pub fn inertia_factor(r: &mut Random) -> f64 {
+    if r.percent(40) {
+        0.4
+    } else {
+        r.within(0.05, 1.0)
+    }
+}
+
 fn body(r: &mut Random) -> Body {
     Body {
         mass: r.scaled(1e-2, 10.0),
         radius: r.scaled(1e-2, 1.0),
-        kappa: if r.percent(40) {
-            0.4
-        } else {
-            r.within(0.05, 1.0)
-        },
+        kappa: inertia_factor(r),
         gravity: r.scaled(1.0, 20.0),
     }
 }
@@ -320,12 +306,7 @@ fn sizes(body: &Body, fast: f64) -> Vec<(Sort, f64)> {
 }
 
 fn head(kind: &str, body: &Body) -> String {
-    let Body {
-        mass,
-        radius,
-        kappa,
-        ..
-    } = body;
+    let (mass, radius, kappa) = (body.mass, body.radius, body.kappa);
     format!(
         "kind = \"{kind}\"\n[body]\nmass = {mass:?}\nradius = {radius:?}\ninertia_factor = {kappa:?}\n"
     )
@@ -335,56 +316,33 @@ fn head(kind: &str, body: &Body) -> String {
 fn rubbing(r: &mut Random, text: &mut String, always: bool) -> (Option<[Dd; 2]>, Option<Dd>) {
     let friction = (always || r.percent(85)).then(|| {
         let kinetic = r.scaled(0.02, 0.8);
-        *text += &format!("friction = {kinetic:?}\n");
-        if r.percent(40) {
-            let grip = kinetic * r.within(1.0, 1.6);
-            *text += &format!("static_friction = {grip:?}\n");
-            [kinetic, grip].map(Dd::from)
-        } else {
-            [Dd::from(kinetic); 2]
-        }
+        line(text, "friction", Some(kinetic));
+        let grip = r.percent(40).then(|| kinetic * r.within(1.0, 1.6));
+        line(text, "static_friction", grip);
+        [kinetic, grip.unwrap_or(kinetic)].map(Dd::from)
     });
-    let resistance = r.percent(50).then(|| {
-        let arm = r.scaled(1e-3, 5e-2);
-        *text += &format!("rolling_resistance = {arm:?}\n");
-        Dd::from(arm)
-    });
-    (friction, resistance)
+    let resistance = r.percent(50).then(|| r.scaled(1e-3, 5e-2));
+    line(text, "rolling_resistance", resistance);
+    (friction, resistance.map(Dd::from))
 }
 
-fn columns(more: &[(Sort, &'static str)]) -> Vec<(&'static str, Sort)> {
-    let mut all = told(&[
-        (Sort::Length, "x"),
-        (Sort::Speed, "velocity rim_speed slip"),
-        (Sort::Energy, "energy heat"),
-    ]);
-    all.extend(told(more));
-    all
-}
+const COLUMNS: &str = "length x, speed velocity rim_speed slip, energy energy heat";
 
 fn row(state: &State, mass: f64, kappa: Dd) -> Vec<Dd> {
-    let mass = Dd::from(mass);
-    let energy = (state.v * state.v + kappa * state.rim * state.rim) * mass * Dd::from(0.5);
-    vec![
-        state.x,
-        state.v,
-        state.rim,
-        state.slip,
-        energy,
-        mass * state.heat,
-    ]
+    let State {
+        x, v, rim, slip, ..
+    } = *state;
+    let energy = (v * v + kappa * rim * rim) * mass * 0.5;
+    vec![x, v, rim, slip, energy, mass * state.heat]
 }
 
 fn starting(v: Dd, rim: Dd) -> State {
-    let zero = Dd::ZERO;
+    let slip = v - rim;
     State {
-        x: zero,
         v,
         rim,
-        slip: v - rim,
-        turned: zero,
-        heat: zero,
-        work: zero,
+        slip,
+        ..State::default()
     }
 }
 
@@ -394,17 +352,13 @@ pub fn roller(r: &mut Random) -> Scene {
     let gravity = body.gravity;
     let speed = r.scaled(0.1, 10.0);
     let cue = r.percent(40);
-    let other = if cue {
-        r.within(0.0, 2.0)
-    } else {
-        speed * r.within(-2.0, 2.0)
+    let (key, other) = match cue {
+        true => ("cue_height", r.within(0.0, 2.0)),
+        false => ("rim_speed", speed * r.within(-2.0, 2.0)),
     };
-    text += "[initial]\n";
     text += &format!(
-        "velocity = {speed:?}\n{} = {other:?}\n",
-        if cue { "cue_height" } else { "rim_speed" }
+        "[initial]\nvelocity = {speed:?}\n{key} = {other:?}\n[effects]\ngravity = {gravity:?}\n"
     );
-    text += &format!("[effects]\ngravity = {gravity:?}\n");
     let (friction, resistance) = rubbing(r, &mut text, false);
     let kappa = Dd::from(body.kappa);
     let table = Table {
@@ -412,20 +366,16 @@ pub fn roller(r: &mut Random) -> Scene {
         resistance,
         ..Table::level(kappa, gravity)
     };
-    let (mass, fast) = (body.mass, speed);
+    let mass = body.mass;
     Scene {
         text,
         span: speed / gravity * r.scaled(0.1, 100.0),
         start: vec![(speed, speed), (other, if cue { 1.0 } else { speed })],
-        sizes: sizes(&body, fast),
-        columns: columns(&[]),
+        sizes: sizes(&body, speed),
+        columns: told(COLUMNS),
         truth: Box::new(move |start, times| {
             let (v, rim) = (start[0], start[1]);
-            let rim = if cue {
-                (rim - Dd::from(1.0)) / kappa * v
-            } else {
-                rim
-            };
+            let rim = if cue { (rim - 1.0) / kappa * v } else { rim };
             let rows = table.rows(starting(v, rim), times);
             rows.iter().map(|state| row(state, mass, kappa)).collect()
         }),
@@ -442,10 +392,13 @@ fn rolled(
 ) -> (f64, [f64; 2]) {
     let moves = r.percent(moving);
     let fast = r.scaled(least, greatest);
-    let speeds = match moves {
-        true => [0; 2].map(|_| fast * r.within(-part, part)),
-        false => [0.0; 2],
-    };
+    let speeds = [0; 2].map(|_| {
+        if moves {
+            fast * r.within(-part, part)
+        } else {
+            0.0
+        }
+    });
     let [v, rim] = speeds;
     *text += &format!(
         "[initial]\nvelocity = {v:?}\nrim_speed = {rim:?}\n[effects]\ngravity = {gravity:?}\n"
@@ -462,14 +415,13 @@ pub fn sheet(r: &mut Random) -> Scene {
     let (friction, resistance) = rubbing(r, &mut text, true);
     let mu = r.scaled(0.05, 0.8);
     let count = 2 + r.whole(3);
-    let (mut times, mut speeds) = (
-        vec![0.0],
-        vec![if [v, rim] != [0.0; 2] {
-            fast * r.within(-1.0, 1.0)
-        } else {
-            0.0
-        }],
-    );
+    let moves = [v, rim] != [0.0; 2];
+    let first = if moves {
+        fast * r.within(-1.0, 1.0)
+    } else {
+        0.0
+    };
+    let (mut times, mut speeds) = (vec![0.0], vec![first]);
     for _ in 1..count {
         let last = times[times.len() - 1];
         times.push(last + fast / gravity * r.scaled(0.05, 3.0));
@@ -480,18 +432,19 @@ pub fn sheet(r: &mut Random) -> Scene {
         "sheet_friction = {mu:?}\nsheet_times = {times:?}\nsheet_speeds = {speeds:?}\nsheet_margin = {margin:?}\n"
     );
     let kappa = Dd::from(body.kappa);
+    let speeds = times
+        .iter()
+        .zip(&speeds)
+        .map(|(&t, &v)| [t, v].map(Dd::from));
+    let sheet = Sheet {
+        friction: Dd::from(mu),
+        speeds: speeds.collect(),
+        margin: Dd::from(margin),
+    };
     let table = Table {
         friction,
         resistance,
-        sheet: Some(Sheet {
-            friction: Dd::from(mu),
-            speeds: times
-                .iter()
-                .zip(&speeds)
-                .map(|(&t, &v)| [t, v].map(Dd::from))
-                .collect(),
-            margin: Dd::from(margin),
-        }),
+        sheet: Some(sheet),
         ..Table::level(kappa, gravity)
     };
     let mass = body.mass;
@@ -500,7 +453,7 @@ pub fn sheet(r: &mut Random) -> Scene {
         span: fast / gravity * r.scaled(0.1, 30.0),
         start: vec![(v, fast), (rim, fast)],
         sizes: sizes(&body, fast),
-        columns: columns(&[]),
+        columns: told(COLUMNS),
         truth: Box::new(move |start, times| {
             let rows = table.rows(starting(start[0], start[1]), times);
             rows.iter().map(|state| row(state, mass, kappa)).collect()
@@ -534,13 +487,12 @@ pub fn spool(r: &mut Random) -> Scene {
         reaction = reaction - pull * sine;
     }
     let table = Table {
-        kappa,
         push,
         twist,
         reaction,
         friction,
         resistance,
-        sheet: None,
+        ..Table::level(kappa, gravity)
     };
     let whole = body.mass;
     Scene {
@@ -548,7 +500,7 @@ pub fn spool(r: &mut Random) -> Scene {
         span: fast / gravity * r.scaled(0.1, 100.0),
         start: vec![(v, fast), (rim, fast)],
         sizes: sizes(&body, fast),
-        columns: columns(&[(Sort::Length, "wound"), (Sort::Energy, "work")]),
+        columns: [told(COLUMNS), told("length wound, energy work")].concat(),
         truth: Box::new(move |start, times| {
             let rows = table.rows(starting(start[0], start[1]), times);
             let full = |state: &State| {

@@ -1,78 +1,30 @@
 //! Swivel, skater, cat, paper cat and crawler.
 
-use super::super::extrapolation::{Place, followed};
-use super::super::number::{Angle, cross, plus, solved, times as scaled, transposed, turned};
+use super::super::door::held;
+use super::super::extrapolation::pieced;
+use super::super::number::{Angle, PI, Vector, cross, dot, plus, root, times as scaled, turned};
 use super::super::random::Random;
-use super::{Scene, Sort, told};
+use super::{Scene, Sort, line, told};
 use support::double_double::Dd;
 
 /// A stroke from 0 to 1, at rest at both ends: u³(10 − 15u + 6u²), or the same of u²; and its rate.
 fn pace(late: bool, u: Dd) -> [Dd; 2] {
-    let of = |n: f64| Dd::from(n);
     let smooth = |u: Dd| {
-        let left = of(1.0) - u;
-        [
-            u * u * u * (of(10.0) + u * (of(6.0) * u - of(15.0))),
-            of(30.0) * u * u * left * left,
-        ]
+        let left = 1.0 - u;
+        let value = u * u * u * (10.0 + u * (6.0 * u - 15.0));
+        [value, 30.0 * u * u * left * left]
     };
     if u.hi <= 0.0 {
         return [Dd::ZERO; 2];
     }
-    if (u - of(1.0)).value() >= 0.0 {
-        return [of(1.0), Dd::ZERO];
+    if u >= Dd::from(1.0) {
+        return [Dd::from(1.0), Dd::ZERO];
     }
-    if late {
-        let [value, rate] = smooth(u * u);
-        [value, of(2.0) * u * rate]
-    } else {
-        smooth(u)
+    if !late {
+        return smooth(u);
     }
-}
-
-/// Rows from corner to corner.
-fn pieced<const N: usize>(
-    rate: impl Fn(usize, Dd, &[Dd; N]) -> [Dd; N],
-    start: [Dd; N],
-    scales: &[f64; N],
-    corners: &[Dd],
-    times: &[f64],
-    longest: f64,
-) -> Vec<[Dd; N]> {
-    let mut rows = Vec::new();
-    let mut here = Place {
-        time: Dd::ZERO,
-        state: start,
-    };
-    let forever = Dd::from(2.0 * times.last().copied().unwrap_or(0.0) + 1.0);
-    for (piece, &end) in corners.iter().chain([&forever]).enumerate() {
-        if rows.len() == times.len() {
-            break;
-        }
-        // No further than asked for.
-        let last = Dd::from(times[times.len() - 1]);
-        let end = if (end - last).value() > 0.0 {
-            last
-        } else {
-            end
-        };
-        let leg = followed(
-            |t, y| rate(piece, t, y),
-            here,
-            scales,
-            &times[rows.len()..],
-            end,
-            longest,
-            |_| Dd::from(1.0),
-        );
-        rows.extend(leg.samples);
-        here = leg.end;
-    }
-    rows
-}
-
-fn braking(coefficient: Option<f64>) -> String {
-    coefficient.map_or(String::new(), |c| format!("bearing_friction = {c:?}\n"))
+    let [value, rate] = smooth(u * u);
+    [value, 2.0 * u * rate]
 }
 
 /// How a stroke is spread over its time.
@@ -88,16 +40,13 @@ fn swivelling(r: &mut Random, braked: bool) -> Scene {
     let late = r.percent(50);
     let moves = r.percent(85) || braked && r.percent(50);
     let pushed = braked && !moves;
-    let l = if r.percent(50) && !pushed {
-        0.0
-    } else {
-        r.within(-2.0, 2.0)
-    };
+    let still = r.percent(50) && !pushed;
+    let l = if still { 0.0 } else { r.within(-2.0, 2.0) };
     let mut text = format!(
         "kind = \"swivel\"\n[body]\nlower = {lower:?}\nupper = {out:?}\n[initial]\nangular_momentum = {l:?}\n[effects]\n"
     );
     let brake = braked.then(|| lower / duration * r.scaled(1e-3, 1.0));
-    text += &braking(brake);
+    line(&mut text, "bearing_friction", brake);
     if moves {
         let pace = pace_named(late);
         text += &format!(
@@ -112,14 +61,14 @@ fn swivelling(r: &mut Random, braked: bool) -> Scene {
         if !moves {
             return [out, Dd::ZERO, Dd::ZERO];
         }
-        let quarter = whole * Dd::from(0.25);
-        let [part, rate] = pace(late, (t - quarter * Dd::from(piece as f64)) / quarter);
+        let quarter = whole * 0.25;
+        let [part, rate] = pace(late, (t - quarter * piece as f64) / quarter);
         let rate = rate * twist / quarter;
         let between = |from: Dd, to: Dd| from + (to - from) * part;
         match piece % 4 {
             0 => [out, twist * part, rate],
             1 => [between(out, inside), twist, Dd::ZERO],
-            2 => [inside, twist * (Dd::from(1.0) - part), -rate],
+            2 => [inside, twist * (1.0 - part), -rate],
             _ => [between(inside, out), Dd::ZERO, Dd::ZERO],
         }
     };
@@ -132,29 +81,18 @@ fn swivelling(r: &mut Random, braked: bool) -> Scene {
             (Sort::Rate, 1.0 / duration),
             (Sort::Momentum, lower / duration),
         ],
-        columns: told(&[
-            (Sort::Angle, "lower upper"),
-            (Sort::Rate, "rate"),
-            (Sort::Momentum, "angular_momentum"),
-        ]),
+        columns: told("angle lower upper, rate rate, momentum angular_momentum"),
         truth: Box::new(move |start, times| {
             let last = times[times.len() - 1];
             let quarter = duration / 4.0;
-            let corners: Vec<Dd> = (1..=(last / quarter) as usize + 1)
-                .map(|k| whole * Dd::from(0.25 * k as f64))
-                .collect();
+            let corners = 1..=(last / quarter) as usize + 1;
+            let corners: Vec<Dd> = corners.map(|k| whole * (0.25 * k as f64)).collect();
             let rate = |piece: usize, t: Dd, y: &[Dd; 2]| {
                 let spin = spin(shape(piece, t), y[1]);
                 [spin, -(c * spin)]
             };
-            let rows = pieced(
-                rate,
-                [Dd::ZERO, start[0]],
-                &[1.0, 1.0],
-                &corners,
-                times,
-                quarter,
-            );
+            let start = [Dd::ZERO, start[0]];
+            let rows = pieced(rate, start, &[1.0, 1.0], &corners, times, quarter);
             let row = |(&t, y): (&f64, &[Dd; 2])| {
                 let shape = shape((t / quarter) as usize, Dd::from(t));
                 vec![y[0], y[0] + shape[1], spin(shape, y[1]), y[1]]
@@ -177,21 +115,15 @@ fn skating(r: &mut Random, braked: bool) -> Scene {
     let hand = r.scaled(0.3, 5.0);
     let [reach, to] = [0; 2].map(|_| r.within(0.05, 1.0));
     let spin = r.sign() * r.scaled(0.3, 20.0);
-    let (begin, duration) = (
-        if r.percent(30) {
-            0.0
-        } else {
-            r.scaled(0.05, 2.0)
-        },
-        r.scaled(0.1, 3.0),
-    );
+    let begin = r.nil_or(30, |r| r.scaled(0.05, 2.0));
+    let duration = r.scaled(0.1, 3.0);
     let late = r.percent(50);
     let moves = r.percent(85);
     let mut text = format!(
         "kind = \"skater\"\n[body]\ncore = {core:?}\nhand = {hand:?}\n[initial]\nreach = {reach:?}\nspin = {spin:?}\n[effects]\n"
     );
     let brake = braked.then(|| core / (begin + duration) * r.scaled(1e-3, 1.0));
-    text += &braking(brake);
+    line(&mut text, "bearing_friction", brake);
     if moves {
         let pace = pace_named(late);
         text += &format!(
@@ -200,51 +132,36 @@ fn skating(r: &mut Random, braked: bool) -> Scene {
     }
     let [core, hand, to] = [core, hand, to].map(Dd::from);
     let c = Dd::from(brake.unwrap_or(0.0));
-    let (two, half) = (Dd::from(2.0), Dd::from(0.5));
     let drawn = move |from: Dd, t: Dd| {
         if !moves {
             return [from, Dd::ZERO];
         }
-        let [part, rate] = pace(late, (t - Dd::from(begin)) / Dd::from(duration));
-        [
-            from + (to - from) * part,
-            (to - from) * rate / Dd::from(duration),
-        ]
+        let [part, rate] = pace(late, (t - begin) / duration);
+        [from + (to - from) * part, (to - from) * rate / duration]
     };
-    let moment = move |reach: Dd| core + two * hand * reach * reach;
+    let moment = move |reach: Dd| core + 2.0 * hand * reach * reach;
     Scene {
         text,
         span: (begin + duration) * r.scaled(0.05, 10.0),
         start: vec![(reach, 1.0), (spin, spin.abs())],
         sizes: Vec::new(),
-        columns: told(&[
-            (Sort::Angle, "angle"),
-            (Sort::Rate, "spin"),
-            (Sort::Length, "reach"),
-            (Sort::Energy, "energy work heat"),
-        ]),
+        columns: told("angle angle, rate spin, length reach, energy energy work heat"),
         truth: Box::new(move |start, times| {
             let (reach, spin) = (start[0], start[1]);
             let rate = |_: usize, t: Dd, y: &[Dd; 3]| {
                 let spin = y[1] / moment(drawn(reach, t)[0]);
                 [spin, -(c * spin), c * spin * spin]
             };
-            let first = half * moment(reach) * spin * spin;
+            let first = 0.5 * moment(reach) * spin * spin;
             let scales = [1.0, (moment(reach) * spin).value().abs(), first.value()];
-            let corners = [Dd::from(begin), Dd::from(begin) + Dd::from(duration)];
+            let corners = [Dd::from(begin), Dd::from(begin) + duration];
             let longest = (begin + duration).min(1.0 / spin.value().abs());
-            let rows = pieced(
-                rate,
-                [Dd::ZERO, moment(reach) * spin, Dd::ZERO],
-                &scales,
-                &corners,
-                times,
-                longest,
-            );
+            let start = [Dd::ZERO, moment(reach) * spin, Dd::ZERO];
+            let rows = pieced(rate, start, &scales, &corners, times, longest);
             let row = |(&t, y): (&f64, &[Dd; 3])| {
                 let [reach, rate] = drawn(reach, Dd::from(t));
                 let spin = y[1] / moment(reach);
-                let energy = half * y[1] * spin + hand * rate * rate;
+                let energy = 0.5 * y[1] * spin + hand * rate * rate;
                 vec![y[0], spin, reach, energy, energy + y[2] - first, y[2]]
             };
             times.iter().zip(&rows).map(row).collect()
@@ -269,8 +186,11 @@ struct Half {
     joint: Dd,
 }
 
+/// The first spine.
+const FIRST: Vector = [Dd { hi: 1.0, lo: 0.0 }, Dd::ZERO, Dd::ZERO];
+
 /// Bend and direction, and their rates.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 struct Bend {
     angle: Dd,
     direction: Dd,
@@ -281,19 +201,14 @@ struct Bend {
 impl Bend {
     /// The second spine, and how the second half turns against the first: about the axis of the bend at γ', and as the bend is carried round
     /// neither twists.
-    fn second(&self) -> [[Dd; 3]; 2] {
-        let (zero, one) = (Dd::ZERO, Dd::from(1.0));
+    fn second(&self) -> [Vector; 2] {
         let (s, c) = self.angle.sine_cosine();
         let (sp, cp) = self.direction.sine_cosine();
         let spine = [c, s * cp, s * sp];
-        let rolled = plus(
-            scaled([one, zero, zero], self.direction_rate),
-            scaled(spine, -self.direction_rate),
-        );
-        [
-            spine,
-            plus(scaled([zero, -sp, cp], self.angle_rate), rolled),
-        ]
+        let round = self.direction_rate;
+        let rolled = plus(scaled(FIRST, round), scaled(spine, -round));
+        let bent = scaled([Dd::ZERO, -sp, cp], self.angle_rate);
+        [spine, plus(bent, rolled)]
     }
 }
 
@@ -307,31 +222,22 @@ struct Turnover {
 
 impl Turnover {
     fn bend(&self, piece: usize, t: Dd) -> Bend {
-        let of = |n: f64| Dd::from(n);
-        let u = t / self.duration;
-        let still = |angle: Dd, direction: Dd| Bend {
-            angle,
-            direction,
-            angle_rate: Dd::ZERO,
-            direction_rate: Dd::ZERO,
-        };
-        let round = super::super::number::PI * of(2.0);
+        let (u, round) = (t / self.duration, PI * 2.0);
+        let (forward, back) = (self.forward, self.back);
         match piece {
             0 => {
-                let [part, rate] = pace(self.late, of(4.0) * u);
+                let [part, rate] = pace(self.late, 4.0 * u);
                 Bend {
-                    angle_rate: self.forward * rate * of(4.0) / self.duration,
-                    ..still(self.forward * part, Dd::ZERO)
+                    angle: forward * part,
+                    angle_rate: forward * rate * 4.0 / self.duration,
+                    ..Bend::default()
                 }
             }
             1 => {
-                let [part, rate] = pace(self.late, of(2.0) * u - of(0.5));
-                let (mean, swing) = (
-                    (self.forward + self.back) * of(0.5),
-                    (self.forward - self.back) * of(0.5),
-                );
+                let [part, rate] = pace(self.late, 2.0 * u - 0.5);
+                let (mean, swing) = ((forward + back) * 0.5, (forward - back) * 0.5);
                 let (sine, cosine) = (round * part).sine_cosine();
-                let direction_rate = round * rate * of(2.0) / self.duration;
+                let direction_rate = round * rate * 2.0 / self.duration;
                 Bend {
                     angle: mean + swing * cosine,
                     direction: round * part,
@@ -340,41 +246,38 @@ impl Turnover {
                 }
             }
             2 => {
-                let [part, rate] = pace(self.late, of(4.0) * u - of(3.0));
+                let [part, rate] = pace(self.late, 4.0 * u - 3.0);
                 Bend {
-                    angle_rate: -(self.forward * rate * of(4.0) / self.duration),
-                    ..still(self.forward * (of(1.0) - part), round)
+                    angle: forward * (1.0 - part),
+                    angle_rate: -(forward * rate * 4.0 / self.duration),
+                    direction: round,
+                    ..Bend::default()
                 }
             }
-            _ => still(Dd::ZERO, round),
+            _ => Bend {
+                direction: round,
+                ..Bend::default()
+            },
         }
     }
 }
 
 /// L about the common centre, along the first half's axes, when that half turns at Ω: the halves' own, and that of their centres.
-fn momentum(halves: &[Half; 2], [second, against]: [[Dd; 3]; 2], omega: [Dd; 3]) -> [Dd; 3] {
-    let (zero, one) = (Dd::ZERO, Dd::from(1.0));
-    let first = [one, zero, zero];
+fn momentum(halves: &[Half; 2], [second, against]: [Vector; 2], omega: Vector) -> Vector {
+    let [one, other] = halves;
     let rates = [omega, plus(omega, against)];
-    let mass = halves[0].mass + halves[1].mass;
+    let joints = |first, second| plus(scaled(first, one.joint), scaled(second, other.joint));
     // From the centre of the first half to that of the second, and how fast that changes in space.
-    let arm = plus(
-        scaled(first, halves[0].joint),
-        scaled(second, halves[1].joint),
-    );
-    let speed = plus(
-        scaled(cross(rates[0], first), halves[0].joint),
-        scaled(cross(rates[1], second), halves[1].joint),
-    );
-    let reduced = halves[0].mass * halves[1].mass / mass;
+    let arm = joints(FIRST, second);
+    let speed = joints(cross(rates[0], FIRST), cross(rates[1], second));
+    let reduced = one.mass * other.mass / (one.mass + other.mass);
     let mut sum = scaled(cross(arm, speed), reduced);
-    for (half, (spine, rate)) in halves.iter().zip([(first, rates[0]), (second, rates[1])]) {
-        let along = (0..3).fold(zero, |s, k| s + spine[k] * rate[k]);
-        let own = plus(
-            scaled(rate, half.transverse),
-            scaled(spine, (half.axial - half.transverse) * along),
+    for (half, (spine, rate)) in halves.iter().zip([(FIRST, rates[0]), (second, rates[1])]) {
+        let along = (half.axial - half.transverse) * dot(spine, rate);
+        sum = plus(
+            sum,
+            plus(scaled(rate, half.transverse), scaled(spine, along)),
         );
-        sum = plus(sum, own);
     }
     sum
 }
@@ -383,37 +286,27 @@ fn cat(r: &mut Random, even: bool) -> Scene {
     let half = |r: &mut Random| {
         let mass = r.scaled(0.3, 3.0);
         let transverse = mass * r.scaled(1e-3, 3e-2);
-        [
-            mass,
-            transverse * r.within(0.1, 1.9),
-            transverse,
-            r.within(0.03, 0.3),
-        ]
+        let axial = transverse * r.within(0.1, 1.9);
+        [mass, axial, transverse, r.within(0.03, 0.3)]
     };
     let first = half(r);
     let second = if even { first } else { half(r) };
-    let attitude = super::super::door::held(r.attitude());
+    let attitude = held(r.attitude());
     let gravity = r.percent(50).then(|| r.scaled(1.0, 20.0));
     let [forward, back] = [0; 2].map(|_| r.within(0.1, 2.5));
     let duration = r.scaled(0.1, 3.0);
     let late = r.percent(50);
-    let both = |k: usize| [first[k], second[k]];
+    let [mass, axial, transverse, joint] = [0, 1, 2, 3].map(|k| [first[k], second[k]]);
     let mut text = format!(
-        "kind = \"cat\"\n[body]\nmass = {:?}\naxial = {:?}\ntransverse = {:?}\nto_joint = {:?}\n[initial]\nattitude = {attitude:?}\n[effects]\n",
-        both(0),
-        both(1),
-        both(2),
-        both(3)
+        "kind = \"cat\"\n[body]\nmass = {mass:?}\naxial = {axial:?}\ntransverse = {transverse:?}\nto_joint = {joint:?}\n[initial]\nattitude = {attitude:?}\n[effects]\n"
     );
-    if let Some(g) = gravity {
-        text += &format!("gravity = {g:?}\n");
-    }
-    let word = if late { "late" } else { "even" };
+    line(&mut text, "gravity", gravity);
+    let pace = pace_named(late);
     text += &format!(
-        "[effects.turnover]\nforward = {forward:?}\nback = {back:?}\nduration = {duration:?}\npace = \"{word}\"\n"
+        "[effects.turnover]\nforward = {forward:?}\nback = {back:?}\nduration = {duration:?}\npace = \"{pace}\"\n"
     );
-    let halves = [first, second].map(|h| {
-        let [mass, axial, transverse, joint] = h.map(Dd::from);
+    let halves = [first, second].map(|half| {
+        let [mass, axial, transverse, joint] = half.map(Dd::from);
         Half {
             mass,
             axial,
@@ -421,10 +314,11 @@ fn cat(r: &mut Random, even: bool) -> Scene {
             joint,
         }
     });
+    let [forward, back, whole] = [forward, back, duration].map(Dd::from);
     let path = Turnover {
-        forward: Dd::from(forward),
-        back: Dd::from(back),
-        duration: Dd::from(duration),
+        forward,
+        back,
+        duration: whole,
         late,
     };
     let g = Dd::from(gravity.unwrap_or(0.0));
@@ -433,35 +327,21 @@ fn cat(r: &mut Random, even: bool) -> Scene {
         span: duration * r.within(0.1, 1.3),
         start: attitude.iter().map(|&q| (q, 1.0)).collect(),
         sizes: vec![(Sort::Length, first[3])],
-        columns: told(&[
-            (Sort::Attitude, "qw qx qy qz"),
-            (Sort::Angle, "bend direction"),
-            (Sort::Length, "z"),
-        ]),
+        columns: told("attitude qw qx qy qz, angle bend direction, length z"),
         truth: Box::new(move |start, times| {
             let rate = |piece: usize, t: Dd, q: &[Dd; 4]| {
                 let bend = path.bend(piece, t).second();
-                let zero = [Dd::ZERO; 3];
-                let shape = momentum(&halves, bend, zero);
-                // Linear in Ω: column by column.
-                let columns: [[Dd; 3]; 3] = core::array::from_fn(|k| {
-                    let mut unit = zero;
-                    unit[k] = Dd::from(1.0);
-                    plus(momentum(&halves, bend, unit), shape.map(|x| -x))
-                });
-                turned(*q, solved(transposed(columns), shape.map(|x| -x)))
+                turned(*q, root(|omega| momentum(&halves, bend, omega)))
             };
-            let quarter = path.duration * Dd::from(0.25);
-            let corners = [quarter, quarter * Dd::from(3.0), path.duration];
+            let quarter = whole * 0.25;
+            let corners = [quarter, quarter * 3.0, whole];
             let start = [start[0], start[1], start[2], start[3]];
             let rows = pieced(rate, start, &[1.0; 4], &corners, times, duration);
             let row = |(&t, q): (&f64, &[Dd; 4])| {
                 let t = Dd::from(t);
-                let piece = corners.iter().filter(|c| (t - **c).value() > 0.0).count();
+                let piece = corners.iter().filter(|c| t > **c).count();
                 let bend = path.bend(piece, t);
-                let mut row = q.to_vec();
-                row.extend([bend.angle, bend.direction, -(Dd::from(0.5) * g * t * t)]);
-                row
+                [&q[..], &[bend.angle, bend.direction, -(0.5 * g * t * t)]].concat()
             };
             times.iter().zip(&rows).map(row).collect()
         }),
@@ -484,31 +364,22 @@ pub fn paper_cat(r: &mut Random) -> Scene {
     let coefficient = r.within(0.5, 2.0);
     let damping = gyration * gyration * r.scaled(0.1, 5.0);
     let air = r.percent(80).then(|| r.scaled(0.1, 2.0));
-    let gravity = if r.percent(95) {
-        r.scaled(1.0, 20.0)
-    } else {
-        0.0
-    };
-    let tilt = if r.percent(50) {
-        r.within(-3.1, 3.1)
-    } else {
-        core::f64::consts::PI - r.scaled(1e-9, 1e-1)
+    let gravity = r.percent(95).then(|| r.scaled(1.0, 20.0));
+    let tilt = match r.percent(50) {
+        true => r.within(-3.1, 3.1),
+        false => core::f64::consts::PI - r.scaled(1e-9, 1e-1),
     };
     let mut text = format!(
         "kind = \"paper-cat\"\n[body]\nmass = {mass:?}\narea = {area:?}\nlever = {lever:?}\ngyration = {gyration:?}\ncoefficient = {coefficient:?}\ndamping = {damping:?}\n[initial]\ntilt = {tilt:?}\n[effects]\n"
     );
-    if gravity > 0.0 {
-        text += &format!("gravity = {gravity:?}\n");
-    }
-    if let Some(air) = air {
-        text += &format!("air = {air:?}\n");
-    }
-    let g = gravity.max(0.1);
+    line(&mut text, "gravity", gravity);
+    line(&mut text, "air", air);
+    let g = gravity.unwrap_or(0.1);
     let terminal = (2.0 * mass * g / (air.unwrap_or(1.0) * area * coefficient)).sqrt();
     let swing = gyration / (g * lever.abs()).sqrt();
     let [m, s, d, k, c, b] = [mass, area, lever, gyration, coefficient, damping].map(Dd::from);
-    let grip = Dd::from(0.5) * Dd::from(air.unwrap_or(0.0)) * s * c;
-    let weight = Dd::from(gravity);
+    let grip = 0.5 * Dd::from(air.unwrap_or(0.0)) * s * c;
+    let weight = Dd::from(gravity.unwrap_or(0.0));
     let fast = terminal / g;
     Scene {
         text,
@@ -520,13 +391,7 @@ pub fn paper_cat(r: &mut Random) -> Scene {
             (Sort::Rate, 1.0 / swing),
             (Sort::Energy, (gyration / swing).powi(2)),
         ],
-        columns: told(&[
-            (Sort::Length, "fall"),
-            (Sort::Speed, "velocity"),
-            (Sort::Angle, "tilt"),
-            (Sort::Rate, "tilt_rate"),
-            (Sort::Energy, "lost"),
-        ]),
+        columns: told("length fall, speed velocity, angle tilt, rate tilt_rate, energy lost"),
         truth: Box::new(move |start, times| {
             // It falls and never rises: |v| is v.
             let rate = |_: usize, _: Dd, y: &[Dd; 5]| {
@@ -536,21 +401,10 @@ pub fn paper_cat(r: &mut Random) -> Scene {
                 let turn = -(grip * v * (d * v * sine + b * rate)) / (m * k * k);
                 [v, weight - drag, rate, turn, drag * v]
             };
-            let scales = [
-                fast * terminal,
-                terminal,
-                1.0,
-                1.0 / swing,
-                terminal * terminal,
-            ];
-            let rows = pieced(
-                rate,
-                [Dd::ZERO, Dd::ZERO, start[0], Dd::ZERO, Dd::ZERO],
-                &scales,
-                &[],
-                times,
-                fast + swing,
-            );
+            let energy = terminal * terminal;
+            let scales = [fast * terminal, terminal, 1.0, 1.0 / swing, energy];
+            let start = [Dd::ZERO, Dd::ZERO, start[0], Dd::ZERO, Dd::ZERO];
+            let rows = pieced(rate, start, &scales, &[], times, fast + swing);
             rows.iter().map(|y| y.to_vec()).collect()
         }),
     }
@@ -573,7 +427,7 @@ pub fn crawler(r: &mut Random) -> Scene {
     if let Some((mu, g)) = ground {
         text += &format!("[effects.ground_friction]\ncoefficient = {mu:?}\ngravity = {g:?}\n");
     }
-    let grip = ground.map_or(Dd::ZERO, |(mu, g)| Dd::from(mu) * Dd::from(g));
+    let grip = ground.map_or(Dd::ZERO, |(mu, g)| Dd::from(mu) * g);
     let walk = Walk {
         masses: [rear, front].map(Dd::from),
         gap: Dd::from(gap),
@@ -590,15 +444,12 @@ pub fn crawler(r: &mut Random) -> Scene {
             (Sort::Speed, length / push.min(pull)),
             (Sort::Energy, (rear + front) * fastest * length),
         ],
-        columns: told(&[
-            (Sort::Length, "rear front center"),
-            (Sort::Speed, "velocity"),
-            (Sort::Energy, "work heat"),
-        ]),
+        columns: told("length rear front center, speed velocity, energy work heat"),
         truth: Box::new(move |start, times| {
+            let (length, gap) = (start[0], start[1]);
             Walk {
-                length: start[0],
-                gap: start[1],
+                length,
+                gap,
                 ..walk
             }
             .rows(times)
@@ -619,14 +470,12 @@ struct Walk {
 impl Walk {
     /// Velocities of the feet: 0 where a foot holds. Forces on the feet: the muscle's, and the ground's.
     fn rows(&self, times: &[f64]) -> Vec<Vec<Dd>> {
-        let (zero, half) = (Dd::ZERO, Dd::from(0.5));
-        let whole = self.masses[0] + self.masses[1];
+        let zero = Dd::ZERO;
+        let [rear, front] = self.masses;
+        let whole = rear + front;
         let mut rows: Vec<Vec<Dd>> = Vec::new();
         let mut v = [zero; 2];
-        let mut x = [
-            -(self.masses[1] * self.gap / whole),
-            self.masses[0] * self.gap / whole,
-        ];
+        let mut x = [-(front * self.gap / whole), rear * self.gap / whole];
         let (mut work, mut heat, mut now) = (zero, zero, zero);
         // Which way each foot slips, 0 for one that holds.
         let mut slips = [0.0_f64; 2];
@@ -636,31 +485,31 @@ impl Walk {
                 break;
             }
             let duration = self.strokes[piece % 4 / 2];
-            let size = Dd::from(4.0) * self.length / (duration * duration);
-            let alpha = if piece % 4 == 0 || piece % 4 == 3 {
+            let size = 4.0 * self.length / (duration * duration);
+            let alpha = if matches!(piece % 4, 0 | 3) {
                 size
             } else {
                 -size
             };
-            let end = begin + duration * half;
+            let end = begin + duration * 0.5;
             if piece % 2 == 0 {
                 // The gap is at rest: feet that one of them holds are both at rest.
                 if slips.contains(&0.0) || self.grip == zero && piece == 0 {
                     (slips, v) = ([0.0; 2], [zero; 2]);
                 }
             }
-            while (end - now).value() > 0.0 {
-                let most = [self.masses[0] * self.grip, self.masses[1] * self.grip];
+            while end > now {
+                let most = self.masses.map(|mass| mass * self.grip);
                 let toward = |force: Dd| if force.hi > 0.0 { 1.0 } else { -1.0 };
                 let outward = [-toward(alpha), toward(alpha)];
-                let sliding = |k: usize, way: f64| -(Dd::from(way) * most[k]);
+                let sliding = |k: usize, way: f64| -(way * most[k]);
                 // What the ground must do to a foot so that it holds while the other slips.
                 let needed = |k: usize, way: f64| {
                     let other = 1 - k;
                     let pushed = if other == 1 { alpha } else { -alpha };
                     self.masses[other] * pushed - sliding(other, way)
                 };
-                let can = |k: usize, way: f64| (needed(k, way).abs() - most[k]).value() <= 0.0;
+                let can = |k: usize, way: f64| needed(k, way).abs() <= most[k];
                 match slips {
                     [0.0, 0.0] => {
                         slips = outward;
@@ -686,12 +535,11 @@ impl Walk {
                 // Centre and gap accelerate; so do the feet.
                 let centre = (ground[0] + ground[1]) / whole;
                 let rates = [
-                    centre - self.masses[1] / whole * alpha,
-                    centre + self.masses[0] / whole * alpha,
+                    centre - front / whole * alpha,
+                    centre + rear / whole * alpha,
                 ];
-                let rates: [Dd; 2] =
-                    core::array::from_fn(|k| if slips[k] == 0.0 { zero } else { rates[k] });
-                let muscle = self.masses[1] * rates[1] - ground[1];
+                let rates = [0, 1].map(|k| if slips[k] == 0.0 { zero } else { rates[k] });
+                let muscle = front * rates[1] - ground[1];
                 let mut wait = end - now;
                 let mut stops = None;
                 if !slips.contains(&0.0) && self.grip != zero {
@@ -699,38 +547,28 @@ impl Walk {
                         if rates[k].hi * slips[k] < 0.0 {
                             let t = -v[k] / rates[k];
                             let t = if t.hi < 0.0 { zero } else { t };
-                            if (t - wait).value() < 0.0 {
+                            if t < wait {
                                 (wait, stops) = (t, Some(k));
                             }
                         }
                     }
                 }
                 let at = |t: Dd| {
-                    let moved: [Dd; 2] = core::array::from_fn(|k| t * (v[k] + half * t * rates[k]));
-                    let lost = (0..2).fold(zero, |s, k| {
-                        if slips[k] == 0.0 {
-                            s
-                        } else {
-                            s - ground[k] * moved[k]
-                        }
-                    });
-                    let fast: [Dd; 2] = core::array::from_fn(|k| v[k] + t * rates[k]);
+                    let moved = [0, 1].map(|k| t * (v[k] + 0.5 * t * rates[k]));
+                    let rubs = |&k: &usize| slips[k] != 0.0;
+                    let heats = (0..2).filter(rubs).map(|k| -(ground[k] * moved[k]));
                     let place = [x[0] + moved[0], x[1] + moved[1]];
-                    (
-                        place,
-                        fast,
-                        work + muscle * (moved[1] - moved[0]),
-                        heat + lost,
-                    )
+                    let fast = [0, 1].map(|k| v[k] + t * rates[k]);
+                    let work = work + muscle * (moved[1] - moved[0]);
+                    (place, fast, work, heat + heats.sum::<Dd>())
                 };
                 while let Some(&t) = times.get(rows.len()) {
                     let t = Dd::from(t) - now;
-                    if (t - wait).value() > 0.0 {
+                    if t > wait {
                         break;
                     }
                     let (place, fast, work, heat) = at(t);
-                    let mean =
-                        |of: [Dd; 2]| (self.masses[0] * of[0] + self.masses[1] * of[1]) / whole;
+                    let mean = |of: [Dd; 2]| (rear * of[0] + front * of[1]) / whole;
                     rows.push(vec![
                         place[0],
                         place[1],

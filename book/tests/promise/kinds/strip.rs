@@ -1,9 +1,9 @@
 //! A strip that falls through a fluid: the equations of Andersen, Pesavento and Wang, from one turning back to the next.
 
-use super::super::extrapolation::{Place, followed};
+use super::super::extrapolation::{Place, followed, pieced};
 use super::super::number::{Angle, PI};
 use super::super::random::Random;
-use super::{Scene, Sort, told};
+use super::{Scene, Sort, line, told};
 use support::double_double::Dd;
 
 #[derive(Clone, Copy)]
@@ -32,53 +32,41 @@ impl Strip {
 
     /// Masses along the chord and across it, and the moment.
     fn masses(&self) -> [Dd; 3] {
-        let one = Dd::from(1.0);
         let (fluid, square) = (self.added * self.displaced(), self.a * self.a);
-        let own = self.factor * self.mass * square * (one + self.flat * self.flat);
-        let bent = one - self.flat * self.flat;
-        [
-            self.mass + self.flat * self.flat * fluid,
-            self.mass + fluid,
-            own + fluid * square * bent * bent / Dd::from(8.0),
-        ]
+        let flat = self.flat * self.flat;
+        let own = self.factor * self.mass * square * (1.0 + flat);
+        let bent = 1.0 - flat;
+        let moment = own + fluid * square * bent * bent / 8.0;
+        [self.mass + flat * fluid, self.mass + fluid, moment]
     }
 
     /// With |ω| read as `sense`·ω.
     fn rate(&self, sense: f64, y: &State) -> State {
         let [_, _, angle, u, w, omega, _] = *y;
         let (sine, cosine) = angle.sine_cosine();
-        let (two, zero) = (Dd::from(2.0), Dd::ZERO);
         let [along, across, moment] = self.masses();
         let speed = (u * u + w * w).sqrt();
-        let moves = speed.hi > 0.0;
-        let attack = if moves { u * w / speed } else { zero };
-        let circulation = two * self.a * (self.lift[1] * self.a * omega - self.lift[0] * attack);
-        let aspect = if moves {
-            self.drag[0] - self.drag[1] * (u * u - w * w) / (speed * speed)
-        } else {
-            zero
-        };
+        let (mut attack, mut aspect) = (Dd::ZERO, Dd::ZERO);
+        if speed.hi > 0.0 {
+            attack = u * w / speed;
+            aspect = self.drag[0] - self.drag[1] * (u * u - w * w) / (speed * speed);
+        }
+        let circulation = 2.0 * self.a * (self.lift[1] * self.a * omega - self.lift[0] * attack);
         let brake = self.fluid * self.a * speed * aspect;
         let lift = self.fluid * circulation;
         let weight = self.mass * self.gravity;
-        let spin = self.displaced()
-            * self.a
-            * self.a
-            * (self.damping[0] + self.damping[1] * Dd::from(sense) * omega)
-            * omega;
-        let force = [
-            -(weight * sine) - lift * w - brake * u,
-            -(weight * cosine) + lift * u - brake * w,
-        ];
+        let damping = self.damping[0] + self.damping[1] * sense * omega;
+        let spin = self.displaced() * self.a * self.a * damping * omega;
+        let push = -(weight * sine) - lift * w - brake * u;
+        let rise = -(weight * cosine) + lift * u - brake * w;
         // What the added masses differ by turns the strip broadside.
-        let broadside =
-            (self.added * self.displaced()) * (Dd::from(1.0) - self.flat * self.flat) * u * w;
+        let broadside = self.added * self.displaced() * (1.0 - self.flat * self.flat) * u * w;
         [
             u * cosine - w * sine,
             u * sine + w * cosine,
             omega,
-            (across * omega * w + force[0]) / along,
-            (force[1] - along * omega * u) / across,
+            (across * omega * w + push) / along,
+            (rise - along * omega * u) / across,
             -(broadside + spin) / moment,
             brake * speed * speed + spin * omega,
         ]
@@ -89,39 +77,23 @@ impl Strip {
         let (sine, cosine) = angle.sine_cosine();
         let zero = Dd::ZERO;
         let [u, w] = [right * cosine + up * sine, up * cosine - right * sine];
-        let mut here = Place {
-            time: zero,
-            state: [zero, zero, angle, u, w, omega, zero],
-        };
+        let state = [zero, zero, angle, u, w, omega, zero];
+        let mut here = Place { time: zero, state };
         let end = Dd::from(times[times.len() - 1]);
         let longest = scales[0] / scales[3];
         let mut rows: Vec<State> = Vec::new();
         let mut sense = omega.hi.signum();
         if omega == zero {
             // Whichever way it begins to turn.
-            let short = Dd::from(1e-6 * longest);
-            let begun = followed(
-                |_, y| self.rate(1.0, y),
-                here,
-                scales,
-                &[],
-                short,
-                longest,
-                |_| Dd::from(1.0),
-            );
-            sense = begun.end.state[5].hi.signum();
+            let begins = |_: usize, _: Dd, y: &State| self.rate(1.0, y);
+            let soon = [1e-6 * longest];
+            let begun = pieced(begins, here.state, scales, &[], &soon, longest);
+            sense = begun[0][5].hi.signum();
         }
         loop {
-            let way = Dd::from(sense);
-            let leg = followed(
-                |_, y| self.rate(sense, y),
-                here,
-                scales,
-                &times[rows.len()..],
-                end,
-                longest,
-                |y| y[5] * way,
-            );
+            let (left, way) = (&times[rows.len()..], sense);
+            let (rate, turns) = (|_, y: &_| self.rate(way, y), |y: &State| y[5] * way);
+            let leg = followed(rate, here, scales, left, end, longest, turns);
             rows.extend(leg.samples);
             if !leg.met {
                 break;
@@ -134,7 +106,7 @@ impl Strip {
         let row = |y: &State| {
             let [x, height, angle, u, w, omega, heat] = *y;
             let [vx, vy] = [self.rate(1.0, y)[0], self.rate(1.0, y)[1]];
-            let kinetic = Dd::from(0.5) * (along * u * u + across * w * w + moment * omega * omega);
+            let kinetic = 0.5 * (along * u * u + across * w * w + moment * omega * omega);
             let energy = kinetic + self.mass * self.gravity * height;
             vec![x, height, angle, vx, vy, omega, energy, heat]
         };
@@ -146,12 +118,9 @@ fn falling(r: &mut Random, air: bool) -> Scene {
     let width = r.scaled(5e-3, 0.2);
     let area = r.scaled(2e-2, 2.0);
     let fluid = if air { r.scaled(0.3, 3.0) } else { 0.0 };
-    let flat = if r.percent(50) {
-        0.0
-    } else {
-        r.within(0.0, 0.5)
-    };
-    let factor = if r.percent(50) {
+    let flat = r.nil_or(50, |r| r.within(0.0, 0.5));
+    let uniform = r.percent(50);
+    let factor = if uniform {
         1.0 / 3.0
     } else {
         r.within(0.2, 0.5)
@@ -173,7 +142,8 @@ fn falling(r: &mut Random, air: bool) -> Scene {
             speed * r.within(-1.0, 1.0)
         }
     });
-    let omega = if rest || r.percent(30) {
+    let still = rest || r.percent(30);
+    let omega = if still {
         0.0
     } else {
         speed / a * r.within(-0.5, 0.5)
@@ -185,21 +155,17 @@ fn falling(r: &mut Random, air: bool) -> Scene {
         if !air || !r.percent(often) {
             return [Dd::ZERO; 2];
         }
-        text += &format!("{name} = {values:?}\n");
+        line(&mut text, name, Some(values));
         values.map(Dd::from)
     };
     let lift = pair(r, "lift", 85, [1.7, 1.1]);
     let drag = pair(r, "drag", 85, [1.7, 1.0]);
     let damping = pair(r, "rotational_damping", 75, [0.05 * speed / a, 0.04]);
-    let added = if air && r.percent(75) {
-        text += "added_mass = 1.0\n";
-        1.0
-    } else {
-        0.0
-    };
+    let added = (air && r.percent(75)).then_some(1.0);
+    line(&mut text, "added_mass", added);
     let strip = Strip {
-        a: Dd::from(width) * Dd::from(0.5),
-        mass: Dd::from(area) * Dd::from(width),
+        a: Dd::from(width) * 0.5,
+        mass: Dd::from(area) * width,
         fluid: Dd::from(fluid),
         flat: Dd::from(flat),
         factor: Dd::from(factor),
@@ -207,7 +173,7 @@ fn falling(r: &mut Random, air: bool) -> Scene {
         lift,
         drag,
         damping,
-        added: Dd::from(added),
+        added: Dd::from(added.unwrap_or(0.0)),
     };
     let spin = speed / a;
     let scales = [a, a, 1.0, speed, speed, spin, mass * speed * speed];
@@ -221,13 +187,7 @@ fn falling(r: &mut Random, air: bool) -> Scene {
             (Sort::Rate, spin),
             (Sort::Energy, mass * speed * speed),
         ],
-        columns: told(&[
-            (Sort::Length, "x y"),
-            (Sort::Angle, "angle"),
-            (Sort::Speed, "vx vy"),
-            (Sort::Rate, "omega"),
-            (Sort::Energy, "energy heat"),
-        ]),
+        columns: told("length x y, angle angle, speed vx vy, rate omega, energy energy heat"),
         truth: Box::new(move |start, times| strip.rows(start, times, &scales)),
     }
 }

@@ -1,25 +1,18 @@
 //! A planet that flies and turns freely, and is struck at time 0.
 
-use super::super::extrapolation::{Place, followed};
+use super::super::extrapolation::pieced;
 use super::super::number::{
-    cross, dot, image, inverse, plus, rotation, solved, times as scaled, turned,
+    Matrix, NONE, Vector, cross, diagonal, dot, image, inverse, minus, plus, rotation, solved,
+    times as scaled, turned,
 };
 use super::super::random::Random;
 use super::{Scene, Sort, told};
 use support::double_double::Dd;
 
-type Vector = [Dd; 3];
-type Matrix = [Vector; 3];
-
 /// m(r² − r r).
 fn particle(mass: Dd, r: Vector) -> Matrix {
-    let square = dot(r, r);
-    core::array::from_fn(|i| {
-        core::array::from_fn(|j| {
-            let own = if i == j { square } else { Dd::ZERO };
-            mass * (own - r[i] * r[j])
-        })
-    })
+    let whole = diagonal([dot(r, r); 3]);
+    core::array::from_fn(|i| core::array::from_fn(|j| mass * (whole[i][j] - r[i] * r[j])))
 }
 
 fn sum(a: Matrix, b: Matrix) -> Matrix {
@@ -32,30 +25,16 @@ fn turned_freely(inertia: Matrix, omega: Vector, times: &[f64], rate: f64) -> Ve
     let size = dot(l, l).sqrt().value();
     let zero = Dd::ZERO;
     let start = [Dd::from(1.0), zero, zero, zero, l[0], l[1], l[2]];
-    let last = times.last().copied().unwrap_or(0.0);
-    let sense = if last < 0.0 { -1.0 } else { 1.0 };
-    // Backward in time as forward, with all rates turned round.
-    let forward: Vec<f64> = times.iter().map(|t| t.abs()).collect();
     let inverse = inverse(inertia);
-    followed(
-        |_, y: &[Dd; 7]| {
-            let l = [y[4], y[5], y[6]];
-            let omega = image(inverse, l);
-            let [w, x, q, z] = turned([y[0], y[1], y[2], y[3]], omega);
-            let [a, b, c] = cross(l, omega);
-            [w, x, q, z, a, b, c].map(|x| x * Dd::from(sense))
-        },
-        Place {
-            time: zero,
-            state: start,
-        },
-        &[1.0, 1.0, 1.0, 1.0, size, size, size],
-        &forward,
-        Dd::from(last.abs()),
-        10.0 / rate,
-        |_| Dd::from(1.0),
-    )
-    .samples
+    let turning = |_: usize, _: Dd, y: &[Dd; 7]| {
+        let l = [y[4], y[5], y[6]];
+        let omega = image(inverse, l);
+        let [w, x, q, z] = turned([y[0], y[1], y[2], y[3]], omega);
+        let [a, b, c] = cross(l, omega);
+        [w, x, q, z, a, b, c]
+    };
+    let scales = [1.0, 1.0, 1.0, 1.0, size, size, size];
+    pieced(turning, start, &scales, &[], times, 10.0 / rate)
 }
 
 pub fn meteorite(r: &mut Random) -> Scene {
@@ -88,11 +67,8 @@ pub fn meteorite(r: &mut Random) -> Scene {
         text +=
             &format!("impact_mass = {small:?}\nimpact_velocity = {flight:?}\nimpact_at = {at:?}\n");
     }
-    let zero = Dd::ZERO;
-    let planet: Matrix = core::array::from_fn(|i| {
-        core::array::from_fn(|j| if i == j { Dd::from(moments[i]) } else { zero })
-    });
-    let (mass, small) = (Dd::from(mass), if struck { Dd::from(small) } else { zero });
+    let planet = diagonal(moments.map(Dd::from));
+    let (mass, small) = (Dd::from(mass), Dd::from(if struck { small } else { 0.0 }));
     let (flight, at) = (flight.map(Dd::from), at.map(Dd::from));
     let kick = if struck { speed * 0.3 } else { 0.0 };
     Scene {
@@ -100,45 +76,31 @@ pub fn meteorite(r: &mut Random) -> Scene {
         span: r.scaled(0.05, 60.0) / (1.0 + kick),
         start: velocity.iter().chain(&omega).map(|&x| (x, 1.0)).collect(),
         sizes: vec![(Sort::Length, 1.0)],
-        columns: told(&[
-            (Sort::Attitude, "qw qx qy qz"),
-            (Sort::Rate, "omega1 omega2 omega3"),
-            (Sort::Length, "x y z"),
-            (Sort::Energy, "energy"),
-        ]),
+        columns: told(
+            "attitude qw qx qy qz, rate omega1 omega2 omega3, length x y z, energy energy",
+        ),
         truth: Box::new(move |start, times| {
-            let (velocity, omega) = (
-                [start[0], start[1], start[2]],
-                [start[3], start[4], start[5]],
-            );
+            let velocity = [start[0], start[1], start[2]];
+            let omega = [start[3], start[4], start[5]];
             let whole = mass + small;
             let part = small / whole;
             // The common centre, from the planet's; momenta before and after are the same.
             let centre = scaled(at, part);
             let after = plus(scaled(velocity, mass / whole), scaled(flight, part));
-            let apart = plus(at, centre.map(|x| -x));
+            let apart = minus(at, centre);
             let inertia = sum(sum(planet, particle(mass, centre)), particle(small, apart));
-            let relative = plus(flight, velocity.map(|x| -x));
-            let spin = plus(
-                image(planet, omega),
-                scaled(cross(at, relative), mass * small / whole),
-            );
-            let omega = solved(inertia, spin);
+            let kick = scaled(cross(at, minus(flight, velocity)), mass * small / whole);
+            let omega = solved(inertia, plus(image(planet, omega), kick));
             let rate = dot(omega, omega).sqrt().value().max(1e-3);
-            let half = Dd::from(0.5);
             let rows = turned_freely(inertia, omega, times, rate);
             let row = |(&t, y): (&f64, &[Dd; 7])| {
                 let l = [y[4], y[5], y[6]];
                 let omega = solved(inertia, l);
                 let turn = rotation([y[0], y[1], y[2], y[3]]);
-                let arm = image(turn, centre.map(|x| -x));
-                let place = plus(plus(centre, scaled(after, Dd::from(t))), arm);
-                let energy = half * (whole * dot(after, after) + dot(l, omega));
-                let mut row = y[..4].to_vec();
-                row.extend(omega);
-                row.extend(place);
-                row.push(energy);
-                row
+                let arm = image(turn, minus(NONE, centre));
+                let place = plus(plus(centre, after.map(|v| v * t)), arm);
+                let energy = 0.5 * (whole * dot(after, after) + dot(l, omega));
+                [&y[..4], &omega, &place, &[energy]].concat()
             };
             times.iter().zip(&rows).map(row).collect()
         }),

@@ -1,15 +1,14 @@
 //! A body on a table, as long as it does not leave it: Newton and Euler at the contact, the unknown force found from what it must bring about.
 
-use super::super::extrapolation::{Place, followed};
+use super::super::door::held;
+use super::super::extrapolation::pieced;
 use super::super::number::{
-    cross, dot, image, inverse, plus, rotation, solved, times as scaled, transposed, turned,
+    Matrix, NONE, Vector, cross, diagonal, dot, image, inverse, minus, plus, root, rotation,
+    times as scaled, transposed, turned,
 };
 use super::super::random::Random;
-use super::{Scene, Sort, told};
+use super::{Scene, Sort, line, told};
 use support::double_double::Dd;
-
-type Vector = [Dd; 3];
-type Matrix = [Vector; 3];
 
 /// Attitude, Ω, velocity and place of C in the plane, and the work done against friction.
 type State = [Dd; 12];
@@ -48,16 +47,12 @@ struct Contact {
     couple: Vector,
 }
 
-fn minus(a: Vector, b: Vector) -> Vector {
-    plus(a, b.map(|x| -x))
-}
-
 impl Body {
     /// From C to the lowest point, and its rate, seen from the body, while the vertical turns.
     fn arm(&self, up: Vector, rate: Vector) -> [Vector; 2] {
         let image: Vector = core::array::from_fn(|k| self.squares[k] * up[k]);
         let size = dot(up, image).sqrt();
-        let support = scaled(image, Dd::from(1.0) / size);
+        let support = scaled(image, 1.0 / size);
         let moved: Vector = core::array::from_fn(|k| self.squares[k] * rate[k] / size);
         let shift = scaled(support, dot(support, rate) / size);
         [minus(self.centre, support), minus(shift, moved)]
@@ -77,10 +72,7 @@ impl Body {
         let under = |force: Vector, couple: Vector| {
             let torque = plus(cross(arm, force), couple);
             let rate = image(self.inverse, minus(torque, free));
-            let centre = minus(
-                scaled(force, Dd::from(1.0) / self.mass),
-                scaled(up, self.gravity),
-            );
+            let centre = minus(scaled(force, 1.0 / self.mass), scaled(up, self.gravity));
             (rate, plus(centre, plus(cross(rate, arm), whirl)))
         };
         let vertical = scaled(up, dot(up, omega));
@@ -88,34 +80,25 @@ impl Body {
             scaled(minus(omega, vertical), -self.resistance[0]),
             scaled(vertical, -self.resistance[1]),
         );
-        let zero = [Dd::ZERO; 3];
+        let sliding = |rubbing: Vector| {
+            let per = plus(up, rubbing);
+            let rises = |n: Dd| dot(up, under(scaled(per, n), scaled(resisting, n)).1);
+            let (rest, one) = (rises(Dd::ZERO), rises(Dd::from(1.0)));
+            let reaction = rest / (rest - one);
+            (scaled(per, reaction), reaction)
+        };
         let (force, reaction) = match self.law {
+            // The velocity of the point stays nil: C moves as it must. Without resistance three linear equations for the force; the couple is in proportion to its normal part.
             Law::Rolling => {
-                // The velocity of the point stays nil: C moves as it must. Without resistance three linear equations for the force; the couple is in proportion to its normal part.
-                let whole = |force: Vector| under(force, scaled(resisting, dot(force, up))).1;
-                let rest = whole(zero);
-                let columns: Matrix = core::array::from_fn(|k| {
-                    let mut unit = zero;
-                    unit[k] = Dd::from(1.0);
-                    minus(whole(unit), rest)
-                });
-                let force = solved(transposed(columns), rest.map(|x| -x));
+                let force = root(|force| under(force, scaled(resisting, dot(force, up))).1);
                 (force, dot(force, up))
             }
-            _ => {
-                let rubbing = match self.law {
-                    Law::Viscous(c) => scaled(slip, -c),
-                    Law::Smoothed(mu, width) => {
-                        scaled(slip, -(mu / (dot(slip, slip) + width * width).sqrt()))
-                    }
-                    _ => zero,
-                };
-                let per = plus(up, rubbing);
-                let rises = |n: Dd| dot(up, under(scaled(per, n), scaled(resisting, n)).1);
-                let (rest, one) = (rises(Dd::ZERO), rises(Dd::from(1.0)));
-                let reaction = rest / (rest - one);
-                (scaled(per, reaction), reaction)
-            }
+            Law::None => sliding(NONE),
+            Law::Viscous(c) => sliding(scaled(slip, -c)),
+            Law::Smoothed(mu, width) => sliding(scaled(
+                slip,
+                -(mu / (dot(slip, slip) + width * width).sqrt()),
+            )),
         };
         let couple = scaled(resisting, reaction);
         Contact {
@@ -138,26 +121,11 @@ impl Body {
         let push = image(turn, level);
         let [p, q, r] = contact.omega_rate;
         let v = self.velocity(y, &contact);
-        let slip = if matches!(self.law, Law::Rolling) {
-            [Dd::ZERO; 3]
-        } else {
-            contact.slip
-        };
+        let rolls = matches!(self.law, Law::Rolling);
+        let slip = if rolls { NONE } else { contact.slip };
         let power = dot(level, slip) + dot(contact.couple, omega);
-        [
-            a,
-            b,
-            c,
-            d,
-            p,
-            q,
-            r,
-            push[0] / self.mass,
-            push[1] / self.mass,
-            v[0],
-            v[1],
-            -power,
-        ]
+        let [x, y, _] = push.map(|f| f / self.mass);
+        [a, b, c, d, p, q, r, x, y, v[0], v[1], -power]
     }
 
     /// Velocity of C in space.
@@ -177,7 +145,7 @@ impl Body {
         let height = -dot(contact.up, contact.arm);
         let omega = [y[4], y[5], y[6]];
         let kinetic = dot(omega, image(self.inertia, omega)) + self.mass * dot(v, v);
-        let energy = Dd::from(0.5) * kinetic + self.mass * self.gravity * height;
+        let energy = 0.5 * kinetic + self.mass * self.gravity * height;
         let mut row = y[..7].to_vec();
         row.extend([y[9], y[10], height, v[0], v[1], v[2], energy, y[11]]);
         row
@@ -187,7 +155,7 @@ impl Body {
     fn state(&self, start: &[Dd]) -> State {
         let mut y = [Dd::ZERO; 12];
         y[..9].copy_from_slice(&start[..9]);
-        let size = y[..4].iter().fold(Dd::ZERO, |s, q| s + *q * *q).sqrt();
+        let size = y[..4].iter().map(|&q| q * q).sum::<Dd>().sqrt();
         for q in &mut y[..4] {
             *q = *q / size;
         }
@@ -197,24 +165,9 @@ impl Body {
     fn rows(&self, start: &[Dd], times: &[f64], rate: f64) -> Vec<State> {
         let size = self.squares[0].sqrt().value();
         let (v, energy) = (rate * size, self.mass.value() * rate * rate * size * size);
-        let scales = [
-            1.0, 1.0, 1.0, 1.0, rate, rate, rate, v, v, size, size, energy,
-        ];
-        let start = Place {
-            time: Dd::ZERO,
-            state: self.state(start),
-        };
-        let end = Dd::from(times[times.len() - 1]);
-        followed(
-            |_, y| self.rate(y),
-            start,
-            &scales,
-            times,
-            end,
-            1.0 / rate,
-            |_| Dd::from(1.0),
-        )
-        .samples
+        let scales = scales(rate, v, size, energy);
+        let (start, moves) = (self.state(start), |_, _, y: &_| self.rate(y));
+        pieced(moves, start, &scales, &[], times, 1.0 / rate)
     }
 
     /// How long it is pressed to the table by at least a tenth of its weight.
@@ -222,22 +175,21 @@ impl Body {
         let times: Vec<f64> = (0..=40).map(|k| until * f64::from(k) / 40.0).collect();
         let rows = self.rows(start, &times, rate);
         let weight = self.mass * self.gravity;
-        let lifts = rows
-            .iter()
-            .position(|y| (self.contact(y).reaction / weight).value() < 0.1);
-        lifts.map_or(until, |k| times[k.saturating_sub(2)])
+        let lifts = |y: &State| (self.contact(y).reaction / weight).value() < 0.1;
+        rows.iter()
+            .position(lifts)
+            .map_or(until, |k| times[k.saturating_sub(2)])
     }
 }
 
-fn columns() -> Vec<(&'static str, Sort)> {
-    told(&[
-        (Sort::Attitude, "qw qx qy qz"),
-        (Sort::Rate, "omega1 omega2 omega3"),
-        (Sort::Length, "x y z"),
-        (Sort::Speed, "vx vy vz"),
-        (Sort::Energy, "energy dissipated"),
-    ])
+/// Those of a state.
+fn scales(rate: f64, v: f64, size: f64, energy: f64) -> [f64; 12] {
+    [
+        1.0, 1.0, 1.0, 1.0, rate, rate, rate, v, v, size, size, energy,
+    ]
 }
+
+const COLUMNS: &str = "attitude qw qx qy qz, rate omega1 omega2 omega3, length x y z, speed vx vy vz, energy energy dissipated";
 
 /// Those of a body of this size that turns at this rate.
 fn sizes(mass: f64, size: f64, rate: f64) -> Vec<(Sort, f64)> {
@@ -251,22 +203,33 @@ fn sizes(mass: f64, size: f64, rate: f64) -> Vec<(Sort, f64)> {
 
 /// A sphere or an ellipsoid, with its centre of mass in its middle or not.
 fn put(r: &mut Random, law: u8) -> Scene {
-    loop {
-        if let Some(scene) = tried(r, law) {
-            return scene;
-        }
-    }
+    core::iter::repeat_with(|| tried(r, law))
+        .flatten()
+        .next()
+        .expect("one that stays")
+}
+
+/// The numbers of the start, and the rate and the speed that are natural there.
+fn begun(q: [f64; 4], omega: [f64; 3], rate: f64, v: [f64; 2], fast: f64) -> Vec<(f64, f64)> {
+    let (q, omega, v) = (
+        q.map(|q| (q, 1.0)),
+        omega.map(|o| (o, rate)),
+        v.map(|v| (v, fast)),
+    );
+    [&q[..], &omega, &v].concat()
 }
 
 fn tried(r: &mut Random, law: u8) -> Option<Scene> {
     let mass = r.scaled(1e-2, 1.0);
     let size = r.scaled(1e-2, 0.1);
     let round = r.percent(50);
-    let axes = if round {
-        [size; 3]
-    } else {
-        core::array::from_fn(|_| size * r.within(0.7, 1.3))
-    };
+    let axes = [0; 3].map(|_| {
+        if round {
+            size
+        } else {
+            size * r.within(0.7, 1.3)
+        }
+    });
     let centre = r.direction().map(|x| x * size * r.within(0.0, 0.25));
     let scale = mass * size * size;
     let [a, b, c] = [0; 3].map(|_| scale * r.within(0.3, 0.5));
@@ -280,22 +243,13 @@ fn tried(r: &mut Random, law: u8) -> Option<Scene> {
     });
     let g = r.scaled(3.0, 20.0);
     let pace = (g / size).sqrt();
-    let attitude = super::super::door::held(r.attitude());
+    let attitude = held(r.attitude());
     let spin = pace * r.scaled(0.1, 3.0);
     let omega = r.direction().map(|x| x * spin);
-    let [vx, vy] = [0; 2].map(|_| {
-        if r.percent(50) {
-            0.0
-        } else {
-            size * pace * r.within(-0.5, 0.5)
-        }
-    });
+    let [vx, vy] = [0; 2].map(|_| r.nil_or(50, |r| size * pace * r.within(-0.5, 0.5)));
     let mut text = format!("kind = \"table-top\"\n[body]\nmass = {mass:?}\n");
-    text += &if round {
-        format!("radius = {size:?}\n")
-    } else {
-        format!("semi_axes = {axes:?}\n")
-    };
+    line(&mut text, "radius", round.then_some(size));
+    line(&mut text, "semi_axes", (!round).then_some(axes));
     text += &format!(
         "surface_center = {centre:?}\ninertia = [{a:?}, {b:?}, {c:?}, {d:?}, {e:?}, {f:?}]\n[initial]\nattitude = {attitude:?}\nomega = {omega:?}\nvelocity = [{vx:?}, {vy:?}, 0.0]\n[effects]\ngravity = {g:?}\n"
     );
@@ -330,18 +284,13 @@ fn tried(r: &mut Random, law: u8) -> Option<Scene> {
         inertia,
         inverse: inverse(inertia),
         centre: centre.map(Dd::from),
-        squares: axes.map(|x| Dd::from(x) * Dd::from(x)),
+        squares: axes.map(|x| Dd::from(x) * x),
         gravity: Dd::from(g),
         law,
         resistance: resistance.map(Dd::from),
     };
     let rate = pace.max(spin);
-    let start: Vec<(f64, f64)> = attitude
-        .iter()
-        .map(|&q| (q, 1.0))
-        .chain(omega.iter().map(|&o| (o, rate)))
-        .chain([vx, vy].iter().map(|&v| (v, size * rate)))
-        .collect();
+    let start = begun(attitude, omega, rate, [vx, vy], size * rate);
     let numbers: Vec<Dd> = start.iter().map(|&(x, _)| Dd::from(x)).collect();
     let until = r.scaled(0.3, 20.0) / rate;
     let span = body.pressed(&numbers, until, rate);
@@ -353,7 +302,7 @@ fn tried(r: &mut Random, law: u8) -> Option<Scene> {
         span,
         start,
         sizes: sizes(mass, size, rate),
-        columns: columns(),
+        columns: told(COLUMNS),
         truth: Box::new(move |start, times| {
             let rows = body.rows(start, times, rate);
             rows.iter().map(|y| body.row(y)).collect()
@@ -382,49 +331,30 @@ pub fn ball(r: &mut Random) -> Scene {
     let mu = r.scaled(0.03, 0.6);
     let fast = (g * size).sqrt() * r.scaled(0.3, 5.0);
     let moment = kappa * mass * size * size;
-    let attitude = super::super::door::held(r.attitude());
+    let attitude = held(r.attitude());
     let omega = r.direction().map(|x| x * fast / size);
     let [vx, vy] = [0; 2].map(|_| fast * r.within(-1.0, 1.0));
     let text = format!(
         "kind = \"table-top\"\n[body]\nmass = {mass:?}\nradius = {size:?}\ninertia = [{moment:?}, {moment:?}, {moment:?}, 0.0, 0.0, 0.0]\n[initial]\nattitude = {attitude:?}\nomega = {omega:?}\nvelocity = [{vx:?}, {vy:?}, 0.0]\n[effects]\ngravity = {g:?}\nfriction_law = \"coulomb\"\nfriction = {mu:?}\n"
     );
-    let start = attitude
-        .iter()
-        .map(|&q| (q, 1.0))
-        .chain(omega.iter().map(|&o| (o, fast / size)))
-        .chain([(vx, fast), (vy, fast)]);
-    let [m, r_, i, g, mu] = [mass, size, moment, g, mu].map(Dd::from);
     let rate = fast / size;
-    let scales = [
-        1.0,
-        1.0,
-        1.0,
-        1.0,
-        rate,
-        rate,
-        rate,
-        fast,
-        fast,
-        size,
-        size,
-        mass * fast * fast,
-    ];
+    let start = begun(attitude, omega, rate, [vx, vy], fast);
+    let [m, r_, i, g, mu] = [mass, size, moment, g, mu].map(Dd::from);
+    let scales = scales(rate, fast, size, mass * fast * fast);
     let level = fast / (g * mu).value();
     Scene {
         text,
         span: level * r.scaled(0.05, 3.0),
-        start: start.collect(),
+        start,
         sizes: sizes(mass, size, rate),
-        columns: columns(),
+        columns: told(COLUMNS),
         truth: Box::new(move |start, times| {
             let zero = Dd::ZERO;
             let body = Body {
                 mass: m,
-                inertia: core::array::from_fn(|k| {
-                    core::array::from_fn(|j| if j == k { i } else { zero })
-                }),
-                inverse: [[zero; 3]; 3],
-                centre: [zero; 3],
+                inertia: diagonal([i; 3]),
+                inverse: [NONE; 3],
+                centre: NONE,
                 squares: [r_ * r_; 3],
                 gravity: g,
                 law: Law::None,
@@ -440,48 +370,20 @@ pub fn ball(r: &mut Random) -> Scene {
             let push = scaled(slip, -(mu * g / speed));
             let spun = scaled(cross(down, push), m / i);
             // Slip falls at μg(1 + mR²/I).
-            let rest = speed / (mu * g * (Dd::from(1.0) + m * r_ * r_ / i));
-            let last = Dd::from(times[times.len() - 1]);
-            let mut rows = Vec::new();
-            let mut here = Place {
-                time: zero,
-                state: begun,
+            let rest = speed / (mu * g * (1.0 + m * r_ * r_ / i));
+            let moves = |piece: usize, t: Dd, y: &State| {
+                let (since, slides) = if piece == 0 { (t, 1.0) } else { (rest, 0.0) };
+                let omega = plus(omega, scaled(spun, since));
+                let q = [y[0], y[1], y[2], y[3]];
+                let [a, b, c, d] = turned(q, image(transposed(rotation(q)), omega));
+                let v = plus([begun[7], begun[8], zero], scaled(push, since));
+                let power = m * mu * g * (speed - speed * since / rest) * slides;
+                [a, b, c, d, zero, zero, zero, zero, zero, v[0], v[1], power]
             };
-            for piece in 0..2 {
-                let slides = Dd::from(if piece == 0 { 1.0 } else { 0.0 });
-                let rate = |t: Dd, y: &State| {
-                    let since = if piece == 0 { t } else { rest };
-                    let omega = plus(omega, scaled(spun, since));
-                    let turn = rotation([y[0], y[1], y[2], y[3]]);
-                    let [a, b, c, d] =
-                        turned([y[0], y[1], y[2], y[3]], image(transposed(turn), omega));
-                    let v = plus([begun[7], begun[8], zero], scaled(push, since));
-                    let power = m * mu * g * (speed - speed * since / rest) * slides;
-                    [a, b, c, d, zero, zero, zero, zero, zero, v[0], v[1], power]
-                };
-                let end = if piece == 0 && (last - rest).value() > 0.0 {
-                    rest
-                } else {
-                    last
-                };
-                let leg = followed(
-                    rate,
-                    here,
-                    &scales,
-                    &times[rows.len()..],
-                    end,
-                    1.0 / scales[4],
-                    |_| Dd::from(1.0),
-                );
-                rows.extend(leg.samples);
-                here = leg.end;
-                if rows.len() == times.len() {
-                    break;
-                }
-            }
+            let rows = pieced(moves, begun, &scales, &[rest], times, 1.0 / rate);
             let row = |(&t, y): (&f64, &State)| {
                 let t = Dd::from(t);
-                let since = if (t - rest).value() > 0.0 { rest } else { t };
+                let since = if t > rest { rest } else { t };
                 let turn = rotation([y[0], y[1], y[2], y[3]]);
                 let mut y = *y;
                 let omega = image(transposed(turn), plus(omega, scaled(spun, since)));
@@ -500,57 +402,32 @@ pub fn free(r: &mut Random) -> Scene {
     let size = r.scaled(1e-2, 0.1);
     let scale = mass * size * size;
     let [a, b, c] = [0; 3].map(|_| scale * r.within(0.3, 0.5));
-    let attitude = super::super::door::held(r.attitude());
+    let attitude = held(r.attitude());
     let omega = r.direction().map(|x| x * 10.0);
     let [vx, vy] = [0; 2].map(|_| r.within(-1.0, 1.0));
     let text = format!(
         "kind = \"table-top\"\n[body]\nmass = {mass:?}\nradius = {size:?}\ninertia = [{a:?}, {b:?}, {c:?}, 0.0, 0.0, 0.0]\n[initial]\nattitude = {attitude:?}\nomega = {omega:?}\nvelocity = [{vx:?}, {vy:?}, 0.0]\n[effects]\n"
     );
-    let start = attitude
-        .iter()
-        .map(|&q| (q, 1.0))
-        .chain(omega.iter().map(|&o| (o, 10.0)))
-        .chain([(vx, 1.0), (vy, 1.0)]);
     let moments = [a, b, c].map(Dd::from);
-    let mut columns = columns();
-    columns.truncate(9);
     Scene {
         text,
         span: r.scaled(0.01, 30.0),
-        start: start.collect(),
+        start: begun(attitude, omega, 10.0, [vx, vy], 1.0),
         sizes: sizes(mass, size, 10.0),
-        columns,
+        columns: told("attitude qw qx qy qz, rate omega1 omega2 omega3, length x y"),
         truth: Box::new(move |start, times| {
-            let rate = |_: Dd, y: &[Dd; 7]| {
+            let moves = |_: usize, _: Dd, y: &[Dd; 7]| {
                 let omega = [y[4], y[5], y[6]];
-                let l = core::array::from_fn(|k| moments[k] * omega[k]);
-                let torque = cross(l, omega);
+                let torque = cross(core::array::from_fn(|k| moments[k] * omega[k]), omega);
                 let [a, b, c, d] = turned([y[0], y[1], y[2], y[3]], omega);
-                [
-                    a,
-                    b,
-                    c,
-                    d,
-                    torque[0] / moments[0],
-                    torque[1] / moments[1],
-                    torque[2] / moments[2],
-                ]
+                let [x, y, z] = core::array::from_fn(|k| torque[k] / moments[k]);
+                [a, b, c, d, x, y, z]
             };
             let state = core::array::from_fn(|k| start[k]);
-            let end = Dd::from(times[times.len() - 1]);
-            let place = Place {
-                time: Dd::ZERO,
-                state,
-            };
             let scales = [1.0, 1.0, 1.0, 1.0, 10.0, 10.0, 10.0];
-            let leg = followed(rate, place, &scales, times, end, 0.1, |_| Dd::from(1.0));
-            let row = |(&t, y): (&f64, &[Dd; 7])| {
-                let t = Dd::from(t);
-                let mut row = y.to_vec();
-                row.extend([start[7] * t, start[8] * t]);
-                row
-            };
-            times.iter().zip(&leg.samples).map(row).collect()
+            let rows = pieced(moves, state, &scales, &[], times, 0.1);
+            let row = |(t, y): (&f64, &[Dd; 7])| [&y[..], &[start[7] * *t, start[8] * *t]].concat();
+            times.iter().zip(&rows).map(row).collect()
         }),
     }
 }

@@ -1,6 +1,6 @@
 //! Every method on short problems: it converges to the truth, and as fast as its order says.
 
-use lab::accuracy::{Measurement, Problem, Status, Trial, candidates, measure, named};
+use lab::accuracy::{Measurement, NAMES, Problem, Status, Trial, candidates, measure, named};
 use support::slope;
 
 fn problem(name: &str) -> Problem {
@@ -20,35 +20,23 @@ fn rows(problem: &Problem, most: u64) -> Vec<(String, Option<u32>, Vec<Measureme
     swept.collect()
 }
 
-const SHORT: [&str; 8] = [
-    "free-top/1",
-    "near-separatrix/1",
-    "cusped-top/1",
-    "near-sleeping/1",
-    "kovalevskaya/1",
-    "kovalevskaya-level/1",
-    "heavy-body/1",
-    "tippe-top/1",
-];
+/// One turn of each motion.
+fn short() -> impl Iterator<Item = Problem> {
+    NAMES.iter().map(|name| problem(&format!("{name}/1")))
+}
 
 #[test]
 fn every_method_converges_to_the_truth() {
     let mut report = String::new();
     let mut failures = Vec::new();
-    for name in SHORT {
-        for (method, order, rows) in rows(&problem(name), 60_000) {
-            let best = rows
-                .iter()
-                .map(|r| r.error_attitude)
-                .fold(f64::INFINITY, f64::min);
-            let omega = rows
-                .iter()
-                .map(|r| r.error_omega)
-                .fold(f64::INFINITY, f64::min);
-            report += &format!(
-                "{name:>18} {method:>18}: {best:.1e} {omega:.1e}, {} runs\n",
-                rows.len()
-            );
+    for problem in short() {
+        let name = problem.name();
+        for (method, order, rows) in rows(&problem, 60_000) {
+            let least =
+                |of: fn(&Measurement) -> f64| rows.iter().map(of).fold(f64::INFINITY, f64::min);
+            let (best, omega) = (least(|r| r.error_attitude), least(|r| r.error_omega));
+            let runs = rows.len();
+            report += &format!("{name:>18} {method:>18}: {best:.1e} {omega:.1e}, {runs} runs\n");
             // Of order 2 within 60 000 evaluations; the others to their rounding. Observed: see the report.
             let bar = if order == Some(2) { 1e-7 } else { 2e-12 };
             if best > bar || omega > bar {
@@ -71,14 +59,8 @@ fn every_method_converges_to_the_truth() {
 fn orders_are_those_promised() {
     let mut report = String::new();
     let mut failures = Vec::new();
-    for name in [
-        "free-top/1",
-        "cusped-top/1",
-        "kovalevskaya/1",
-        "heavy-body/1",
-        "tippe-top/1",
-    ] {
-        for (method, order, rows) in rows(&problem(name), 60_000) {
+    for name in "free-top cusped-top kovalevskaya heavy-body tippe-top".split(' ') {
+        for (method, order, rows) in rows(&problem(&format!("{name}/1")), 60_000) {
             let Some(order) = order else { continue };
             // Where a tolerance chooses the steps there is no order to be seen.
             if method == "dormand-prince-8" {
@@ -87,20 +69,16 @@ fn orders_are_those_promised() {
             // The crate's RK4 keeps nothing of what rounding leaves.
             let rounding = if method == "rk4" { 2e-11 } else { 2e-13 };
             // Below the steps that are too long for any order, above rounding.
-            let points: Vec<(f64, f64)> = rows
-                .iter()
-                .filter(|r| (rounding..1e-5).contains(&r.error_attitude))
-                .map(|r| (r.parameter, r.error_attitude))
-                .collect();
-            if points.len() < 3 {
-                failures.push(format!("{name} {method}: {} points", points.len()));
+            let points = rows.iter().map(|r| (r.parameter, r.error_attitude));
+            let points = points.filter(|point| (rounding..1e-5).contains(&point.1));
+            let points: Vec<(f64, f64)> = points.collect();
+            let runs = points.len();
+            if runs < 3 {
+                failures.push(format!("{name} {method}: {runs} points"));
                 continue;
             }
             let found = slope(&points);
-            report += &format!(
-                "{name:>18} {method:>18}: {found:.2} by {} runs\n",
-                points.len()
-            );
+            report += &format!("{name:>18} {method:>18}: {found:.2} by {runs} runs\n");
             if (found - f64::from(order)).abs() > 0.12 * f64::from(order) {
                 failures.push(format!("{name} {method}: {found} for {order}"));
             }

@@ -59,30 +59,24 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
     let most = leans.clone().fold(0.0, f64::max);
     let least = leans.fold(180.0, f64::min);
     let told = [least, most].map(|lean| number(lean, 1));
-    let words = Words {
-        claim: match most < 0.05 {
+    let claim = match most < 0.05 {
             true => "Thrown exactly about a principal axis, the brick keeps its angular momentum, and its angular velocity stays with it.".to_owned(),
             false => format!(
                 "In the air the brick keeps its angular momentum; its angular velocity wanders, between {}° and {}° from it.",
                 told[0], told[1]
             ),
-        },
-        details: format!(
-            "A brick of {} by {} by {} cm, thrown with {} turns a second about an axis {}° off its middle one, every {} s. Its centre follows the parabola of a thrown stone, \
-             and about the centre gravity has no torque. Orange: $L$, the same seven times; blue: $\\Omega$, each to its own scale.",
-            short(1e2 * EDGES[0], 1),
-            short(1e2 * EDGES[1], 1),
-            short(1e2 * EDGES[2], 1),
-            short(turns, 2),
-            short(off, 1),
-            short(FLIGHT / f64::from(PICTURES - 1), 3),
-        ),
-        alt: format!(
-            "Seven pictures of a tumbling brick along a parabola. From each centre an orange arrow, the angular momentum, points straight up, always of one length. Beside it a blue \
-             arrow, the angular velocity, changes its direction from picture to picture, {} to {} degrees from the orange one.",
-            told[0], told[1]
-        ),
-    };
+        };
+    let [low, high] = &told;
+    let [long, middle, thin] = EDGES.map(|edge| short(1e2 * edge, 1));
+    let (spun, lean) = (short(turns, 2), short(off, 1));
+    let apart = short(FLIGHT / f64::from(PICTURES - 1), 3);
+    let words = words!(
+        "{claim}",
+        "A brick of {long} by {middle} by {thin} cm, thrown with {spun} turns a second about an axis {lean}° off its middle one, every {apart} s. Its centre follows the parabola of a thrown stone, \
+         and about the centre gravity has no torque. Orange: $L$, the same seven times; blue: $\\Omega$, each to its own scale.",
+        "Seven pictures of a tumbling brick along a parabola. From each centre an orange arrow, the angular momentum, points straight up, always of one length. Beside it a blue \
+         arrow, the angular velocity, changes its direction from picture to picture, {low} to {high} degrees from the orange one."
+    );
     let solid = PlatonicSolid::Cube;
     let corners = solid.vertices(1.0)?;
     let page = View::new(0.0, 0.3, [78.0, 352.0], 206.0);

@@ -204,20 +204,13 @@ pub fn momentum_flow(values: &Values) -> Result<Figure> {
         }
         _ => "Circles go round the axis whose moment differs from the other two.",
     };
-    let words = Words {
-        claim: claim.to_owned(),
-        details: format!(
-            "The sphere $\\lvert L\\rvert=1$ seen from a body with $I_1={}$, $I_2={}$, $I_3={}$; a dot every {tick} seconds. {}",
-            of[0],
-            of[1],
-            of[2],
-            if parted { saddles } else { rest },
-        ),
-        alt: format!(
-            "A sphere with the three principal axes of a body sticking out, moments {}, {} and {}. {seen} Dots stand every {tick} seconds.",
-            of[0], of[1], of[2]
-        ),
-    };
+    let [i1, i2, i3] = of;
+    let rest = if parted { saddles } else { rest };
+    let words = words!(
+        "{claim}",
+        "The sphere $\\lvert L\\rvert=1$ seen from a body with $I_1={i1}$, $I_2={i2}$, $I_3={i3}$; a dot every {tick} seconds. {rest}",
+        "A sphere with the three principal axes of a body sticking out, moments {i1}, {i2} and {i3}. {seen} Dots stand every {tick} seconds."
+    );
 
     let center = [300.0, 214.0];
     let view = View::new(1.08, 0.44, center, RADIUS);

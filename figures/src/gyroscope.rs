@@ -89,24 +89,15 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
             }
         ),
     };
-    let words = Words {
-        claim: format!(
-            "The weight's torque pushes the tip of L sideways, so the axle goes round instead of down: at {} rad/s, {beside}.",
-            number(rate, 3)
-        ),
-        details: format!(
-            "A wheel of 0.1 kg at $\\ell = 4$ cm from its support, $I_3 = 6 \\cdot 10^{{-5}}$ kg m², {} turns a second, axle {}° from the vertical. Orange: $L$ now and {STEP} s later, \
-             and $dL$, the change; purple: the torque $N$ of the weight for as long. $Mg\\ell/L_3 = {law:.4}$ rad/s; once round in {} s. The torque is at right angles to $L$, which turns and does not grow.",
-            short(turns, 1),
-            short(values.of(&TILT), 1),
-            number(TAU / rate, 2),
-        ),
-        alt: format!(
-            "A wheel on an axle that is held at one end on a stand, {} degrees from the vertical. An orange arrow, the angular momentum, lies along the axle; the weight points down from the \
-             wheel; the purple torque is level and points across the axle, and the orange arrow half a second later has moved that way, along a dotted circle round the vertical.",
-            short(values.of(&TILT), 1)
-        ),
-    };
+    let (pace, round) = (number(rate, 3), number(TAU / rate, 2));
+    let (spun, lean) = (short(turns, 1), short(values.of(&TILT), 1));
+    let words = words!(
+        "The weight's torque pushes the tip of L sideways, so the axle goes round instead of down: at {pace} rad/s, {beside}.",
+        "A wheel of 0.1 kg at $\\ell = 4$ cm from its support, $I_3 = 6 \\cdot 10^{{-5}}$ kg m², {spun} turns a second, axle {lean}° from the vertical. Orange: $L$ now and {STEP} s later, \
+         and $dL$, the change; purple: the torque $N$ of the weight for as long. $Mg\\ell/L_3 = {law:.4}$ rad/s; once round in {round} s. The torque is at right angles to $L$, which turns and does not grow.",
+        "A wheel on an axle that is held at one end on a stand, {lean} degrees from the vertical. An orange arrow, the angular momentum, lies along the axle; the weight points down from the \
+         wheel; the purple torque is level and points across the axle, and the orange arrow half a second later has moved that way, along a dotted circle round the vertical."
+    );
     let view = view(values);
     let lowest = path.iter().map(|l| view.project(&(l * LENGTH))[1]);
     let stand = view.project(&Vector3::zeros())[1] + 180.0;

@@ -57,28 +57,19 @@ pub fn meteorite(values: &Values) -> Result<Figure> {
         true => "A small meteorite can tilt a planet's axis a long way.".to_owned(),
         false => format!("Hit like this, the planet's axis tilts by {tilt} degrees only."),
     };
-    let words = Words {
-        claim,
-        details: format!(
-            "Ball, $M = {mass}$, $R = 1$, $I = {}$; meteorite $m = {}$ with $v = (-10, {}, 5)$ at \
-             $x = ({}, 0, {})$, where it sticks. The angular velocity goes from $(0, 0, 1)$ to ${}$, a tilt of \
-             {tilt} degrees; the first-order formula gives ${}$, off by {} per cent of the change.",
-            short(moment, 3),
-            short(small_mass, 4),
-            ascii(short(velocity.y(), 1)),
-            short(out, 3),
-            ascii(short(height, 3)),
-            ascii(triple(after)),
-            ascii(triple(rough)),
-            number(miss, 1),
-        ),
-        alt: format!(
-            "A planet with its vertical axis of rotation before the impact, dashed, and its axis after it, {tilt} \
-             degrees away. A meteorite comes in and sticks to the ball at {} of its radius over the equator. Under a \
-             magnifying glass the tip of the first-order answer lies beside the tip of the exact one.",
-            short(height, 2),
-        ),
-    };
+    let (ratio, light) = (short(moment, 3), short(small_mass, 4));
+    let (across, up) = (short(velocity.y(), 1), short(height, 3));
+    let [across, up, exactly, roughly] = [across, up, triple(after), triple(rough)].map(ascii);
+    let (outward, off, over) = (short(out, 3), number(miss, 1), short(height, 2));
+    let words = words!(
+        "{claim}",
+        "Ball, $M = {mass}$, $R = 1$, $I = {ratio}$; meteorite $m = {light}$ with $v = (-10, {across}, 5)$ at \
+         $x = ({outward}, 0, {up})$, where it sticks. The angular velocity goes from $(0, 0, 1)$ to ${exactly}$, a tilt of \
+         {tilt} degrees; the first-order formula gives ${roughly}$, off by {off} per cent of the change.",
+        "A planet with its vertical axis of rotation before the impact, dashed, and its axis after it, {tilt} \
+         degrees away. A meteorite comes in and sticks to the ball at {over} of its radius over the equator. Under a \
+         magnifying glass the tip of the first-order answer lies beside the tip of the exact one."
+    );
 
     let view = View::new(1.4, 0.32, CENTER, RADIUS);
     // As long as the longest arrow allows.

@@ -41,33 +41,19 @@ pub fn ellipsoid(values: &Values) -> Result<Figure> {
     let semi = ellipsoid_of_inertia(mass, &principal.principal_moments())?;
     let half = Vector3::from(edges) / 2.0;
 
-    let words = Words {
-        claim: "As far as spinning goes, this box is its ellipsoid of inertia.".to_owned(),
-        details: format!(
-            "A box of {} kg with edges of {}, {} and {} m, and the homogeneous ellipsoid of the same mass and \
-             the same inertia: semi-axes {}, {} and {} m, each the half edge times {}. Both have the principal moments \
-             $I_1 = {}$, $I_2 = {}$, $I_3 = {}$ kg m²; the long axis has the small moment.",
-            short(mass, 2),
-            short(edges[0], 2),
-            short(edges[1], 2),
-            short(edges[2], 2),
-            number(semi[0], 3),
-            number(semi[1], 3),
-            number(semi[2], 3),
-            number(semi[0] / half[0], 3),
-            short(moments[0], 2),
-            short(moments[1], 2),
-            short(moments[2], 2),
-        ),
-        alt: format!(
-            "A rectangular box seen from above a corner. A shaded ellipsoid with the same centre and axes bulges out of \
-             every face, while the eight corners stick out of the ellipsoid. Three principal axes leave the tips, \
-             labelled with the moments {}, {} and {}: smallest along the longest edge, largest along the shortest.",
-            short(moments[0], 2),
-            short(moments[1], 2),
-            short(moments[2], 2),
-        ),
-    };
+    let (heavy, times) = (short(mass, 2), number(semi[0] / half[0], 3));
+    let [a, b, c] = shorts(edges, 2);
+    let [p, q, r] = numbers(semi, 3);
+    let [i1, i2, i3] = shorts(moments, 2);
+    let words = words!(
+        "As far as spinning goes, this box is its ellipsoid of inertia.",
+        "A box of {heavy} kg with edges of {a}, {b} and {c} m, and the homogeneous ellipsoid of the same mass and \
+         the same inertia: semi-axes {p}, {q} and {r} m, each the half edge times {times}. Both have the principal moments \
+         $I_1 = {i1}$, $I_2 = {i2}$, $I_3 = {i3}$ kg m²; the long axis has the small moment.",
+        "A rectangular box seen from above a corner. A shaded ellipsoid with the same centre and axes bulges out of \
+         every face, while the eight corners stick out of the ellipsoid. Three principal axes leave the tips, \
+         labelled with the moments {i1}, {i2} and {i3}: smallest along the longest edge, largest along the shortest."
+    );
 
     let semi = Vector3::from(semi);
     // As large as the tips of the axes allow; the axes stand out by the same length on the page.
@@ -225,25 +211,18 @@ pub fn rosettes() -> Result<Figure> {
         .collect::<Result<_>>()?;
 
     let [face, vertex, edge] = cube.quiz.map(|(_, moment)| number(moment, 4));
-    let words = Words {
-        claim: "A cube has the same moment of inertia about every axis through its centre, and so has each of the \
-                five regular solids."
-            .to_owned(),
-        details: format!(
-            "Distance from the centre is the moment about the axis in that direction, in the plane through a face, an \
-             edge and a vertex. Cube of mass $M$ and edge $a$: {face}, {vertex} and {edge} $Ma^2$, a circle. Brick \
-             $a \\times a \\times 2a$ of the same mass: {}, {} and {} $Ma^2$. Below, $I/Ma^2$ for edge $a$.",
-            number(brick.quiz[0].1, 4),
-            number(brick.quiz[1].1, 4),
-            number(brick.quiz[2].1, 4),
-        ),
-        alt: format!(
-            "Two polar curves on the same scale. Around the cross-section of a cube the curve is a perfect circle, and \
-             the axes through a face, an edge and a vertex meet it at equal distances, {face} each. Around a brick \
-             twice as long the curve is a peanut, three axes, three distances. Below, the five regular solids, each in \
-             a circle, with its one number."
-        ),
-    };
+    let [up, slant, side] = brick.quiz.map(|(_, moment)| number(moment, 4));
+    let words = words!(
+        "A cube has the same moment of inertia about every axis through its centre, and so has each of the \
+         five regular solids.",
+        "Distance from the centre is the moment about the axis in that direction, in the plane through a face, an \
+         edge and a vertex. Cube of mass $M$ and edge $a$: {face}, {vertex} and {edge} $Ma^2$, a circle. Brick \
+         $a \\times a \\times 2a$ of the same mass: {up}, {slant} and {side} $Ma^2$. Below, $I/Ma^2$ for edge $a$.",
+        "Two polar curves on the same scale. Around the cross-section of a cube the curve is a perfect circle, and \
+         the axes through a face, an edge and a vertex meet it at equal distances, {face} each. Around a brick \
+         twice as long the curve is a peanut, three axes, three distances. Below, the five regular solids, each in \
+         a circle, with its one number."
+    );
 
     Ok(figure("cube-rosettes", 412.0, words, |pen| {
         let (left, right) = ([104.0, 128.0], [398.0, 128.0]);
@@ -367,19 +346,13 @@ pub fn quiz() -> Result<Figure> {
     let faces = cube.faces().len();
     // Euler: corners and faces are two more than edges.
     let edges = corners + faces - 2;
-    let words = Words {
-        claim: "A cube can be spun through two of its corners, two of its edges or two of its faces."
-            .to_owned(),
-        details: format!(
-            "There are {} axes of the first kind, {} of the second and {} of the third, all through the centre. About which is the cube hardest to turn?",
-            corners / 2,
-            edges / 2,
-            faces / 2,
-        ),
-        alt: "Three equal cubes, each on an axle through its centre with a bent arrow round it. The first axle goes through opposite corners, the second through the midpoints of \
-              opposite edges, the third through the centres of opposite faces. Nothing tells which cube is hardest to turn."
-            .to_owned(),
-    };
+    let [first, second, third] = [corners, edges, faces].map(|ends| ends / 2);
+    let words = words!(
+        "A cube can be spun through two of its corners, two of its edges or two of its faces.",
+        "There are {first} axes of the first kind, {second} of the second and {third} of the third, all through the centre. About which is the cube hardest to turn?",
+        "Three equal cubes, each on an axle through its centre with a bent arrow round it. The first axle goes through opposite corners, the second through the midpoints of \
+         opposite edges, the third through the centres of opposite faces. Nothing tells which cube is hardest to turn."
+    );
     Ok(figure("cube-quiz", 236.0, words, |pen| {
         let half = Vector3::repeat(0.5);
         let kinds = [

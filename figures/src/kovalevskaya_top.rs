@@ -6,10 +6,7 @@ use spinning_bodies::frame::BodyVector;
 use spinning_bodies::kovalevskaya_top::{Diagram, KovalevskayaTop};
 
 use crate::plot::apart;
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, along, figure, inked, label,
-    number, roomiest, short, spaced, stroke,
-};
+use crate::style::*;
 
 use crate::{Entry, Figure, Parameter, Values, of};
 
@@ -113,28 +110,23 @@ pub fn circle(values: &Values) -> Result<Figure> {
             "the same circle".to_owned(),
         )
     };
-    let words = Words {
-        claim: if k > 1e-3 && open < 0.2 {
-            "The top scribbles; its constant runs round a circle.".to_owned()
-        } else if k > 1e-3 {
-            "The top scribbles; its constant runs to and fro on an arc of a circle.".to_owned()
-        } else {
-            "The top scribbles; its constant stands still at the origin.".to_owned()
-        },
-        details: format!(
-            "Three drawings of {} s from {}, $MgC_1/I_3=1$. Left: $w=\\Omega_1+i\\Omega_2$. Middle: \
-             $K=w^2-(z_1+iz_2)$ of the same motion, always {} from the origin. Right: the same expression if \
-             $I_1=I_2={named}\\,I_3$; dashed, where it should be. {told}",
-            number(SECONDS, 0),
-            spun(values),
-            number(k, 4),
-        ),
-        alt: format!(
-            "Three panels. Left, a tangle of loops: the horizontal path of the angular velocity in the body. Middle, one clean \
-             circle of radius {}, or a part of it: Kovalevskaya's expression along that motion. Right, {ring}: the same expression when the first two moments are {named} times the third.",
-            number(k, 2),
-        ),
+    let claim = if k > 1e-3 && open < 0.2 {
+        "The top scribbles; its constant runs round a circle.".to_owned()
+    } else if k > 1e-3 {
+        "The top scribbles; its constant runs to and fro on an arc of a circle.".to_owned()
+    } else {
+        "The top scribbles; its constant stands still at the origin.".to_owned()
     };
+    let (seconds, from) = (number(SECONDS, 0), spun(values));
+    let [size, radius] = [4, 2].map(|digits| number(k, digits));
+    let words = words!(
+        "{claim}",
+        "Three drawings of {seconds} s from {from}, $MgC_1/I_3=1$. Left: $w=\\Omega_1+i\\Omega_2$. Middle: \
+         $K=w^2-(z_1+iz_2)$ of the same motion, always {size} from the origin. Right: the same expression if \
+         $I_1=I_2={named}\\,I_3$; dashed, where it should be. {told}",
+        "Three panels. Left, a tangle of loops: the horizontal path of the angular velocity in the body. Middle, one clean \
+         circle of radius {radius}, or a part of it: Kovalevskaya's expression along that motion. Right, {ring}: the same expression when the first two moments are {named} times the third."
+    );
 
     let made = figure("kovalevskaya-circle", 246.0, words, |pen| {
         // Each fills its panel: the scribble is wider to the left than to the right.
@@ -224,24 +216,18 @@ pub fn bands(values: &Values) -> Result<Figure> {
         ),
         None => "Two roots meet, and the two quantities do not swing.".to_owned(),
     };
-    let words = Words {
-        claim: match moving {
-            Some(_) => "Two quantities swing where a polynomial is positive.".to_owned(),
-            None => {
-                "Where two roots of the polynomial meet, nothing swings between them.".to_owned()
-            }
-        },
-        details: format!(
-            "$P(s)=-4(s-e_1)\\cdots(s-e_5)$ for the motion from {}, heights on a logarithmic scale beyond 0.01. {told}",
-            spun(values),
-        ),
-        alt: format!(
-            "The graph of a polynomial of degree five with {} real roots. It is positive to the left of the smallest root, where \
-             the second separation variable comes and goes, and between two further roots, where the first swings; both stretches \
-             are marked on the axis.",
-            real.len(),
-        ),
+    let claim = match moving {
+        Some(_) => "Two quantities swing where a polynomial is positive.".to_owned(),
+        None => "Where two roots of the polynomial meet, nothing swings between them.".to_owned(),
     };
+    let (begun, count) = (spun(values), real.len());
+    let words = words!(
+        "{claim}",
+        "$P(s)=-4(s-e_1)\\cdots(s-e_5)$ for the motion from {begun}, heights on a logarithmic scale beyond 0.01. {told}",
+        "The graph of a polynomial of degree five with {count} real roots. It is positive to the left of the smallest root, where \
+         the second separation variable comes and goes, and between two further roots, where the first swings; both stretches \
+         are marked on the axis."
+    );
 
     // As high as the polynomial is between its outermost roots, and a little more beside them.
     let (from, to) = (real[0] - 1.1, real[real.len() - 1] + 0.35);
@@ -328,18 +314,14 @@ pub fn classes(values: &Values) -> Result<Figure> {
 
     let ends = diagram.cubic_double(greatest)?;
 
-    let words = Words {
-        claim: "Where two roots meet, one kind of motion ends and another begins.".to_owned(),
-        details: format!(
-            "A dot for each of {} starts with $\\lvert K\\rvert={}$, $MgC_1=I_3=1$, at its energy and $L_{{\\text{{vert}}}}^2$. On the straight lines a root \
-             of the cubic meets $e_4$ or $e_5$, on the curve two of its own meet: Appelrot's classes two to four.",
-            motions.len(),
-            number(size, 2),
-        ),
-        alt: "A plane with energy to the right and the square of the vertical angular momentum upwards. Dots fill a region that starts at a \
-              lowest energy and widens to the right; its edges, and borders inside it, are two parallel rising lines and a curve that touches them."
-            .to_owned(),
-    };
+    let (count, radius) = (motions.len(), number(size, 2));
+    let words = words!(
+        "Where two roots meet, one kind of motion ends and another begins.",
+        "A dot for each of {count} starts with $\\lvert K\\rvert={radius}$, $MgC_1=I_3=1$, at its energy and $L_{{\\text{{vert}}}}^2$. On the straight lines a root \
+         of the cubic meets $e_4$ or $e_5$, on the curve two of its own meet: Appelrot's classes two to four.",
+        "A plane with energy to the right and the square of the vertical angular momentum upwards. Dots fill a region that starts at a \
+         lowest energy and widens to the right; its edges, and borders inside it, are two parallel rising lines and a curve that touches them."
+    );
 
     let made = figure("appelrot-classes", 300.0, words, |pen| {
         let place = |[e, h]: Point| {

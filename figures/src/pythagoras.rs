@@ -125,43 +125,29 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
         }
     };
 
-    let words = Words {
-        claim: claim.to_owned(),
-        details: format!(
-            "Sides $AR = {}$, $RB = {}$, $AB = {}$, $\\gamma = {angle}°$ at $R$. The gas pushes on each side with a force proportional to its length, \
-             at its middle; the arms about the hinge $A$ are {}, {} and {}{}. Torques \
-             ${}$, ${}$ and ${}$, {law}; the sum is ${}$.",
-            side(0),
-            side(1),
-            side(2),
-            halves(arms[0]),
-            halves(arms[1]),
-            halves(arms[2]),
-            if right {
-                ", half the side each time"
-            } else {
-                ""
-            },
-            shown[0].replace('\u{2212}', "-"),
-            shown[1].replace('\u{2212}', "-"),
-            shown[2],
-            halves(torques.iter().sum()),
-        ),
-        alt: format!(
-            "A triangle A R B with an angle of {angle} degrees at R and a hinge at A, filled with gas. Small arrows \
-             press on every side; at the middle of each side a large arrow shows the whole force. The force on AR turns the box clockwise with torque {}, that on RB {} \
-             with {}, that on AB turns it back with {}. They cancel{}.",
-            shown[0],
-            way(torques[1]),
-            shown[1],
-            shown[2],
-            if right {
-                ", so the squares over the legs make up the square over the hypotenuse"
-            } else {
-                ""
-            }
-        ),
+    let [ar, rb, ab] = [0, 1, 2].map(side);
+    let [arm_ar, arm_rb, arm_ab] = arms.map(halves);
+    let half = if right {
+        ", half the side each time"
+    } else {
+        ""
     };
+    let [first, second, third] = &shown;
+    let [one, two] = [first, second].map(|torque| torque.replace('\u{2212}', "-"));
+    let (sum, turns) = (halves(torques.iter().sum()), way(torques[1]));
+    let so = match right {
+        true => ", so the squares over the legs make up the square over the hypotenuse",
+        false => "",
+    };
+    let words = words!(
+        "{claim}",
+        "Sides $AR = {ar}$, $RB = {rb}$, $AB = {ab}$, $\\gamma = {angle}°$ at $R$. The gas pushes on each side with a force proportional to its length, \
+         at its middle; the arms about the hinge $A$ are {arm_ar}, {arm_rb} and {arm_ab}{half}. Torques \
+         ${one}$, ${two}$ and ${third}$, {law}; the sum is ${sum}$.",
+        "A triangle A R B with an angle of {angle} degrees at R and a hinge at A, filled with gas. Small arrows \
+         press on every side; at the middle of each side a large arrow shows the whole force. The force on AR turns the box clockwise with torque {first}, that on RB {turns} \
+         with {second}, that on AB turns it back with {third}. They cancel{so}."
+    );
 
     let corners @ [a, r, b] = drawn.corners();
     let made = figure("gas-box", 404.0, words, |pen| {

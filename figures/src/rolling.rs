@@ -73,31 +73,20 @@ pub fn billiard(values: &Values) -> Result<Figure> {
         true => "a billiard ball".to_owned(),
         false => format!("a ball of inertia factor {}", short(kappa, 3)),
     };
-    let words = Words {
-        claim: format!(
-            "Hit at {} per cent of its height, {which} rolls at once.",
-            short(50.0 * sweet, 1)
-        ),
-        details: format!(
-            "Level cues at heights $H/R$ of {} above the table, $\\kappa = I/MR^2 = {}$. The arrows at the right are the \
-             velocity of the point of contact just after the stroke, {} of the ball's velocity $V'$: a straight line in \
-             $H$, zero at $H = (1 + \\kappa)R = {}\\,R$. The blue sectors show how far the ball turns while it advances by $R$: by one radian \
-             if it rolls.",
-            listed(0, 2),
-            short(kappa, 3),
-            listed(1, 2),
-            short(sweet, 3),
-        ),
-        alt: format!(
-            "A ball on a table and level cues at heights of {} radii. To the right, at the same heights, arrows for \
-             the slip of the contact point: {} times the ball's speed. Their tips lie on a straight line which \
-             crosses zero at {} radii. Hit lower, the ball skids with too little spin or backspin; higher, with too \
-             much.",
-            listed(0, 2),
-            listed(1, 2),
-            short(sweet, 3),
-        ),
-    };
+    let [heights, slips] = [0, 1].map(|k| listed(k, 2));
+    let (factor, height) = (short(kappa, 3), short(sweet, 3));
+    let percent = short(50.0 * sweet, 1);
+    let words = words!(
+        "Hit at {percent} per cent of its height, {which} rolls at once.",
+        "Level cues at heights $H/R$ of {heights} above the table, $\\kappa = I/MR^2 = {factor}$. The arrows at the right are the \
+         velocity of the point of contact just after the stroke, {slips} of the ball's velocity $V'$: a straight line in \
+         $H$, zero at $H = (1 + \\kappa)R = {height}\\,R$. The blue sectors show how far the ball turns while it advances by $R$: by one radian \
+         if it rolls.",
+        "A ball on a table and level cues at heights of {heights} radii. To the right, at the same heights, arrows for \
+         the slip of the contact point: {slips} times the ball's speed. Their tips lie on a straight line which \
+         crosses zero at {height} radii. Hit lower, the ball skids with too little spin or backspin; higher, with too \
+         much."
+    );
 
     let center = [CONTACT[0], level(1.0)];
     let (low, high) = (shots[0], shots[shots.len() - 1]);

@@ -68,24 +68,6 @@ pub fn speeds(values: &Values) -> Result<Figure> {
             number(1e3 * event.time, 0)
         )
     });
-    let words = Words {
-        claim,
-        details: format!(
-            "A sheet jerked away at {} m/s, friction $\\mu = {}$ on it and {} on the table, $I = {}\\,MR^2$. On the sheet friction drives the ball forward and spins it backward;{} off it, after {} ms, the table's friction does \
-             the opposite, in the same proportion. Rim speed and velocity stay in the ratio −{} to 1 throughout, so both are zero after {} ms, {} mm from the start. \
-             Below: the slip of the contact point over whatever it touches.",
-            short(values.of(&PULL), 2),
-            short(values.of(&ON_SHEET), 2),
-            short(values.of(&ON_TABLE), 2),
-            short(kappa, 3),
-            rolling,
-            number(1e3 * leaves, 1),
-            short(1.0 / kappa, 2),
-            number(1e3 * stops, 0),
-            number(1e3 * place, 1),
-        ),
-        alt: String::new(),
-    };
     let until = 1.16 * stops;
     // What happens, and the moments next to a jump of the slip.
     let mut corners = vec![0.0, JERK.min(leaves), leaves * (1.0 - 1e-12), until];
@@ -94,17 +76,21 @@ pub fn speeds(values: &Values) -> Result<Figure> {
     let slips: Vec<f64> = corners.iter().map(|&t| course.at(t).slip).collect();
     let least = slips.iter().copied().fold(0.0, f64::min);
     let most = slips.iter().copied().fold(0.0, f64::max);
-    let words = Words {
-        alt: format!(
-            "Two graphs against time. Above: velocity rises in a straight line to {} metres a second while the rim speed falls to {}; when the sheet has gone, both return in straight \
-             lines to zero at the same moment. Below: the slip goes down to {}, jumps to {} as the sheet leaves, and ends at zero at that moment.",
-            number(then.velocity, 2),
-            number(then.rim_speed, 2),
-            number(least, 1),
-            number(most, 1),
-        ),
-        ..words
-    };
+    let [pull, on_sheet, on_table] =
+        [PULL, ON_SHEET, ON_TABLE].map(|one| short(values.of(&one), 2));
+    let (inertia, ratio) = (short(kappa, 3), short(1.0 / kappa, 2));
+    let [gone, way] = numbers([1e3 * leaves, 1e3 * place], 1);
+    let end = number(1e3 * stops, 0);
+    let [velocity, rim] = numbers([then.velocity, then.rim_speed], 2);
+    let [lowest, highest] = numbers([least, most], 1);
+    let words = words!(
+        "{claim}",
+        "A sheet jerked away at {pull} m/s, friction $\\mu = {on_sheet}$ on it and {on_table} on the table, $I = {inertia}\\,MR^2$. On the sheet friction drives the ball forward and spins it backward;{rolling} off it, after {gone} ms, the table's friction does \
+         the opposite, in the same proportion. Rim speed and velocity stay in the ratio −{ratio} to 1 throughout, so both are zero after {end} ms, {way} mm from the start. \
+         Below: the slip of the contact point over whatever it touches.",
+        "Two graphs against time. Above: velocity rises in a straight line to {velocity} metres a second while the rim speed falls to {rim}; when the sheet has gone, both return in straight \
+         lines to zero at the same moment. Below: the slip goes down to {lowest}, jumps to {highest} as the sheet leaves, and ends at zero at that moment."
+    );
     let time = Axis::linear([0.0, until], [66.0, 580.0]);
     let (fastest, slowest) = (then.velocity, then.rim_speed);
     let high = Axis::linear([slowest, fastest], [210.0, 52.0]);
@@ -231,17 +217,14 @@ const FIRST: f64 = 352.0;
 pub fn animated() -> Result<Figure> {
     let course = withdrawn(&Values::default(), 0.4)?;
     let place = course.at(LASTS).position;
-    let words = Words {
-        claim: "The sheet goes, the ball moves a little, and stops dead.".to_owned(),
-        details: format!(
-            "A ball of 2 cm radius on a sheet that is jerked to the right at 3 m/s, twenty times slower than life. While the sheet is under it, it is dragged along and spun backward; \
-             the table undoes both at once. It ends {} mm from where it began (the mark). Point at the picture to hold it.",
-            number(1e3 * place, 1)
-        ),
-        alt: "A ball with a clock hand on a sheet of paper. The sheet slides out to the right; the ball creeps right while turning backward, the sheet's edge passes, and the ball \
-              comes to rest, neither moving nor turning. Without motion: the ball as the sheet's edge comes."
-            .to_owned(),
-    };
+    let millimetres = number(1e3 * place, 1);
+    let words = words!(
+        "The sheet goes, the ball moves a little, and stops dead.",
+        "A ball of 2 cm radius on a sheet that is jerked to the right at 3 m/s, twenty times slower than life. While the sheet is under it, it is dragged along and spun backward; \
+         the table undoes both at once. It ends {millimetres} mm from where it began (the mark). Point at the picture to hold it.",
+        "A ball with a clock hand on a sheet of paper. The sheet slides out to the right; the ball creeps right while turning backward, the sheet's edge passes, and the ball \
+         comes to rest, neither moving nor turning. Without motion: the ball as the sheet's edge comes."
+    );
     let still = figure(NAME, 160.0, words, |pen| {
         pen.line(&[[8.0, TABLE], [592.0, TABLE]], inked(SECONDARY));
         pen.line(&[[FIRST, TABLE], [FIRST, TABLE + 18.0]], inked(AXIS));

@@ -117,28 +117,18 @@ pub fn three_tugs(values: &Values) -> Result<Figure> {
             told(steep)
         ),
     };
-    let words = Words {
-        claim,
-        details: format!(
-            "Axle {} of the discs, string leaving from below, tug to the left at {}, {} and {} (the tutorial's pictures f, e \
-             and g). Dotted: the line of force, prolonged. Purple: the point of contact, about which friction has no moment. The arrow below: \
-             the way the spool rolls.",
-            number(values.of(&AXLE), 2),
-            named[0],
-            named[1],
-            named[2],
-        ),
-        alt: format!(
-            "Three spools tugged to the left, and for each the prolonged line of force. At {} the spool {}. At {} the line passes through the point \
-             of contact, and the spool does not roll. At {} it {}. The line that meets the ground on the far side winds the string up, the one that \
-             meets it on the tug's side pays it out.",
-            named[0],
-            told(low),
-            named[1],
-            named[2],
-            told(steep)
-        ),
-    };
+    let axle = number(values.of(&AXLE), 2);
+    let [first, second, third] = &named;
+    let [low, steep] = [low, steep].map(told);
+    let words = words!(
+        "{claim}",
+        "Axle {axle} of the discs, string leaving from below, tug to the left at {first}, {second} and {third} (the tutorial's pictures f, e \
+         and g). Dotted: the line of force, prolonged. Purple: the point of contact, about which friction has no moment. The arrow below: \
+         the way the spool rolls.",
+        "Three spools tugged to the left, and for each the prolonged line of force. At {first} the spool {low}. At {second} the line passes through the point \
+         of contact, and the spool does not roll. At {third} it {steep}. The line that meets the ground on the far side winds the string up, the one that \
+         meets it on the tug's side pays it out."
+    );
     let mut drawn = Ok(());
     let made = figure("spool", 276.0, words, |pen| {
         pen.line(&[[8.0, GROUND], [592.0, GROUND]], inked(SECONDARY));
@@ -184,26 +174,16 @@ pub fn dial(values: &Values) -> Result<Figure> {
         .collect::<Result<Vec<_>>>()?;
     let level = at(0.0)?;
     let back = at(PI)?;
-    let words = Words {
-        claim: format!(
-            "The spool comes for every tug lower than {degrees} degrees, runs away from a steeper one, and follows a hand beyond the vertical."
-        ),
-        details: format!(
-            "Acceleration of a spool with $r/R = {}$, $M = 200$ g, $I = \\frac12MR^2$, tugged gently to the left with {tension} N, and steeper and steeper \
-             until the hand is on the right. Each ray points along the tug and is as long as the acceleration is large. Black: the spool rolls to the left and \
-             winds string up, {} m/s² at most. Grey: it rolls to the right and pays string out, up to {} m/s² when the string is pulled back over the axle.",
-            number(values.of(&AXLE), 2),
-            number(level, 1),
-            number(-back, 1),
-        ),
-        alt: format!(
-            "A half dial of rays over a spool, one every five degrees, counted from the left. Black rays on the left shrink from {} at 0 degrees to nothing at {degrees} \
-             degrees; grey rays grow from there over {} at 90 degrees, where the spool runs away from the hand, to {} at 180 degrees, where it follows the hand.",
-            number(level, 1),
-            number(-at(PI / 2.0)?, 1),
-            number(-back, 1),
-        ),
-    };
+    let axle = number(values.of(&AXLE), 2);
+    let [most, away, after] = numbers([level, -at(PI / 2.0)?, -back], 1);
+    let words = words!(
+        "The spool comes for every tug lower than {degrees} degrees, runs away from a steeper one, and follows a hand beyond the vertical.",
+        "Acceleration of a spool with $r/R = {axle}$, $M = 200$ g, $I = \\frac12MR^2$, tugged gently to the left with {tension} N, and steeper and steeper \
+         until the hand is on the right. Each ray points along the tug and is as long as the acceleration is large. Black: the spool rolls to the left and \
+         winds string up, {most} m/s² at most. Grey: it rolls to the right and pays string out, up to {after} m/s² when the string is pulled back over the axle.",
+        "A half dial of rays over a spool, one every five degrees, counted from the left. Black rays on the left shrink from {most} at 0 degrees to nothing at {degrees} \
+         degrees; grey rays grow from there over {away} at 90 degrees, where the spool runs away from the hand, to {after} at 180 degrees, where it follows the hand."
+    );
     let unit = LONGEST / back.abs();
     let made = figure("spool-dial", 330.0, words, |pen| {
         pen.disc(HUB, 44.0, Role::Shade, 0.6);

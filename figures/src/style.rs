@@ -145,6 +145,18 @@ pub struct Words {
     pub alt: String,
 }
 
+/// The words of a figure: claim, details and alternative text, each a format string that names the numbers in it.
+macro_rules! words {
+    ($claim:literal, $details:literal, $alt:literal) => {
+        $crate::style::Words {
+            claim: format!($claim),
+            details: format!($details),
+            alt: format!($alt),
+        }
+    };
+}
+pub(crate) use words;
+
 /// Draws on a canvas `height` units high: the figure called `name`.
 pub fn figure(
     name: &'static str,
@@ -535,6 +547,16 @@ pub fn short(value: f64, digits: usize) -> String {
         true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
         false => text,
     }
+}
+
+/// Several numbers with so many decimals each.
+pub fn numbers<const N: usize>(values: [f64; N], digits: usize) -> [String; N] {
+    values.map(|value| number(value, digits))
+}
+
+/// Several numbers with at most `digits` decimals each: zeros at their ends go.
+pub fn shorts<const N: usize>(values: [f64; N], digits: usize) -> [String; N] {
+    values.map(|value| short(value, digits))
 }
 
 /// A small number as LaTeX, its first figure with at most `digits` decimals.

@@ -187,30 +187,21 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
         ),
     };
     let plain = |text: &str| text.replace('\u{2212}', "-");
-    let words = Words {
-        claim: format!("{which} {after}."),
-        details: format!(
-            "Ball with $I = {}\\,MR^2$, thrown with speed $V$ and {about_spin}. After floor, table and floor its velocity is ${}$, \
-             ${}$ and ${}$ of $V$, its rim speed $R\\Omega$ is ${}$, ${}$ and ${}$ of $V$. It meets the table at \
-             ${}$ and the floor again at ${}$ of the way it would have made in one flight. Flashes at equal times, {FLASHES} a flight; the blue hand is fixed to the ball. Dashed: a ball with all its mass in the middle, which takes \
-             no spin.",
-            inline(kappa, fraction_of(kappa)),
-            plain(&v1),
-            plain(&v2),
-            plain(&v3),
-            plain(&s1),
-            plain(&s2),
-            plain(&s3),
-            plain(&x1),
-            plain(&x2),
-        ),
-        alt: format!(
-            "A table seen from the side. A ball flies in from the upper left and bounces on the floor, on the underside of \
-             the table and on the floor again; it {after}. The legs of the path are \
-             labelled with the velocities {v1}, {v2} and {v3} of V, and a clock hand on the ball shows how it turns. \
-             A dashed ghost without spin zigzags straight on under the table."
-        ),
-    };
+    let inertia = inline(kappa, fraction_of(kappa));
+    let [p1, p2, p3] = [&v1, &v2, &v3].map(|text| plain(text));
+    let [s1, s2, s3] = [s1, s2, s3].map(|text| plain(&text));
+    let [x1, x2] = [x1, x2].map(|text| plain(&text));
+    let words = words!(
+        "{which} {after}.",
+        "Ball with $I = {inertia}\\,MR^2$, thrown with speed $V$ and {about_spin}. After floor, table and floor its velocity is ${p1}$, \
+         ${p2}$ and ${p3}$ of $V$, its rim speed $R\\Omega$ is ${s1}$, ${s2}$ and ${s3}$ of $V$. It meets the table at \
+         ${x1}$ and the floor again at ${x2}$ of the way it would have made in one flight. Flashes at equal times, {FLASHES} a flight; the blue hand is fixed to the ball. Dashed: a ball with all its mass in the middle, which takes \
+         no spin.",
+        "A table seen from the side. A ball flies in from the upper left and bounces on the floor, on the underside of \
+         the table and on the floor again; it {after}. The legs of the path are \
+         labelled with the velocities {v1}, {v2} and {v3} of V, and a clock hand on the ball shows how it turns. \
+         A dashed ghost without spin zigzags straight on under the table."
+    );
 
     let made = figure("superball", 414.0, words, |pen| {
         room(pen);

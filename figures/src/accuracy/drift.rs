@@ -78,17 +78,14 @@ pub fn energy_drift() -> Result<Figure> {
         y: Axis::log([1e-16, 1e-2], [332.0, 32.0]),
     };
     let told = |k: usize| format!("${}$", scientific(last[k], 1));
-    let words = Words {
-        claim: "Ten million steps: rk4 leaks energy without end, rotations borrow it and give it back, the discrete top keeps it.".to_owned(),
-        details: format!(
-            "Relative error of the energy of a free body, the largest so far, against the number of steps, 32 a turn. After $10^7$ of them: rk4 {}, \
-             rotations of order 2 {}, Moser and Veselov's discrete top {}, a random walk of rounding.",
-            told(0), told(1), told(2)
-        ),
-        alt: "Largest relative error of the energy against the number of steps, two thousand to ten million, on logarithmic axes. The line of rk4 rises \
-              in proportion to the number of steps. That of rotations of order 2 is level, and rk4 crosses it after some two hundred thousand steps. That of the discrete top stays below 1e-12."
-            .to_owned(),
-    };
+    let [rk4, rotations, discrete] = [0, 1, 2].map(told);
+    let words = words!(
+        "Ten million steps: rk4 leaks energy without end, rotations borrow it and give it back, the discrete top keeps it.",
+        "Relative error of the energy of a free body, the largest so far, against the number of steps, 32 a turn. After $10^7$ of them: rk4 {rk4}, \
+         rotations of order 2 {rotations}, Moser and Veselov's discrete top {discrete}, a random walk of rounding.",
+        "Largest relative error of the energy against the number of steps, two thousand to ten million, on logarithmic axes. The line of rk4 rises \
+         in proportion to the number of steps. That of rotations of order 2 is level, and rk4 crosses it after some two hundred thousand steps. That of the discrete top stays below 1e-12."
+    );
     Ok(figure("accuracy-drift", 384.0, words, |pen| {
         frame.draw(
             pen,

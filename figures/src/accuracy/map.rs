@@ -34,18 +34,14 @@ pub fn map() -> Result<Figure> {
             Some((*motion, crossover(&rows, motion, lengths, NINE)?))
         })
         .collect();
-    let words = Words {
-        claim: "For a single turn take steps, for more the closed form.".to_owned(),
-        details: format!(
-            "Eight motions, the accuracy of the attitude upward in digits (error in radians), the length of the run to the right. In each field stands the method that \
-             gets there in the least time; exact, on grey, is the closed form, its preparation included: {exact} of {} fields. The heavy line is where it overtakes whatever steps.",
-            all().count()
-        ),
-        alt: format!(
-            "Eight tables of three columns, 1, 10 and 1000 turns, and four rows, 3 to 12 digits. For the four free and symmetric tops all fields of 10 and 1000 turns are exact, and \
-             most of those of one turn are geometric methods. Kovalevskaya's two are exact at 1000 turns, but for twelve digits of the upright one, and for twelve digits at 10. Where there is no closed form, dormand-prince-8 wins most fields. Exact wins {exact} of all."
-        ),
-    };
+    let count = all().count();
+    let words = words!(
+        "For a single turn take steps, for more the closed form.",
+        "Eight motions, the accuracy of the attitude upward in digits (error in radians), the length of the run to the right. In each field stands the method that \
+         gets there in the least time; exact, on grey, is the closed form, its preparation included: {exact} of {count} fields. The heavy line is where it overtakes whatever steps.",
+        "Eight tables of three columns, 1, 10 and 1000 turns, and four rows, 3 to 12 digits. For the four free and symmetric tops all fields of 10 and 1000 turns are exact, and \
+         most of those of one turn are geometric methods. Kovalevskaya's two are exact at 1000 turns, but for twelve digits of the upright one, and for twelve digits at 10. Where there is no closed form, dormand-prince-8 wins most fields. Exact wins {exact} of all."
+    );
     let mut drawn = figure("accuracy-map", 872.0, words, |pen| {
         for (k, (name, lengths, fields)) in winners.iter().enumerate() {
             let corner = [34.0 + 298.0 * (k % 2) as f64, 60.0 + 206.0 * (k / 2) as f64];

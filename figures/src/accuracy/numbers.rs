@@ -59,15 +59,13 @@ pub fn three_numbers() -> Result<Figure> {
         x: Axis::log([7.0, 600.0], [64.0, 584.0]),
         y: Axis::log([1e-26, 1.0], [372.0, 32.0]),
     };
-    let words = Words {
-        claim: "The numbers set the floor, the method sets the slope.".to_owned(),
-        details: "Moser and Veselov’s discrete top of order 10, one program, three kinds of numbers: error of the attitude after ten turns against the steps a turn. While the error is that \
-                  of the method, the three agree. Then each comes to the floor of its own rounding; two doubles are nowhere near theirs."
-            .to_owned(),
-        alt: "Three lines on logarithmic axes, error against 8 to 512 steps a turn. They run down together. Single precision leaves at 1e-6 and stays there, double \
-              precision at about 1e-15, two doubles go on falling with the tenth power."
-            .to_owned(),
-    };
+    let words = words!(
+        "The numbers set the floor, the method sets the slope.",
+        "Moser and Veselov’s discrete top of order 10, one program, three kinds of numbers: error of the attitude after ten turns against the steps a turn. While the error is that \
+         of the method, the three agree. Then each comes to the floor of its own rounding; two doubles are nowhere near theirs.",
+        "Three lines on logarithmic axes, error against 8 to 512 steps a turn. They run down together. Single precision leaves at 1e-6 and stays there, double \
+         precision at about 1e-15, two doubles go on falling with the tenth power."
+    );
     Ok(figure("accuracy-numbers", 424.0, words, |pen| {
         frame.draw(
             pen,

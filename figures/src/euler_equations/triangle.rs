@@ -86,33 +86,23 @@ pub fn tops(values: &Values) -> Result<Figure> {
     let inside = (i2 - i1).min(i3 - i2).min(i1 + i2 - i3) > 0.02;
     let listed = |m: [f64; 3]| shares(m).map(|i| number(i, 3)).join(", ");
 
-    let words = Words {
-        claim: "Every rigid body that ever spun is a point of this triangle.".to_owned(),
-        details: format!(
-            "Principal moments $I_1\\le I_2\\le I_3$, divided by their sum. In every order of the axes, the bodies fill the \
-             small triangle, whose corners are rods and whose middle is the sphere; the shaded sixth of it is drawn large. Beyond its \
-             edges there is nothing. The shares of the book are {}; of the telephone {}; of the racket {}; of the brick, {} by {} by {} mm, {}; of a molecule of \
-             water {}. The Earth is {} of the way from the sphere to the disc, under the same dot as the cube.",
-            listed(book),
-            listed(phone),
-            listed(racket),
-            number(edges[0], 0),
-            number(edges[1], 0),
-            number(edges[2], 0),
-            listed(brick),
-            listed(water),
-            number(flatness, 4),
-        ),
-        alt: format!(
-            "A right triangle, the map of all ordered principal moments. Bottom edge, the laminae: from the rod at the left \
-              to the disc at the right, with a racket, a telephone, a molecule of water and almost a book on it, and a coin \
-              close to the disc. Right edge, the oblate tops: a doughnut low down, and the sphere on top, where cube and Earth \
-              sit. Slanting edge, the prolate tops from the rod to the sphere: the ratios four to four to one and two to two \
-              to one, and an egg. A brick lies {}. A small equilateral triangle shows the large one as one of its six \
-              mirror images.",
-            if inside { "inside" } else { "close to an edge" }
-        ),
-    };
+    let [a, b, c, d, e] = [book, phone, racket, brick, water].map(listed);
+    let [length, width, height] = numbers(edges, 0);
+    let way = number(flatness, 4);
+    let lies = if inside { "inside" } else { "close to an edge" };
+    let words = words!(
+        "Every rigid body that ever spun is a point of this triangle.",
+        "Principal moments $I_1\\le I_2\\le I_3$, divided by their sum. In every order of the axes, the bodies fill the \
+         small triangle, whose corners are rods and whose middle is the sphere; the shaded sixth of it is drawn large. Beyond its \
+         edges there is nothing. The shares of the book are {a}; of the telephone {b}; of the racket {c}; of the brick, {length} by {width} by {height} mm, {d}; of a molecule of \
+         water {e}. The Earth is {way} of the way from the sphere to the disc, under the same dot as the cube.",
+        "A right triangle, the map of all ordered principal moments. Bottom edge, the laminae: from the rod at the left \
+         to the disc at the right, with a racket, a telephone, a molecule of water and almost a book on it, and a coin \
+         close to the disc. Right edge, the oblate tops: a doughnut low down, and the sphere on top, where cube and Earth \
+         sit. Slanting edge, the prolate tops from the rod to the sphere: the ratios four to four to one and two to two \
+         to one, and an egg. A brick lies {lies}. A small equilateral triangle shows the large one as one of its six \
+         mirror images."
+    );
 
     let made = figure("triangle-of-tops", 438.0, words, |pen| {
         let at = |m: [f64; 3]| place(m, CORNER, WIDE);

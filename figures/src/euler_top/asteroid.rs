@@ -73,37 +73,32 @@ pub fn two_axes(values: &Values) -> Result<Figure> {
             number(others, 0)
         ),
     };
-    let words = Words {
-        claim,
-        details: format!(
-            "Where its long axis (thick, a dot a day in the first week) and its short axis (thin) point for {days} days from 9 November 1992, on a sphere with \
-             $L$ upright. The long axis keeps between {}° and {}° from $L$ and goes round in {} days; about it \
-             the body rolls in {} days, and the short axis draws a net, from {}° to {}°.{}",
-            number(lowest(&long), 1),
-            number(highest(&long), 1),
-            number(periods[1], 2),
-            number(periods[0], 2),
-            number(lowest(&short), 1),
-            number(highest(&short), 1),
-            match roll == ROLL.default {
-                true => String::new(),
-                false => format!(
-                    " It starts with {roll}° a day about its long axis; Toutatis had {}°.",
-                    ROLL.default
-                ),
-            },
-        ),
-        alt: format!(
-            "A sphere with the angular momentum pointing up. The long axis of the asteroid runs round it nearly in a circle of latitude, {} to \
-             {} degrees from the top, {} times in {days} days. The short axis draws loops between {} and {} degrees, which in time make a fine net \
-             over a belt of the sphere.",
-            number(lowest(&long), 0),
-            number(highest(&long), 0),
-            number(days / periods[1], 0),
-            number(lowest(&short), 0),
-            number(highest(&short), 0),
+    let extremes = [
+        lowest(&long),
+        highest(&long),
+        lowest(&short),
+        highest(&short),
+    ];
+    let [low, high, least, most] = numbers(extremes, 1);
+    let [rolls, round] = numbers(periods, 2);
+    let begins = match roll == ROLL.default {
+        true => String::new(),
+        false => format!(
+            " It starts with {roll}° a day about its long axis; Toutatis had {}°.",
+            ROLL.default
         ),
     };
+    let [from, to, top, bottom] = numbers(extremes, 0);
+    let rounds = number(days / periods[1], 0);
+    let words = words!(
+        "{claim}",
+        "Where its long axis (thick, a dot a day in the first week) and its short axis (thin) point for {days} days from 9 November 1992, on a sphere with \
+         $L$ upright. The long axis keeps between {low}° and {high}° from $L$ and goes round in {round} days; about it \
+         the body rolls in {rolls} days, and the short axis draws a net, from {least}° to {most}°.{begins}",
+        "A sphere with the angular momentum pointing up. The long axis of the asteroid runs round it nearly in a circle of latitude, {from} to \
+         {to} degrees from the top, {rounds} times in {days} days. The short axis draws loops between {top} and {bottom} degrees, which in time make a fine net \
+         over a belt of the sphere."
+    );
     let made = figure("toutatis", 392.0, words, |pen| {
         let view = View::new(0.5, 0.42, [300.0, 218.0], 160.0);
         let facing = |p: &Vector3<f64>| p.dot(&view.toward) >= 0.0;

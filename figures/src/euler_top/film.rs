@@ -52,27 +52,23 @@ pub fn film(values: &Values) -> Result<Figure> {
         Face::Front => "bare",
         Face::Back => "filled",
     });
-    let words = Words {
-        claim,
-        details: format!(
-            "Two throws at {} seen at {FRAMES} equal times. Above, exactly about the middle axis $x_2$: nothing else happens, \
-             and no hand can do it. Below, with $L$ {off} degrees off that axis: half a period of $\\Omega$, {} s, {brings}. \
-             One face is filled; the dot is the end of $x_2$, to which $\\Omega$ points at the throw. $I = {}$ g m².",
-            match turns {
-                1.0 => "one turn a second".to_owned(),
-                _ => format!("{} turns a second", brief(turns)),
-            },
-            number(thrown.flip_time(), 3),
-            triple(moments.map(|moment| 1e3 * moment)),
-        ),
-        alt: format!(
-            "Two rows of {FRAMES} pictures of a tennis racket turning head over handle. In the upper row it turns in one plane and \
-             ends, after {counted} turns, with its {} face to the front and the dot on the right. In the lower row, thrown {off} degrees \
-             differently, it twists half-way through about its handle and ends with its {} face to the front and the dot on \
-             the left.",
-            told[0], told[1],
-        ),
+    let pace = match turns {
+        1.0 => "one turn a second".to_owned(),
+        _ => format!("{} turns a second", brief(turns)),
     };
+    let half = number(thrown.flip_time(), 3);
+    let inertia = triple(moments.map(|moment| 1e3 * moment));
+    let [above, below] = told;
+    let words = words!(
+        "{claim}",
+        "Two throws at {pace} seen at {FRAMES} equal times. Above, exactly about the middle axis $x_2$: nothing else happens, \
+         and no hand can do it. Below, with $L$ {off} degrees off that axis: half a period of $\\Omega$, {half} s, {brings}. \
+         One face is filled; the dot is the end of $x_2$, to which $\\Omega$ points at the throw. $I = {inertia}$ g m².",
+        "Two rows of {FRAMES} pictures of a tennis racket turning head over handle. In the upper row it turns in one plane and \
+         ends, after {counted} turns, with its {above} face to the front and the dot on the right. In the lower row, thrown {off} degrees \
+         differently, it twists half-way through about its handle and ends with its {below} face to the front and the dot on \
+         the left."
+    );
     let made = figure("racket-flip", 424.0, words, |pen| {
         let x = |k: usize| 40.0 + 62.5 * k as f64;
         let off = format!("thrown with *L* {off}° off it");

@@ -186,46 +186,26 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
         ),
     };
     let never = near == 0.0;
+    let (inertia, beyond) = (triple(course.moments), remark(course.moments));
+    let (pace, thrown) = (brief(spin), distance(values.of(&DISTANCE)));
+    let [step, last, ring] = [decade, near, course.marked[1]].map(seconds);
+    let rounds = number(turns(near), 1);
     let words = match never {
-        true => Words {
-            claim: "Equal parts of spin about the first and the third axis put this body on its separatrix: it swings over once and never flips again.".to_owned(),
-            details: format!(
-                "For $I = {}$ the throw $\\Omega(0) = {}\\,(\\epsilon, 1, \\epsilon)$ rad/s has $L^2 = 2EI_2$ for every $\\epsilon$, {} as well: \
-                 the time from flip to flip is infinite. Move a moment a little, and the line is there.{}",
-                triple(course.moments),
-                brief(spin),
-                distance(values.of(&DISTANCE)),
-                remark(course.moments),
-            ),
-            alt: format!(
-                "Empty axes for the time between two flips against the distance from the middle axis: for the moments {} there is no second flip.",
-                triple(course.moments)
-            ),
-        },
-        false => Words {
-        claim: format!(
-            "Each decade closer to the middle axis buys the same {} seconds before the flip{others_give_up}.",
-            seconds(decade)
+        true => words!(
+            "Equal parts of spin about the first and the third axis put this body on its separatrix: it swings over once and never flips again.",
+            "For $I = {inertia}$ the throw $\\Omega(0) = {pace}\\,(\\epsilon, 1, \\epsilon)$ rad/s has $L^2 = 2EI_2$ for every $\\epsilon$, {thrown} as well: \
+             the time from flip to flip is infinite. Move a moment a little, and the line is there.{beyond}",
+            "Empty axes for the time between two flips against the distance from the middle axis: for the moments {inertia} there is no second flip."
         ),
-        details: format!(
-            "Time from flip to flip, half the period of $\\Omega$, for $I = {}$ and $\\Omega(0) = {}\\,(\\epsilon, 1, \\epsilon)$ rad/s. \
-             A decade adds $2\\ln 10/\\sqrt{{\\lambda}} = {decade:.3}$ s: {} s at $\\epsilon = {}$, the ring, {} s or {} turns at $10^{{-{DECADES}}}$. \
-             {others_measured}{}",
-            triple(course.moments),
-            brief(spin),
-            seconds(course.marked[1]),
-            distance(values.of(&DISTANCE)),
-            seconds(near),
-            number(turns(near), 1),
-            remark(course.moments),
-        ),
-        alt: format!(
+        false => words!(
+            "Each decade closer to the middle axis buys the same {step} seconds before the flip{others_give_up}.",
+            "Time from flip to flip, half the period of $\\Omega$, for $I = {inertia}$ and $\\Omega(0) = {pace}\\,(\\epsilon, 1, \\epsilon)$ rad/s. \
+             A decade adds $2\\ln 10/\\sqrt{{\\lambda}} = {decade:.3}$ s: {ring} s at $\\epsilon = {thrown}$, the ring, {last} s or {rounds} turns at $10^{{-{DECADES}}}$. \
+             {others_measured}{beyond}",
             "The time between two flips against the initial distance from the middle axis, on a logarithmic axis over {DECADES} decades: \
-             a straight line, up by {} seconds for every factor of ten, to {} seconds at ten to the minus {DECADES}.{others_seen}",
-            seconds(decade),
-            seconds(near),
+             a straight line, up by {step} seconds for every factor of ten, to {last} seconds at ten to the minus {DECADES}.{others_seen}"
         ),
-    }};
+    };
     let made = figure("flip-time", 392.0, words, |pen| {
         course.axes(pen);
         if never {

@@ -126,25 +126,19 @@ pub fn rolling(values: &Values) -> Result<Figure> {
         _ => "both ends of the middle axis, on the separatrix",
     };
 
-    let words = Words {
-        claim: "The free top moves as if its ellipsoid of inertia were rolling on a plane that stands still."
-            .to_owned(),
-        details: format!(
-            "The ellipsoid $\\Theta$ hangs by its centre $O$ and presses from below against the glass plane $\\Pi$, at distance \
-             $2E/\\lvert L\\rvert = {distance:.4}$. The point of contact is $\\Omega$; it runs along the polhode on the body and the herpolhode \
-             on the plane, which stays between {inner:.4} and {outer:.4} from the foot of $L$. Dots at equal times: equal lengths on both \
-             curves. The polhode goes round {about}. $I = {}$ kg m², $\\Omega = {}$ rad/s.{}",
-            triple(moments),
-            triple(start_omega),
-            remark(moments),
-        ),
-        alt: format!(
-            "An ellipsoid with a fine net of meridians touches a horizontal glass plane from below in one point, the tip of the \
-             angular velocity. Round {about}, runs a closed curve, the polhode; on the plane the point \
-             of contact winds round and round between two circles of radius {inner:.3} and {outer:.3} about the vertical angular \
-             momentum: the herpolhode. One curve rolls on the other."
-        ),
-    };
+    let [inertia, spun] = [moments, start_omega].map(triple);
+    let beyond = remark(moments);
+    let words = words!(
+        "The free top moves as if its ellipsoid of inertia were rolling on a plane that stands still.",
+        "The ellipsoid $\\Theta$ hangs by its centre $O$ and presses from below against the glass plane $\\Pi$, at distance \
+         $2E/\\lvert L\\rvert = {distance:.4}$. The point of contact is $\\Omega$; it runs along the polhode on the body and the herpolhode \
+         on the plane, which stays between {inner:.4} and {outer:.4} from the foot of $L$. Dots at equal times: equal lengths on both \
+         curves. The polhode goes round {about}. $I = {inertia}$ kg m², $\\Omega = {spun}$ rad/s.{beyond}",
+        "An ellipsoid with a fine net of meridians touches a horizontal glass plane from below in one point, the tip of the \
+         angular velocity. Round {about}, runs a closed curve, the polhode; on the plane the point \
+         of contact winds round and round between two circles of radius {inner:.3} and {outer:.3} about the vertical angular \
+         momentum: the herpolhode. One curve rolls on the other."
+    );
     let made = figure("poinsot-ellipsoid", 466.0, words, |pen| {
         scene.body(pen);
         scene.plane(pen, [inner, outer]);

@@ -76,37 +76,31 @@ pub fn solution(values: &Values) -> Result<Figure> {
         (_, true) => "Next to the separatrix the top rests about its middle axis and swings over in between.".to_owned(),
         (_, false) => format!("Far from the separatrix the top goes round its {about} axis, and nothing rests."),
     };
-    let words = Words {
-        claim,
-        details: format!(
-            "Components of $\\Omega$ in the body for $I = {}$, $\\Omega(0) = {}$: {course} {percent} % of the time $\\Omega_2$ is within a tenth of its \
-             greatest size, {} rad/s.{}",
-            triple(moments),
-            triple(start),
-            brief(most),
-            remark(moments),
-        ),
-        alt: format!(
-            "Three curves over a little more than {}. The second component of the angular velocity is {} between plus and minus {}. The {} component \
-             keeps its sign and is greatest when the second one vanishes; the other changes its sign and is greatest at the same times, up and down in \
-             turn. {}",
-            period.map_or("one swing".to_owned(), |period| format!(
-                "a period of {period:.1} seconds"
-            )),
-            if rests {
-                "almost a square wave"
-            } else {
-                "a wave"
-            },
-            brief(most),
-            about,
-            match rests {
-                true =>
-                    "Between these pulses both are small: the top seems to rotate steadily about its middle axis.",
-                false => "No part of the curves is level for long.",
-            },
-        ),
+    let [inertia, begun] = [moments, start].map(triple);
+    let (size, beyond) = (brief(most), remark(moments));
+    let over = match period {
+        Some(period) => format!("a period of {period:.1} seconds"),
+        None => "one swing".to_owned(),
     };
+    let wave = if rests {
+        "almost a square wave"
+    } else {
+        "a wave"
+    };
+    let pulses = match rests {
+        true => {
+            "Between these pulses both are small: the top seems to rotate steadily about its middle axis."
+        }
+        false => "No part of the curves is level for long.",
+    };
+    let words = words!(
+        "{claim}",
+        "Components of $\\Omega$ in the body for $I = {inertia}$, $\\Omega(0) = {begun}$: {course} {percent} % of the time $\\Omega_2$ is within a tenth of its \
+         greatest size, {size} rad/s.{beyond}",
+        "Three curves over a little more than {over}. The second component of the angular velocity is {wave} between plus and minus {size}. The {about} component \
+         keeps its sign and is greatest when the second one vanishes; the other changes its sign and is greatest at the same times, up and down in \
+         turn. {pulses}"
+    );
     let [left, right, zero, half] = FRAME;
     let length = step * (states.len() - 1) as f64;
     let x = |t: f64| left + (right - left) * t / length;

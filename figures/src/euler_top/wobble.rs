@@ -102,25 +102,21 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
             format!("{degrees} degrees beyond it"),
         ],
     };
-    let words = Words {
-        claim,
-        details: format!(
-            "Path of the axis of rotation over the ground about the axis of figure, seen from above the north pole; a dot \
-             every {STEP} days, for {days} days. Inner circle: rigid, $I_3/I_1 = {}/{days}$, period {days} days. Outer circle: an \
-             observed wobble{} of {period} days, {behind}. The size of a circle is free; \
-             the pace is not.",
-            days + 1.0,
-            match period == OBSERVED.default {
-                true => ", Chandler's at the tutorial's round figure",
-                false => "",
-            },
-        ),
-        alt: format!(
-            "Two concentric circles round the pole of figure, walked anticlockwise from the top like lanes of a race \
-             track, with a dot every thirty days. After {days} days the inner runner, the rigid Earth, is back at the start; \
-             the outer one, with its period of {period} days, is {seen}.",
-        ),
+    let longer = days + 1.0;
+    let whose = match period == OBSERVED.default {
+        true => ", Chandler's at the tutorial's round figure",
+        false => "",
     };
+    let words = words!(
+        "{claim}",
+        "Path of the axis of rotation over the ground about the axis of figure, seen from above the north pole; a dot \
+         every {STEP} days, for {days} days. Inner circle: rigid, $I_3/I_1 = {longer}/{days}$, period {days} days. Outer circle: an \
+         observed wobble{whose} of {period} days, {behind}. The size of a circle is free; \
+         the pace is not.",
+        "Two concentric circles round the pole of figure, walked anticlockwise from the top like lanes of a race \
+         track, with a dot every thirty days. After {days} days the inner runner, the rigid Earth, is back at the start; \
+         the outer one, with its period of {period} days, is {seen}."
+    );
     let made = figure("polar-circles", 392.0, words, |pen| {
         let end = START + reached;
         // What is missing, or too much.
@@ -227,32 +223,18 @@ pub fn precession_cones(values: &Values) -> Result<Figure> {
         }
         [true, true] => "Of a round body the space cone is a line along L, and nothing rolls.",
     };
-    let words = Words {
-        claim: claim.to_owned(),
-        details: format!(
-            "The cones of a free symmetric top touch along $\\Omega$; the space cone, about $L$, stands still. Half-angles of \
-             body cone and space cone: {}° and {}° for $I_3/I_1 = {}$, {}° and {}° for $I_3/I_1 = {}$, both with \
-             $\\Omega_\\perp/\\Omega_3 = {}$.",
-            degrees(flat_cones.body),
-            degrees(flat_cones.space),
-            brief(flat.axial()),
-            degrees(long_cones.body),
-            degrees(long_cones.space),
-            brief(long.axial()),
-            brief(omega.x()),
-        ),
-        alt: format!(
-            "Two pairs of cones with a common tip. Left, a body with a moment ratio of {}: the wide cone of {} degrees about the body's axis \
-             surrounds the narrow cone of {} degrees about the vertical angular momentum. Right, a body with a ratio of {}: the two cones, of {} and {} degrees, \
-             stand side by side. Each pair touches along the angular velocity, so one cone rolls on the other.",
-            brief(flat.axial()),
-            degrees(flat_cones.body),
-            degrees(flat_cones.space),
-            brief(long.axial()),
-            degrees(long_cones.body),
-            degrees(long_cones.space),
-        ),
-    };
+    let [wide, narrow] = [flat_cones.body, flat_cones.space].map(degrees);
+    let [slim, broad] = [long_cones.body, long_cones.space].map(degrees);
+    let [left, right, lean] = [flat.axial(), long.axial(), omega.x()].map(brief);
+    let words = words!(
+        "{claim}",
+        "The cones of a free symmetric top touch along $\\Omega$; the space cone, about $L$, stands still. Half-angles of \
+         body cone and space cone: {wide}° and {narrow}° for $I_3/I_1 = {left}$, {slim}° and {broad}° for $I_3/I_1 = {right}$, both with \
+         $\\Omega_\\perp/\\Omega_3 = {lean}$.",
+        "Two pairs of cones with a common tip. Left, a body with a moment ratio of {left}: the wide cone of {wide} degrees about the body's axis \
+         surrounds the narrow cone of {narrow} degrees about the vertical angular momentum. Right, a body with a ratio of {right}: the two cones, of {slim} and {broad} degrees, \
+         stand side by side. Each pair touches along the angular velocity, so one cone rolls on the other."
+    );
     let pairs = [
         Pair::new("flat", &flat_cones, -1.0),
         Pair::new("long", &long_cones, 1.0),

@@ -101,23 +101,15 @@ pub fn paths() -> Result<Figure> {
             .period
             .map_or("none".to_owned(), |p| number(p, 2))
     };
-    let words = Words {
-        claim: "One plate, six weights, six ways to fall.".to_owned(),
-        details: format!(
-            "The equations of Andersen, Pesavento and Wang with their coefficients; the mass ratio $I^*$ is the plate's mass over that of the fluid cylinder around it. \
-             Plates to scale at equal times, after the beginnings are forgotten. Periods, in units $a/U$, up to a half turn: {}, {}, {}, {}, {} and {}.",
-            told(0),
-            told(1),
-            told(2),
-            told(3),
-            told(4),
-            told(5),
-        ),
-        alt: "Six panels with a falling plate drawn again and again as a short line. It swings from side to side; it turns over and over and sails down a straight slope; \
-              it does so with long and short steps in turn; it changes between swinging and turning over; it does both without a rule; and it rocks a little \
-              on its way nearly straight down."
-            .to_owned(),
-    };
+    let [a, b, c, d, e, f] = [0, 1, 2, 3, 4, 5].map(told);
+    let words = words!(
+        "One plate, six weights, six ways to fall.",
+        "The equations of Andersen, Pesavento and Wang with their coefficients; the mass ratio $I^*$ is the plate's mass over that of the fluid cylinder around it. \
+         Plates to scale at equal times, after the beginnings are forgotten. Periods, in units $a/U$, up to a half turn: {a}, {b}, {c}, {d}, {e} and {f}.",
+        "Six panels with a falling plate drawn again and again as a short line. It swings from side to side; it turns over and over and sails down a straight slope; \
+         it does so with long and short steps in turn; it changes between swinging and turning over; it does both without a rule; and it rocks a little \
+         on its way nearly straight down."
+    );
     Ok(figure("strip-paths", 590.0, words, |pen| {
         for (panel, (path, _)) in PANELS.iter().zip(&drawn) {
             let xs = || path.iter().map(|y| y[0]);
@@ -184,17 +176,14 @@ pub fn rate() -> Result<Figure> {
         (hertz(a) / hertz(b)).ln() / (widths[a] / widths[b]).ln()
     };
     let slope = exponent(0.78, 2.8);
-    let words = Words {
-        claim: "The narrower the strip, the faster it spins.".to_owned(),
-        details: format!(
-            "Paper of 80 g/m² in air, with the coefficients fitted to paper. Between 0.8 and 2.8 cm the rate goes as the width to the power ${}$; the scaling law of Mahadevan, Ryu and Samuel, \
-             dashed, has $-1$. Beyond 10 cm long and short half turns take turns. The curve ends where the strip is so wide that it flutters.",
-            number(slope, 2)
-        ),
-        alt: "Turns per second against width, both on logarithmic axes. The curve falls from about twenty-five turns a second at half a centimetre to one at fifteen, \
-              a little less steeply than the dashed line of the scaling law, and ends with a drop at sixteen centimetres."
-            .to_owned(),
-    };
+    let power = number(slope, 2);
+    let words = words!(
+        "The narrower the strip, the faster it spins.",
+        "Paper of 80 g/m² in air, with the coefficients fitted to paper. Between 0.8 and 2.8 cm the rate goes as the width to the power ${power}$; the scaling law of Mahadevan, Ryu and Samuel, \
+         dashed, has $-1$. Beyond 10 cm long and short half turns take turns. The curve ends where the strip is so wide that it flutters.",
+        "Turns per second against width, both on logarithmic axes. The curve falls from about twenty-five turns a second at half a centimetre to one at fifteen, \
+         a little less steeply than the dashed line of the scaling law, and ends with a drop at sixteen centimetres."
+    );
     Ok(figure("strip-rate", 390.0, words, |pen| {
         frame.draw(
             pen,

@@ -32,23 +32,17 @@ pub fn regimes() -> Result<Figure> {
     let measured = [froude - error, froude, froude + error].map(|f| f * f / FRAC_PI_4);
     let width = |ratio: f64| sheet.width_for(ratio).map(|w| 100.0 * w);
     let widths = [width(ends[0])?, width(measured[1])?, width(ends[1])?];
-    let words = Words {
-        claim: "Wide strips flutter, narrow ones tumble; where the one becomes the other, experiment decides.".to_owned(),
-        details: format!(
-            "Mass ratio $I^* = 4\\sigma/(\\pi\\rho w)$. Flutter ends at $I^* = {}$ with the coefficients fitted to paper, at {} with the published ones; measured is {} (Froude number \
-             $0.67 \\pm 0.05$, grey band). For paper of 80 g/m² these are widths of {}, {} and {} cm. The strips above are seen along their length, to one scale.",
-            number(ends[0], 3),
-            number(ends[1], 3),
-            number(measured[1], 2),
-            number(widths[0], 1),
-            number(widths[2], 1),
-            number(widths[1], 1),
-        ),
-        alt: "Two bars along a logarithmic axis of the mass ratio from a quarter to twelve. In the upper one, for paper, flutter ends at 0.53, within a grey band that marks the measured transition, and all the rest \
-              is tumbling. In the lower one, with the published coefficients, flutter reaches to 1.22, a short stretch of tumbling follows, then mixed and chaotic motion, then \
-              flutter again. Above the bars four strips of paper, of 30, 15, 5 and 1 centimetres width, each at its mass ratio."
-            .to_owned(),
-    };
+    let [ours, theirs] = numbers(ends, 3);
+    let seen = number(measured[1], 2);
+    let [first, second, third] = numbers(widths, 1);
+    let words = words!(
+        "Wide strips flutter, narrow ones tumble; where the one becomes the other, experiment decides.",
+        "Mass ratio $I^* = 4\\sigma/(\\pi\\rho w)$. Flutter ends at $I^* = {ours}$ with the coefficients fitted to paper, at {theirs} with the published ones; measured is {seen} (Froude number \
+         $0.67 \\pm 0.05$, grey band). For paper of 80 g/m² these are widths of {first}, {third} and {second} cm. The strips above are seen along their length, to one scale.",
+        "Two bars along a logarithmic axis of the mass ratio from a quarter to twelve. In the upper one, for paper, flutter ends at 0.53, within a grey band that marks the measured transition, and all the rest \
+         is tumbling. In the lower one, with the published coefficients, flutter reaches to 1.22, a short stretch of tumbling follows, then mixed and chaotic motion, then \
+         flutter again. Above the bars four strips of paper, of 30, 15, 5 and 1 centimetres width, each at its mass ratio."
+    );
     Ok(figure("strip-regimes", 370.0, words, |pen| {
         // The measured band.
         let [low, middle, high] = measured.map(|ratio| LINE.at(ratio));

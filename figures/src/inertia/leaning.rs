@@ -43,33 +43,27 @@ pub fn leaning(values: &Values) -> Result<Figure> {
     let lean = inertia.angle_between_l_and_omega(spin(angle))?.to_degrees();
     let (told, shown) = (short(direction, 1), number(lean, 1));
     let parallel = lean < 0.05;
-    let words = Words {
-        claim: match parallel {
+    let claim = match parallel {
             true => "Spun about a principal axis, the box has its angular momentum along the axis of rotation.".to_owned(),
             false => format!(
                 "Spun about an axis {told}° off its long edge, the box has an angular momentum that leans {shown}° away from that axis."
             ),
-        },
-        details: format!(
-            "A box of 1 kg with edges of {}, {} and {} m, seen along the middle one. Blue: $\\Omega$, always of one length; orange: $L = I\\Omega$. The part of $\\Omega$ \
-             along the short edge counts {} times as much as the part along the long edge, {largest:.2} against {smallest:.2} kg m². Dotted: where the tips go when $\\Omega$ turns from \
-             the one to the other; $L$ leans furthest, {}°, for $\\Omega$ at {}°.",
-            short(long, 2),
-            short(middle, 2),
-            short(thin, 2),
-            number(largest / smallest, 2),
-            number(worst.to_degrees(), 1),
-            number(at_worst.to_degrees(), 1),
-        ),
-        alt: format!(
-            "A rectangle, long side level, and two arrows from its middle. The blue one, the angular velocity, points {told} degrees above the long axis; the orange one, the \
-             angular momentum, {}. Two dotted curves from axis to axis: a quarter of a circle for the blue tip, a quarter of an upright ellipse for the orange one.",
-            match parallel {
-                true => "lies along it".to_owned(),
-                false => format!("stands {shown} degrees nearer to the short axis"),
-            }
-        ),
+        };
+    let [a, b, c] = shorts([long, middle, thin], 2);
+    let ratio = number(largest / smallest, 2);
+    let [most, at] = numbers([worst, at_worst].map(f64::to_degrees), 1);
+    let stands = match parallel {
+        true => "lies along it".to_owned(),
+        false => format!("stands {shown} degrees nearer to the short axis"),
     };
+    let words = words!(
+        "{claim}",
+        "A box of 1 kg with edges of {a}, {b} and {c} m, seen along the middle one. Blue: $\\Omega$, always of one length; orange: $L = I\\Omega$. The part of $\\Omega$ \
+         along the short edge counts {ratio} times as much as the part along the long edge, {largest:.2} against {smallest:.2} kg m². Dotted: where the tips go when $\\Omega$ turns from \
+         the one to the other; $L$ leans furthest, {most}°, for $\\Omega$ at {at}°.",
+        "A rectangle, long side level, and two arrows from its middle. The blue one, the angular velocity, points {told} degrees above the long axis; the orange one, the \
+         angular momentum, {stands}. Two dotted curves from axis to axis: a quarter of a circle for the blue tip, a quarter of an upright ellipse for the orange one."
+    );
     let tips = |angle: f64| -> [Point; 2] {
         let l = momentum(angle) / largest * MOMENTUM;
         [

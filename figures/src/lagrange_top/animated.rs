@@ -176,27 +176,23 @@ fn tops() -> Result<[Loop; 4]> {
 pub fn top_animated() -> Result<Figure> {
     let tops = tops()?;
     let [waves, cusps, loops, pure] = &tops;
-    let words = Words {
-        claim: "One push decides how the nose goes round: waves, cusps, loops, or a circle.".to_owned(),
-        details: format!(
-            "Four tops start 60° from the vertical, $I_1 = Mg\\ell = 1,$ ten units of time in {} s: pushed forward at \
-             $\\varphi' = {}$, released from rest, pushed back at ${}$, pushed at exactly the slow rate {}. The spins, \
-             $L_3 = {}$, {}, {} and {}, make every path close. Rest the pointer on the picture to stop it.",
-            number(10.0 * SLOWNESS, 0),
-            number(waves.pace, 2),
-            number(loops.pace, 1),
-            number(pure.pace, 4),
-            number(waves.axial, 4),
-            number(cusps.axial, 4),
-            number(loops.axial, 4),
-            number(pure.axial, 4),
-        ),
-        alt: "Four spheres, in each a flywheel on an axle that stands on the centre and touches the sphere with its nose. The nose draws \
-              a wavy line, a row of arches that meet in upright cusps, a row of loops, and a circle of latitude, while the flywheel spins \
-              and the axle goes round the vertical. Each path closes after one turn. \
-              Without motion: each top a quarter of the way round."
-            .to_owned(),
-    };
+    let seconds = number(10.0 * SLOWNESS, 0);
+    let (forward, back, slow) = (
+        number(waves.pace, 2),
+        number(loops.pace, 1),
+        number(pure.pace, 4),
+    );
+    let [a, b, c, d] = [waves, cusps, loops, pure].map(|top| number(top.axial, 4));
+    let words = words!(
+        "One push decides how the nose goes round: waves, cusps, loops, or a circle.",
+        "Four tops start 60° from the vertical, $I_1 = Mg\\ell = 1,$ ten units of time in {seconds} s: pushed forward at \
+         $\\varphi' = {forward}$, released from rest, pushed back at ${back}$, pushed at exactly the slow rate {slow}. The spins, \
+         $L_3 = {a}$, {b}, {c} and {d}, make every path close. Rest the pointer on the picture to stop it.",
+        "Four spheres, in each a flywheel on an axle that stands on the centre and touches the sphere with its nose. The nose draws \
+         a wavy line, a row of arches that meet in upright cusps, a row of loops, and a circle of latitude, while the flywheel spins \
+         and the axle goes round the vertical. Each path closes after one turn. \
+         Without motion: each top a quarter of the way round."
+    );
     let mut drawn = Ok(());
     let still = figure(NAME, 566.0, words, |pen| {
         drawn = tops.iter().try_for_each(|top| top.draw(pen));

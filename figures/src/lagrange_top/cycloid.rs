@@ -101,31 +101,19 @@ pub fn cycloids(values: &Values) -> Result<Figure> {
             told(order[2])
         ),
     };
-    let words = Words {
-        claim,
-        details: format!(
-            "Tilt downwards, $\\varphi\\sin\\theta_0$ to the right, in units of the wheel's radius $a = I_1Mg\\ell\\sin\\theta_0/L_3^2$; $\\theta_0 = {}°$, \
-             $I_1 = Mg\\ell = 1$. Dashed: the cycloid. Dots: eighths of a nutation. The nose leaves the cycloid \
-             by {}$\\,a$ at most for $L_3 = {}$, {} for {}, {} for {}.",
-            brief(degrees),
-            told(order[0]),
-            brief(order[0].axial),
-            told(order[1]),
-            brief(order[1].axial),
-            told(order[2]),
-            brief(order[2].axial),
-        ),
-        alt: format!(
-            "Three rows, each with two arches of a top's nose hanging from the level of its release at {} degrees, and a dashed cycloid. The axial \
-             momenta are {}, {} and {} from top to bottom. The slower a top, the further it leaves its cycloid, by {} radii at most. All touch the upper \
-             level in upright cusps, where the dots crowd.",
-            brief(degrees),
-            brief(rows[0].axial),
-            brief(rows[1].axial),
-            brief(rows[2].axial),
-            told(order[0]),
-        ),
-    };
+    let tilt = brief(degrees);
+    let [a, b, c] = [0, 1, 2].map(|k: usize| told(order[k]));
+    let [slow, medium, fast] = [0, 1, 2].map(|k: usize| brief(order[k].axial));
+    let [upper, middle, lower] = [0, 1, 2].map(|k: usize| brief(rows[k].axial));
+    let words = words!(
+        "{claim}",
+        "Tilt downwards, $\\varphi\\sin\\theta_0$ to the right, in units of the wheel's radius $a = I_1Mg\\ell\\sin\\theta_0/L_3^2$; $\\theta_0 = {tilt}°$, \
+         $I_1 = Mg\\ell = 1$. Dashed: the cycloid. Dots: eighths of a nutation. The nose leaves the cycloid \
+         by {a}$\\,a$ at most for $L_3 = {slow}$, {b} for {medium}, {c} for {fast}.",
+        "Three rows, each with two arches of a top's nose hanging from the level of its release at {tilt} degrees, and a dashed cycloid. The axial \
+         momenta are {upper}, {middle} and {lower} from top to bottom. The slower a top, the further it leaves its cycloid, by {a} radii at most. All touch the upper \
+         level in upright cusps, where the dots crowd."
+    );
     let reaches = [0, 1, 2].map(|k: usize| rows[k].reach());
     let [along, down] = reaches.into_iter().fold([0.0; 2], |sum: Point, reach| {
         [sum[0].max(reach[0]), sum[1] + reach[1].max(2.0)]

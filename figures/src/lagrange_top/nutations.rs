@@ -260,28 +260,21 @@ pub fn nutations(values: &Values) -> Result<Figure> {
     let tilts = own
         .heights
         .map(|height| number(height.clamp(-1.0, 1.0).acos().to_degrees(), 1));
-    let words = Words {
-        claim: "Two momenta decide whether the nose draws waves, cusps, loops or a circle."
-            .to_owned(),
-        details: format!(
-            "The tutorial's pictures k, l, m and n, each at its place: every top starts 60° from the vertical, where its tilt turns, with \
-             $I_1 = Mg\\ell = 1$. Dashed: cusps. Solid: pure precession, slow ({} at $L_3 = 3$) on the left branch and fast ({} at \
-             $L_3 = 2$) on the right. Dotted: the nose passes the top or the bottom of its sphere. The ring is yours, $L_{{\\text{{vert}}}} = {vertical}$ and \
-             $L_3 = {axial}$: it draws {kind}, between {}° and {}°.",
-            number(slow, 4),
-            number(fast, 4),
-            tilts[1],
-            tilts[0],
-        ),
-        alt: format!(
-            "A half plane, the vertical angular momentum to the right and the axial one upwards, with nine spheres on it, each with \
-             the trace of the nose of a top that starts 60 degrees from the vertical. From left to right: backward waves, loops, \
-             cusps on a dashed line, waves, a circle of slow precession on one branch of a solid curve, loops and waves between \
-             the branches, a circle of fast precession on the other branch; at the bottom, without axial momentum, a spherical \
-             pendulum. Loops shrink to cusps where the dashed line is crossed and open to waves beyond. A ring at {vertical} and {axial} \
-             has its sphere apart: the nose draws {kind}.",
-        ),
-    };
+    let [slow, fast] = numbers([slow, fast], 4);
+    let [greatest, least] = tilts;
+    let words = words!(
+        "Two momenta decide whether the nose draws waves, cusps, loops or a circle.",
+        "The tutorial's pictures k, l, m and n, each at its place: every top starts 60° from the vertical, where its tilt turns, with \
+         $I_1 = Mg\\ell = 1$. Dashed: cusps. Solid: pure precession, slow ({slow} at $L_3 = 3$) on the left branch and fast ({fast} at \
+         $L_3 = 2$) on the right. Dotted: the nose passes the top or the bottom of its sphere. The ring is yours, $L_{{\\text{{vert}}}} = {vertical}$ and \
+         $L_3 = {axial}$: it draws {kind}, between {least}° and {greatest}°.",
+        "A half plane, the vertical angular momentum to the right and the axial one upwards, with nine spheres on it, each with \
+         the trace of the nose of a top that starts 60 degrees from the vertical. From left to right: backward waves, loops, \
+         cusps on a dashed line, waves, a circle of slow precession on one branch of a solid curve, loops and waves between \
+         the branches, a circle of fast precession on the other branch; at the bottom, without axial momentum, a spherical \
+         pendulum. Loops shrink to cusps where the dashed line is crossed and open to waves beyond. A ring at {vertical} and {axial} \
+         has its sphere apart: the nose draws {kind}."
+    );
     let borders = borders()?;
     let made = figure("nutations", 566.0, words, |pen| {
         let [left, right, top] = REACH;

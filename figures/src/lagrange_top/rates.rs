@@ -117,30 +117,24 @@ pub fn precession_rates(values: &Values) -> Result<Figure> {
         true => format!("{} and {}", number(rates[0], 4), number(rates[1], 4)),
         false => "none".to_owned(),
     };
-    let words = Words {
-        claim: claim.to_owned(),
-        details: format!(
-            "Rates of pure precession against the tilt for $L_3 = {first}$ (thin), {second} and {third} (thick), $I_1 = Mg\\ell = 1.$ Slow solid, fast dashed: {example} \
-             for $L_3 = {third}$ at {}°. {meeting}",
-            number(height.acos().to_degrees(), 0),
-        ),
-        alt: format!(
-            "Rates of precession against the tilt from 0 to 180 degrees for the axial momenta {first}, {second} and {third}. For each a slow branch, low and nearly \
-             level, falls gently to the right, and a fast branch rises from the left to infinity at 90 degrees and comes back from minus infinity beyond. {}",
-            match told[..] {
-                [] => "All of them reach the upright axis.".to_owned(),
-                _ => format!(
-                    "Both branches of a spin below 2 meet on a dotted curve, at {} degrees for the slowest; to the left of it there is nothing.",
-                    number(
-                        slow.iter()
-                            .map(|(_, end)| end.to_degrees())
-                            .fold(0.0, f64::max),
-                        0
-                    )
-                ),
-            },
+    let degrees = number(height.acos().to_degrees(), 0);
+    let latest = slow
+        .iter()
+        .map(|(_, end)| end.to_degrees())
+        .fold(0.0, f64::max);
+    let branches = match told[..] {
+        [] => "All of them reach the upright axis.".to_owned(),
+        _ => format!(
+            "Both branches of a spin below 2 meet on a dotted curve, at {latest:.0} degrees for the slowest; to the left of it there is nothing."
         ),
     };
+    let words = words!(
+        "{claim}",
+        "Rates of pure precession against the tilt for $L_3 = {first}$ (thin), {second} and {third} (thick), $I_1 = Mg\\ell = 1.$ Slow solid, fast dashed: {example} \
+         for $L_3 = {third}$ at {degrees}°. {meeting}",
+        "Rates of precession against the tilt from 0 to 180 degrees for the axial momenta {first}, {second} and {third}. For each a slow branch, low and nearly \
+         level, falls gently to the right, and a fast branch rises from the left to infinity at 90 degrees and comes back from minus infinity beyond. {branches}"
+    );
     let made = figure("precession-rates", 384.0, words, |pen| {
         axes(pen);
         let meeting: Vec<Point> = spaced([0.0, 0.5 * PI], 300)

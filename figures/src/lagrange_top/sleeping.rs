@@ -116,21 +116,16 @@ pub fn threshold(values: &Values) -> Result<Figure> {
     let (fast, at, slow) = (fast?, at?, slow?);
     let root = number(loner(below), 3);
     let [above, below] = [above, below].map(brief);
-    let words = Words {
-        claim: "A top sleeps until its third root has come down past the upright position."
-            .to_owned(),
-        details: format!(
-            "$f(h)$ of an upright top, $I_1 = Mg\\ell = 1$, as $L_3$ falls from {above} to {below}. The motion needs $f\\ge0$: shaded, the room \
-             below $h = 1$ that opens under the threshold $L_3 = 2$, thick, down to $\\cos\\theta = {root}$ for {below}. A sideways kick of {} tilts the \
-             top by {fast}° at $L_3 = {above}$, by {at}° at 2 and by {slow}° at {below}.",
-            brief(kick),
-        ),
-        alt: format!(
-            "Five cubics that all touch or cross zero at h = 1. For fast spin the curve touches zero from below at 1 and crosses further right. \
-             As the spin falls the crossing moves left, reaches 1 at the threshold, where the curve has a flat crossing, and goes on to {root} for \
-             the slowest top, of axial momentum {below}: there the curve is positive between the crossing and 1, and the top falls over as far as that.",
-        ),
-    };
+    let push = brief(kick);
+    let words = words!(
+        "A top sleeps until its third root has come down past the upright position.",
+        "$f(h)$ of an upright top, $I_1 = Mg\\ell = 1$, as $L_3$ falls from {above} to {below}. The motion needs $f\\ge0$: shaded, the room \
+         below $h = 1$ that opens under the threshold $L_3 = 2$, thick, down to $\\cos\\theta = {root}$ for {below}. A sideways kick of {push} tilts the \
+         top by {fast}° at $L_3 = {above}$, by {at}° at 2 and by {slow}° at {below}.",
+        "Five cubics that all touch or cross zero at h = 1. For fast spin the curve touches zero from below at 1 and crosses further right. \
+         As the spin falls the crossing moves left, reaches 1 at the threshold, where the curve has a flat crossing, and goes on to {root} for \
+         the slowest top, of axial momentum {below}: there the curve is positive between the crossing and 1, and the top falls over as far as that."
+    );
     let made = figure("sleeping-threshold", 332.0, words, |pen| {
         shown.axes(pen);
         for (axial, curve) in &curves {

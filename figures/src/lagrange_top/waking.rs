@@ -80,21 +80,15 @@ pub fn waking(values: &Values) -> Result<Figure> {
             "A sleeping top wakes late: its spin is well through the threshold, and its tilt still shows nothing."
         }
     };
-    let words = Words {
-        claim: claim.to_owned(),
-        details: format!(
-            "The wooden top, upright but for {} rad, loses spin to the friction at its tip, ${}$ N m. Dashed: how far gravity \
-             would let a top of that spin fall. The spin passes the threshold, {threshold:.2} rad/s, after {} s; {passes}",
-            brief(tilt),
-            scientific(torque, 3),
-            number(crossed.map_or(seconds, |row| row[0]), 2),
-        ),
-        alt: format!(
-            "Tilt of a top against its spin, the spin falling to the right. A dashed curve leaves zero steeply at the threshold, {threshold:.2} radians a second, marked by a \
-             dotted upright line. The solid curve of the motion, begun at a tilt of {} radians, is low through the threshold and reaches {deepest:.1} degrees within the picture.",
-            brief(tilt),
-        ),
-    };
+    let (askew, braked) = (brief(tilt), scientific(torque, 3));
+    let passed = number(crossed.map_or(seconds, |row| row[0]), 2);
+    let words = words!(
+        "{claim}",
+        "The wooden top, upright but for {askew} rad, loses spin to the friction at its tip, ${braked}$ N m. Dashed: how far gravity \
+         would let a top of that spin fall. The spin passes the threshold, {threshold:.2} rad/s, after {passed} s; {passes}",
+        "Tilt of a top against its spin, the spin falling to the right. A dashed curve leaves zero steeply at the threshold, {threshold:.2} radians a second, marked by a \
+         dotted upright line. The solid curve of the motion, begun at a tilt of {askew} radians, is low through the threshold and reaches {deepest:.1} degrees within the picture."
+    );
     let frame = Frame {
         x: Axis::linear([81.5, LAST], [60.0, 580.0]),
         y: Axis::linear([0.0, STEEPEST], [276.0, 34.0]),

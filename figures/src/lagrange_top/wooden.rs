@@ -57,17 +57,12 @@ fn described(values: &Values) -> String {
 
 /// The question: which way?
 pub fn wooden_top(values: &Values) -> Result<Figure> {
-    let words = Words {
-        claim: "A spinning top leans, and a finger holds its axis still.".to_owned(),
-        details: format!(
-            "{} Which way does the nose go when the finger lets go?",
-            described(values)
-        ),
-        alt: format!(
-            "A disc on an axle that stands on its tip, {} degrees off the vertical, which is dotted. From the nose four dashed arrows with question marks: up, down, to one side, to the other.",
-            short(values.of(&TILT), 1)
-        ),
-    };
+    let (body, tilt) = (described(values), short(values.of(&TILT), 1));
+    let words = words!(
+        "A spinning top leans, and a finger holds its axis still.",
+        "{body} Which way does the nose go when the finger lets go?",
+        "A disc on an axle that stands on its tip, {tilt} degrees off the vertical, which is dotted. From the nose four dashed arrows with question marks: up, down, to one side, to the other."
+    );
     drawn("wooden-top", values, words, false)
 }
 
@@ -76,22 +71,14 @@ pub fn let_go(values: &Values) -> Result<Figure> {
     let top = launched(values)?;
     let lowest = top.at(0.5 * top.period())?.height.acos().to_degrees();
     let further = top.precession_per_nutation().unwrap_or(0.0).to_degrees();
-    let words = Words {
-        claim: format!(
-            "Let go, the nose falls by {}°, turns aside, and is back at the height of the finger after {} s, {}° further round.",
-            number(lowest - values.of(&TILT), 2),
-            number(top.period(), 4),
-            number(further, 2)
-        ),
-        details: format!(
-            "{} The nose for {SHOWN} s, a dot every hundredth of a second: it stands still in the cusps. Dotted: the heights between which it nods.",
-            described(values)
-        ),
-        alt: format!(
-            "The same top, and the path of its nose: arches that hang from one level circle and meet in upright cusps, {} of them in a full turn. In the cusps the dots crowd.",
-            number(360.0 / further, 1)
-        ),
-    };
+    let [fallen, aside] = numbers([lowest - values.of(&TILT), further], 2);
+    let (back, arches) = (number(top.period(), 4), number(360.0 / further, 1));
+    let body = described(values);
+    let words = words!(
+        "Let go, the nose falls by {fallen}°, turns aside, and is back at the height of the finger after {back} s, {aside}° further round.",
+        "{body} The nose for {SHOWN} s, a dot every hundredth of a second: it stands still in the cusps. Dotted: the heights between which it nods.",
+        "The same top, and the path of its nose: arches that hang from one level circle and meet in upright cusps, {arches} of them in a full turn. In the cusps the dots crowd."
+    );
     drawn("wooden-top-let-go", values, words, true)
 }
 

@@ -113,18 +113,14 @@ pub fn section() -> Result<Figure> {
     let last = clockwise.last().map_or(0.0, |row| degrees(&row.1));
     let most = other.iter().map(|row| degrees(&row.1)).fold(0.0, f64::max);
     let turns = number(SPIN / core::f64::consts::TAU, 0);
-    let words = Words {
-        claim: "A ball of one plastic with a hollow askew is a chiral top.".to_owned(),
-        details: format!(
-            "The printed top in two sections along $CK$, at right angles to each other: $R = {}$ mm, the wall at its thinnest {wall:.1} mm, $C$ {low:.1} mm below the centre $K$, {} g of \
-             polylactide. Released at {}° with {turns} turns a second, $\\mu = {FRICTION}$: clockwise it is on its side after {side:.1} s, anticlockwise it stays below {most:.0}° for {END} seconds.",
-            number(1e3 * RADIUS, 0),
-            number(1e3 * properties.mass(), 0),
-            number(TILT.to_degrees(), 0),
-        ),
-        alt: "Two circles, each with a large white ellipse inside that nearly touches it and leans. In both the centre of mass C lies a little below the centre K of the circle."
-            .to_owned(),
-    };
+    let [radius, mass] = numbers([1e3 * RADIUS, 1e3 * properties.mass()], 0);
+    let lean = number(TILT.to_degrees(), 0);
+    let words = words!(
+        "A ball of one plastic with a hollow askew is a chiral top.",
+        "The printed top in two sections along $CK$, at right angles to each other: $R = {radius}$ mm, the wall at its thinnest {wall:.1} mm, $C$ {low:.1} mm below the centre $K$, {mass} g of \
+         polylactide. Released at {lean}° with {turns} turns a second, $\\mu = {FRICTION}$: clockwise it is on its side after {side:.1} s, anticlockwise it stays below {most:.0}° for {END} seconds.",
+        "Two circles, each with a large white ellipse inside that nearly touches it and leans. In both the centre of mass C lies a little below the centre K of the circle."
+    );
     let drawn = figure("printed-top", 300.0, words, |pen| {
         let inverse = (map * map.transpose()).try_inverse();
         for (k, across) in [Vector3::x(), Vector3::y()].into_iter().enumerate() {

@@ -29,20 +29,16 @@ pub fn cat_film() -> Result<Figure> {
     let states = turnover(&fractions)?;
     let back_bend = back()?;
     let turn = turned(&states[FRAMES - 1]).to_degrees();
-    let words = Words {
-        claim: "A cat turns over although its angular momentum is zero in every picture.".to_owned(),
-        details: format!(
-            "Two cylinders with $I/J = {RATIO:.0}$, the bend carried once round: {}° forward, {}° backward half-way. Eight moments of {DURATION:.1} s; \
-             the whole turn is {}°. Head, legs and tail are drawn on and weigh nothing.",
-            number(FORWARD.to_degrees(), 0),
-            number(back_bend.to_degrees(), 2),
-            number(turn, 4),
-        ),
-        alt: "Eight pictures of a cat made of two round halves with a head, four legs and a tail. It lies on its back, bends its belly \
-              together, lets the bend go round its spine, first to one side, then a little backward, then to the other side, \
-              straightens, and stands on its feet."
-            .to_owned(),
-    };
+    let forward = number(FORWARD.to_degrees(), 0);
+    let (backward, whole) = (number(back_bend.to_degrees(), 2), number(turn, 4));
+    let words = words!(
+        "A cat turns over although its angular momentum is zero in every picture.",
+        "Two cylinders with $I/J = {RATIO:.0}$, the bend carried once round: {forward}° forward, {backward}° backward half-way. Eight moments of {DURATION:.1} s; \
+         the whole turn is {whole}°. Head, legs and tail are drawn on and weigh nothing.",
+        "Eight pictures of a cat made of two round halves with a head, four legs and a tail. It lies on its back, bends its belly \
+         together, lets the bend go round its spine, first to one side, then a little backward, then to the other side, \
+         straightens, and stands on its feet."
+    );
     let body = cat()?;
     Ok(figure("cat-film", 360.0, words, |pen| {
         for (k, state) in states.iter().enumerate() {
@@ -109,20 +105,15 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
         false => format!("Half a turn takes {}", listed.join(", ")),
     };
     let names: Vec<String> = forwards.iter().map(|forward| name(*forward)).collect();
-    let words = Words {
-        claim: "The more a cat bends forward, the less it must bend backward.".to_owned(),
-        details: format!(
-            "Turn of two cylinders with $I/J = {}$ when the bend swings once round, from $\\gamma$ forward to the back bend half-way. \
-             {half_turns}.",
-            short(ratio, 2),
-        ),
-        alt: format!(
-            "Five rising curves of the turn against the bend backward, for {} degrees forward. A level line at half a \
-             turn cuts {} of them, further to the left the more the cat bends forward.",
-            names.join(", "),
-            curves.iter().filter(|curve| curve.2.is_some()).count(),
-        ),
-    };
+    let (shape, names) = (short(ratio, 2), names.join(", "));
+    let cut = curves.iter().filter(|curve| curve.2.is_some()).count();
+    let words = words!(
+        "The more a cat bends forward, the less it must bend backward.",
+        "Turn of two cylinders with $I/J = {shape}$ when the bend swings once round, from $\\gamma$ forward to the back bend half-way. \
+         {half_turns}.",
+        "Five rising curves of the turn against the bend backward, for {names} degrees forward. A level line at half a \
+         turn cuts {cut} of them, further to the left the more the cat bends forward."
+    );
     let made = figure("back-bend", 384.0, words, |pen| {
         let axis = inked(AXIS);
         let place = |[back, turn]: Point| [x.at(back), y.at(turn)];

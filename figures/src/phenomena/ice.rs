@@ -132,25 +132,17 @@ pub fn ice(values: &Values) -> Result<Figure> {
     }
     let slid = [1, 2, 3].map(|k| placed[k].0 - placed[0].0);
     let mass: f64 = poses[0].parts().iter().map(|part| part.mass).sum();
-    let words = Words {
-        claim: "However you wriggle, your centre of mass stays on its vertical line.".to_owned(),
-        details: format!(
-            "Four postures on frictionless ice, each with the centre of mass on the dotted line; for this the feet slide to {} m and to {} m from where they were. \
-             In the old posture they are back in the old place. {} kg in six parts, {} of them the trunk; shoulders out by {} m and {} m.",
-            number(slid[0], 3),
-            number(slid[1], 3),
-            short(mass, 1),
-            short(trunk, 1),
-            short(0.9 * lean, 2),
-            short(lean, 2),
-        ),
-        alt: format!(
-            "A person on ice in four postures: upright, leaning to the left with one arm out, leaning to the right with the other, upright again. A \
-             vertical dotted line runs through the dot of the centre of mass each time; the feet shift by {} m and {} m and return.",
-            number(slid[0], 2),
-            number(slid[1], 2),
-        ),
-    };
+    let [left, right, _] = numbers(slid, 3);
+    let [whole, body] = shorts([mass, trunk], 1);
+    let [less, more] = shorts([0.9 * lean, lean], 2);
+    let [first, second, _] = numbers(slid, 2);
+    let words = words!(
+        "However you wriggle, your centre of mass stays on its vertical line.",
+        "Four postures on frictionless ice, each with the centre of mass on the dotted line; for this the feet slide to {left} m and to {right} m from where they were. \
+         In the old posture they are back in the old place. {whole} kg in six parts, {body} of them the trunk; shoulders out by {less} m and {more} m.",
+        "A person on ice in four postures: upright, leaning to the left with one arm out, leaning to the right with the other, upright again. A \
+         vertical dotted line runs through the dot of the centre of mass each time; the feet shift by {first} m and {second} m and return."
+    );
     let ground = 288.0;
     let scale = 138.0;
     let made = figure("ice", 340.0, words, |pen| {
@@ -222,28 +214,17 @@ pub fn crawler(values: &Values) -> Result<Figure> {
             "Without friction nobody gets anywhere, and these strokes do not with friction either."
         }
     };
-    let words = Words {
-        claim: claim.to_owned(),
-        details: format!(
-            "Left, seen from above: six parts on ice, pulled about by fifteen muscles for 5 s; the dot is the track of their centre of mass. Right: two feet of \
-             {} kg and 1 kg, pushed apart by {} m in {} s and pulled together in {} s. On ice the centre $C$ (dashed) moves by {} m in \
-             {} s, with a coefficient of friction of {} by {} m.",
-            short(values.of(&REAR), 2),
-            strokes.length,
-            short(strokes.push, 2),
-            short(strokes.pull, 2),
-            number(way(&ice), 1),
-            short(span, 2),
-            short(mu, 3),
-            number(far, 3),
-        ),
-        alt: format!(
-            "Left, a tangle of six tracks around a single dot. Right, place against time: the feet of the crawler on ice go to and fro about a level \
-             dashed line; on ground both feet and the centre between them have gone {} metres after {} seconds.",
-            number(far, 3),
-            short(span, 2),
-        ),
-    };
+    let [rear, push, pull] = shorts([values.of(&REAR), strokes.push, strokes.pull], 2);
+    let (apart, iced) = (strokes.length, number(way(&ice), 1));
+    let (lasts, rough, reached) = (short(span, 2), short(mu, 3), number(far, 3));
+    let words = words!(
+        "{claim}",
+        "Left, seen from above: six parts on ice, pulled about by fifteen muscles for 5 s; the dot is the track of their centre of mass. Right: two feet of \
+         {rear} kg and 1 kg, pushed apart by {apart} m in {push} s and pulled together in {pull} s. On ice the centre $C$ (dashed) moves by {iced} m in \
+         {lasts} s, with a coefficient of friction of {rough} by {reached} m.",
+        "Left, a tangle of six tracks around a single dot. Right, place against time: the feet of the crawler on ice go to and fro about a level \
+         dashed line; on ground both feet and the centre between them have gone {reached} metres after {lasts} seconds."
+    );
     let feet = ground.iter().flat_map(|(_, s)| [s.rear, s.front]);
     let (least, most) = feet.fold((0.0, 0.0), |(low, high): (f64, f64), x| {
         (low.min(x), high.max(x))

@@ -51,29 +51,22 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
     };
     let turn = turn_within(&cat, path, Hub::Pole)?.to_degrees();
     let net = waist.swivel_angle(FRAC_PI_2)?.to_degrees();
-    let words = Words {
-        claim: "The turn is the shaded charge inside the loop of shapes.".to_owned(),
-        details: format!(
-            "Left, the swivel: twist $\\psi$ to the right, moment $A$ of the upper body upward, density $B/(A+B)^2$, $B = {}$ kg m²; the rectangle of one cycle, arms out {} kg m² and in {} kg m², holds {}°. \
-             Right, the cat seen along its spine: bend $\\gamma$ outward to {}°, direction $\\psi$ around; the loop goes {}° forward and {}° backward, and \
-             holds {}°. Neither pace nor path inside a shape matters, only what the loop encloses.",
-            short(waist.lower, 2),
-            short(waist.upper_arms_out, 2),
-            short(waist.upper_arms_in, 2),
-            number(net.abs(), 3),
-            number(WIDEST.to_degrees(), 0),
-            short(forward.to_degrees(), 1),
-            number(back.to_degrees(), 2),
-            number(turn.abs(), 4),
-        ),
-        alt: format!(
-            "Left, a plane shaded darker towards small moments of inertia, with a rectangular loop run through in four strokes, which holds {} degrees. Right, a disc \
-             shaded in rings, with an oval loop around its centre that reaches out to {} degrees on one side and to {} on the other.",
-            number(net.abs(), 1),
-            short(forward.to_degrees(), 1),
-            number(back.to_degrees(), 1),
-        ),
-    };
+    let [below, out, near] = shorts([waist.lower, waist.upper_arms_out, waist.upper_arms_in], 2);
+    let [held, holds] = [3, 1].map(|digits| number(net.abs(), digits));
+    let (widest, bent) = (
+        number(WIDEST.to_degrees(), 0),
+        short(forward.to_degrees(), 1),
+    );
+    let [behind, backward] = [2, 1].map(|digits| number(back.to_degrees(), digits));
+    let charge = number(turn.abs(), 4);
+    let words = words!(
+        "The turn is the shaded charge inside the loop of shapes.",
+        "Left, the swivel: twist $\\psi$ to the right, moment $A$ of the upper body upward, density $B/(A+B)^2$, $B = {below}$ kg m²; the rectangle of one cycle, arms out {out} kg m² and in {near} kg m², holds {held}°. \
+         Right, the cat seen along its spine: bend $\\gamma$ outward to {widest}°, direction $\\psi$ around; the loop goes {bent}° forward and {behind}° backward, and \
+         holds {charge}°. Neither pace nor path inside a shape matters, only what the loop encloses.",
+        "Left, a plane shaded darker towards small moments of inertia, with a rectangular loop run through in four strokes, which holds {holds} degrees. Right, a disc \
+         shaded in rings, with an oval loop around its centre that reaches out to {bent} degrees on one side and to {backward} on the other."
+    );
     let made = figure("shape-loops", 344.0, words, |pen| {
         // Densities relative to the greatest shown.
         const BANDS: u32 = 25;

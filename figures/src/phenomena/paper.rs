@@ -95,30 +95,19 @@ pub fn paper_cat(values: &Values) -> Result<Figure> {
     let times = [0.66, 0.84].map(|share| (100.0 * share * time).round() / 100.0);
     let motion = scene.simulate(&Request::at(times)?)?;
     let tilts = [PI - error, motion.rows[0].1.tilt, motion.rows[1].1.tilt];
-    let words = Words {
-        claim: "The paper cat is turned by the air, like a shuttlecock.".to_owned(),
-        details: format!(
-            "Its centre of mass lies {} mm below the point at which the air pushes, so weight (down) and drag (up) form a couple that turns the feet down \
-             from every tilt. Let go {}° from upside down, it tilts by {}° after {} s and {}° after {} s, and points its feet down first after {fall:.3} m of fall. Terminal \
-             speed {} m/s, mass {} g, air of {} kg/m³. Lever drawn larger than it is.",
-            short(values.of(&LEVER), 1),
-            short(error.to_degrees(), 1),
-            number(tilts[1].to_degrees(), 0),
-            number(times[0], 2),
-            number(tilts[2].to_degrees(), 0),
-            number(times[1], 2),
-            number(cat.terminal_speed(air, GRAVITY), 3),
-            short(values.of(&MASS), 2),
-            short(air, 2),
-        ),
-        alt: format!(
-            "A cat cut from stiff paper in three positions, tilted by {}, {} and {} degrees. In each an arrow of drag points up from the \
-              middle of its back and an arrow of weight points down from a dot nearer its feet.",
-            number(tilts[0].to_degrees(), 0),
-            number(tilts[1].to_degrees(), 0),
-            number(tilts[2].to_degrees(), 0),
-        ),
-    };
+    let [lever, shy] = shorts([values.of(&LEVER), error.to_degrees()], 1);
+    let [first, second, third] = numbers(tilts.map(f64::to_degrees), 0);
+    let [early, late] = numbers(times, 2);
+    let speed = number(cat.terminal_speed(air, GRAVITY), 3);
+    let [mass, dense] = shorts([values.of(&MASS), air], 2);
+    let words = words!(
+        "The paper cat is turned by the air, like a shuttlecock.",
+        "Its centre of mass lies {lever} mm below the point at which the air pushes, so weight (down) and drag (up) form a couple that turns the feet down \
+         from every tilt. Let go {shy}° from upside down, it tilts by {second}° after {early} s and {third}° after {late} s, and points its feet down first after {fall:.3} m of fall. Terminal \
+         speed {speed} m/s, mass {mass} g, air of {dense} kg/m³. Lever drawn larger than it is.",
+        "A cat cut from stiff paper in three positions, tilted by {first}, {second} and {third} degrees. In each an arrow of drag points up from the \
+         middle of its back and an arrow of weight points down from a dot nearer its feet."
+    );
     let made = figure("paper-cat", 280.0, words, |pen| {
         let mut outline = Vec::new();
         for (tilt, x) in tilts.into_iter().zip([108.0, 312.0, 500.0]) {
@@ -169,25 +158,16 @@ pub fn paper_cat_fall(values: &Values) -> Result<Figure> {
     let falls = marks.map(fall).into_iter().collect::<Result<Vec<_>>>()?;
     let cat = cat(values);
     let decade = cat.fall_per_decade(values.of(&THICK), GRAVITY);
-    let words = Words {
-        claim: "Ten times nearer to upside down costs the paper cat the same fall again."
-            .to_owned(),
-        details: format!(
-            "Height of fall after which the feet first point down, against the angle by which the cat was not upside down. 30°, 10°, 5° and 1° take {}, {}, {} and {} m; \
-             each further factor of ten takes {decade:.3} m. At 0° it takes for ever. Lever {} mm, {} g, air of {} kg/m³.",
-            number(falls[0], 3),
-            number(falls[1], 3),
-            number(falls[2], 3),
-            number(falls[3], 3),
-            short(values.of(&LEVER), 1),
-            short(values.of(&MASS), 2),
-            short(values.of(&THICK), 2),
-        ),
-        alt: format!(
-            "A curve that soon becomes a straight line: the fall grows by {decade:.3} m with each factor of ten by which the angle of the release comes closer \
-              to upside down."
-        ),
-    };
+    let [a, b, c, d] = [0, 1, 2, 3].map(|k: usize| number(falls[k], 3));
+    let lever = short(values.of(&LEVER), 1);
+    let [mass, air] = shorts([MASS, THICK].map(|one| values.of(&one)), 2);
+    let words = words!(
+        "Ten times nearer to upside down costs the paper cat the same fall again.",
+        "Height of fall after which the feet first point down, against the angle by which the cat was not upside down. 30°, 10°, 5° and 1° take {a}, {b}, {c} and {d} m; \
+         each further factor of ten takes {decade:.3} m. At 0° it takes for ever. Lever {lever} mm, {mass} g, air of {air} kg/m³.",
+        "A curve that soon becomes a straight line: the fall grows by {decade:.3} m with each factor of ten by which the angle of the release comes closer \
+         to upside down."
+    );
     let deepest = curve.last().map_or(1.0, |last| last[1]);
     let frame = Frame {
         x: Axis::log([90.0, 90e-6], [LEFT, RIGHT]),

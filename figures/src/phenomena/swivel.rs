@@ -107,28 +107,19 @@ pub fn swivel(values: &Values) -> Result<Figure> {
             number(net.abs(), 2)
         ),
     };
-    let words = Words {
-        claim,
-        details: format!(
-            "Seen from above. The upper body twists by {}° against the lower; the arrows show how far the lower body has turned. Moments {} and {} kg m² \
-             above, {} kg m² below: the feet go {}° one way, {}° back, and end at {}°. The angular momentum is 0 throughout.",
-            short(values.of(&TWIST), 1),
-            short(change.arms_out, 2),
-            short(change.arms_in, 2),
-            short(lower, 2),
-            degrees(states[1].lower),
-            degrees(states[3].lower - states[2].lower),
-            number(net, 3),
-        ),
-        alt: format!(
-            "Five views of a person from above. At first feet and nose point up the page. Arms out, the shoulders have turned left by {}° and the \
-              feet right by {}°. Arms in. Untwisted: the feet have come back, but not the whole way. Arms out again: feet and nose point {}° to \
-              the right of where they began.",
-            degrees(states[1].upper),
-            degrees(-states[1].lower),
-            degrees(-states[4].lower),
-        ),
-    };
+    let twist = short(values.of(&TWIST), 1);
+    let [out, near, below] = shorts([change.arms_out, change.arms_in, lower], 2);
+    let [there, back] = [states[1].lower, states[3].lower - states[2].lower].map(degrees);
+    let end = number(net, 3);
+    let [left, right, aside] = [states[1].upper, -states[1].lower, -states[4].lower].map(degrees);
+    let words = words!(
+        "{claim}",
+        "Seen from above. The upper body twists by {twist}° against the lower; the arrows show how far the lower body has turned. Moments {out} and {near} kg m² \
+         above, {below} kg m² below: the feet go {there}° one way, {back}° back, and end at {end}°. The angular momentum is 0 throughout.",
+        "Five views of a person from above. At first feet and nose point up the page. Arms out, the shoulders have turned left by {left}° and the \
+         feet right by {right}°. Arms in. Untwisted: the feet have come back, but not the whole way. Arms out again: feet and nose point {aside}° to \
+         the right of where they began."
+    );
     let centers: [Point; 5] = [
         [100.0, 112.0],
         [300.0, 112.0],

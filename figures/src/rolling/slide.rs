@@ -52,26 +52,17 @@ pub fn lines(values: &Values) -> Result<Figure> {
         .collect();
     let [lowest, highest] = [0, 4].map(|k| shots[k].rim_speed);
     let sweet = short(ball.pure_rolling_height(), 2);
-    let words = Words {
-        claim: "Wherever the cue strikes, velocity and rim speed meet, and from then on the ball rolls.".to_owned(),
-        details: format!(
-            "Ball with $I = {}\\,MR^2$, struck at heights $H$ to the same velocity of {} m/s, friction $\\mu = {}$. Black: velocity $V$ of the centre; blue: rim \
-             speed $R\\Omega$. They meet at {} m/s. Skidding balls all slow down along one and the same line, and leave it one after the other, the last after {latest:.2} s; \
-             struck above ${sweet}\\,R$, the ball speeds up.",
-            short(kappa, 3),
-            short(speed, 2),
-            short(mu, 3),
-            finals.join(", "),
-        ),
-        alt: format!(
-            "Graph of speed against time. Five blue lines start at rim speeds from {} to {} metres a second, black lines at {}. \
-             Each blue line meets the black one at a dot, and both go on level, at {} metres a second.",
-            short(lowest, 2),
-            short(highest, 2),
-            short(speed, 2),
-            finals.join(", ")
-        ),
-    };
+    let [factor, rough] = shorts([kappa, mu], 3);
+    let [pace, least, most] = shorts([speed, lowest, highest], 2);
+    let finals = finals.join(", ");
+    let words = words!(
+        "Wherever the cue strikes, velocity and rim speed meet, and from then on the ball rolls.",
+        "Ball with $I = {factor}\\,MR^2$, struck at heights $H$ to the same velocity of {pace} m/s, friction $\\mu = {rough}$. Black: velocity $V$ of the centre; blue: rim \
+         speed $R\\Omega$. They meet at {finals} m/s. Skidding balls all slow down along one and the same line, and leave it one after the other, the last after {latest:.2} s; \
+         struck above ${sweet}\\,R$, the ball speeds up.",
+        "Graph of speed against time. Five blue lines start at rim speeds from {least} to {most} metres a second, black lines at {pace}. \
+         Each blue line meets the black one at a dot, and both go on level, at {finals} metres a second."
+    );
     let greatest = highest.max(-lowest).max(speed);
     let x = Axis::linear([0.0, until], [LEFT, RIGHT]);
     let y = Axis::linear(

@@ -58,19 +58,14 @@ pub fn reflections(values: &Values) -> Result<Figure> {
         .enumerate()
         .map(|(n, angle)| format!("{n} at {}", number(angle.to_degrees(), 1)))
         .collect();
-    let words = Words {
-        claim: "A bounce is a reflection; floor and ceiling have a mirror each.".to_owned(),
-        details: format!(
-            "The motion of a superball is a point of a circle: across, the velocity $V$; upward, the spin as $\\sqrt{{\\kappa}}\\,R\\Omega$. The floor reflects it \
-             in the upper dashed line, the ceiling in the lower, both {degrees} degrees from the axis ($\\tan\\beta = \\sqrt{{\\kappa}}$, $\\kappa = {}$). \
-             Start at 0, thrown without spin; after {count} bounce{plural}, floor first, the ball is at {count}, {last}.",
-            short(kappa, 3)
-        ),
-        alt: format!(
-            "A circle with two dashed mirror lines at plus and minus {degrees} degrees. Points of the circle, joined by arrows that cross the upper and the lower mirror in turn: {} degrees.",
-            listed.join(", ")
-        ),
-    };
+    let (factor, listed) = (short(kappa, 3), listed.join(", "));
+    let words = words!(
+        "A bounce is a reflection; floor and ceiling have a mirror each.",
+        "The motion of a superball is a point of a circle: across, the velocity $V$; upward, the spin as $\\sqrt{{\\kappa}}\\,R\\Omega$. The floor reflects it \
+         in the upper dashed line, the ceiling in the lower, both {degrees} degrees from the axis ($\\tan\\beta = \\sqrt{{\\kappa}}$, $\\kappa = {factor}$). \
+         Start at 0, thrown without spin; after {count} bounce{plural}, floor first, the ball is at {count}, {last}.",
+        "A circle with two dashed mirror lines at plus and minus {degrees} degrees. Points of the circle, joined by arrows that cross the upper and the lower mirror in turn: {listed} degrees."
+    );
     let point = |m: &Motion<f64>| {
         [
             CENTER[0] + SIZE * m.velocity,
@@ -194,22 +189,15 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
         _ => "",
     };
     let turns = motions.map(|of| number(of[0].velocity, 2)).join(", ");
-    let words = Words {
-        claim: format!(
-            "With a dense core it {}; a hollow one {}.",
-            told(0)?,
-            told(2)?
-        ),
-        details: format!(
-            "Balls with $\\kappa = I/MR^2$ of {} (dense core), {} (solid) and {} (hollow), thrown alike without spin, drawn without gravity. After floor, ceiling, floor their velocities are \
-             {last} of $V${exactly}. A solid ball that bounces back less than {threshold} of its contact speed does not return at all.",
-            names[0], names[1], names[2],
-        ),
-        alt: format!(
-            "Zigzag paths between floor and table of three balls thrown from the left at one point of the floor. They go on by {turns} of a flight to the table, come down to the floor, and leave it \
-             with velocities {last} of the first; negative ones lead back out to the left.",
-        ),
-    };
+    let (dense, hollow) = (told(0)?, told(2)?);
+    let [first, second, third] = &names;
+    let words = words!(
+        "With a dense core it {dense}; a hollow one {hollow}.",
+        "Balls with $\\kappa = I/MR^2$ of {first} (dense core), {second} (solid) and {third} (hollow), thrown alike without spin, drawn without gravity. After floor, ceiling, floor their velocities are \
+         {last} of $V${exactly}. A solid ball that bounces back less than {threshold} of its contact speed does not return at all.",
+        "Zigzag paths between floor and table of three balls thrown from the left at one point of the floor. They go on by {turns} of a flight to the table, come down to the floor, and leave it \
+         with velocities {last} of the first; negative ones lead back out to the left."
+    );
     let made = figure("three-superballs", 268.0, words, |pen| {
         pen.line(&[[10.0, FLOOR], [590.0, FLOOR]], inked(SECONDARY));
         let slab = [

@@ -36,20 +36,16 @@ pub fn turning_over() -> Result<Figure> {
     let rows = run(&scene, END, PICTURES, 1e-3)?;
     let degrees = |s: &State| s.tilt().to_degrees();
     let (first, last) = (rows[0].1, rows[rows.len() - 1].1);
-    let words = Words {
-        claim: "Spun, a ball with a heavy foot turns itself upside down.".to_owned(),
-        details: format!(
-            "Tippe top of 20 g, $R = 2$ cm, its centre of mass $C$ 6 mm below the centre $K$ of the ball, spun at 155 rad/s, in real time; the camera goes \
-             round with the axis. Its spin about the vertical falls from {} to {} rad/s, $C$ rises by {} mm. Rest the pointer on the picture to stop it.",
-            number(first.spin(), 1),
-            number(last.spin(), 1),
-            number(1e3 * (last.position.z() - first.position.z()), 1),
-        ),
-        alt: "On the left a ball with a dark cap on top and its centre of mass below the centre. On the right its tilt against time. For four seconds \
-              the tilt is small, then the ball leans over, passes the horizontal at five seconds, and at six the cap is at the bottom \
-              and the centre of mass above. Without motion: the ball almost on its side."
-            .to_owned(),
-    };
+    let climbed = 1e3 * (last.position.z() - first.position.z());
+    let [fast, slow, climbed] = numbers([first.spin(), last.spin(), climbed], 1);
+    let words = words!(
+        "Spun, a ball with a heavy foot turns itself upside down.",
+        "Tippe top of 20 g, $R = 2$ cm, its centre of mass $C$ 6 mm below the centre $K$ of the ball, spun at 155 rad/s, in real time; the camera goes \
+         round with the axis. Its spin about the vertical falls from {fast} to {slow} rad/s, $C$ rises by {climbed} mm. Rest the pointer on the picture to stop it.",
+        "On the left a ball with a dark cap on top and its centre of mass below the centre. On the right its tilt against time. For four seconds \
+         the tilt is small, then the ball leans over, passes the horizontal at five seconds, and at six the cap is at the bottom \
+         and the centre of mass above. Without motion: the ball almost on its side."
+    );
     let still = figure(NAME, 330.0, words, |pen| {
         table(pen, 18.0, 282.0, CENTER[1] + RADIUS);
         pen.disc(CENTER, RADIUS, Role::Shade, 1.0);

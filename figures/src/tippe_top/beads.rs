@@ -29,21 +29,16 @@ pub fn beads() -> Result<Figure> {
         .flatten()
         .map(Vector3::norm)
         .fold(0.0, f64::max);
-    let words = Words {
-        claim: "Six equal beads on three crossed rods make the chiral top.".to_owned(),
-        details: format!(
-            "The ball from two sides; $K$ its centre, the rods cross at $C$, {} mm below it for $R = 2$ cm. Beads of a sixth of the mass each sit on the \
-             principal axes at {}, {} and {} mm from $C$; the farthest is {farthest:.3} of $R$ from $K$. The rods are tilted against $CK$ by up to 8.4°, and \
-             that is the whole secret.",
-            number(1e3 * body.center().norm(), 1),
-            number(1e3 * pairs[0].norm(), 2),
-            number(1e3 * pairs[1].norm(), 2),
-            number(1e3 * pairs[2].norm(), 2),
-        ),
-        alt: "Two views of a transparent ball. Three rods cross at a point C a little below the centre K, each with a bead at both ends, all inside the ball. One \
-              rod is nearly vertical but visibly leans."
-            .to_owned(),
-    };
+    let deep = number(1e3 * body.center().norm(), 1);
+    let [first, second, third] = pairs.map(|pair| number(1e3 * pair.norm(), 2));
+    let words = words!(
+        "Six equal beads on three crossed rods make the chiral top.",
+        "The ball from two sides; $K$ its centre, the rods cross at $C$, {deep} mm below it for $R = 2$ cm. Beads of a sixth of the mass each sit on the \
+         principal axes at {first}, {second} and {third} mm from $C$; the farthest is {farthest:.3} of $R$ from $K$. The rods are tilted against $CK$ by up to 8.4°, and \
+         that is the whole secret.",
+        "Two views of a transparent ball. Three rods cross at a point C a little below the centre K, each with a bead at both ends, all inside the ball. One \
+         rod is nearly vertical but visibly leans."
+    );
     Ok(figure("chiral-beads", 300.0, words, |pen| {
         view(pen, ([150.0, 136.0], RADIUS), 0.95, &beads);
         view(

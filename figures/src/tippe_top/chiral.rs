@@ -63,16 +63,12 @@ pub fn both_spins(values: &Values) -> Result<Figure> {
             ),
         });
     let told = told.collect::<Vec<_>>().join(" ");
-    let words = Words {
-        claim: claim.to_owned(),
-        details: format!(
-            "Tilt of the chiral top, a ball of $R = 2$ cm with a skew inertia matrix, released at {tilt:.0}° with {} rad/s about the vertical, $\\mu = {mu:.2}$. {told}",
-            number(spin, 1),
-        ),
-        alt: format!(
-            "Tilt in degrees against time up to {END} seconds. Both curves, black clockwise and grey anticlockwise, start at {tilt:.0} degrees. {told}"
-        ),
-    };
+    let spun = number(spin, 1);
+    let words = words!(
+        "{claim}",
+        "Tilt of the chiral top, a ball of $R = 2$ cm with a skew inertia matrix, released at {tilt:.0}° with {spun} rad/s about the vertical, $\\mu = {mu:.2}$. {told}",
+        "Tilt in degrees against time up to {END} seconds. Both curves, black clockwise and grey anticlockwise, start at {tilt:.0} degrees. {told}"
+    );
     let made = figure("chiral-top", 402.0, words, |pen| {
         let frame = Frame {
             x: Axis::linear([0.0, END], [58.0, 572.0]),

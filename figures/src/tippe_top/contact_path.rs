@@ -47,23 +47,18 @@ pub fn path(values: &Values) -> Result<Figure> {
             "On the ball, the point of contact walks away from the heavy pole, by {tilt:.0} degrees so far."
         )
     };
-    let words = Words {
-        claim,
-        details: format!(
-            "A ball of $R = 2$ cm, $\\alpha = {alpha:.2}$, $\\mu = {mu:.3}$, spun about the vertical at {spin:.0} rad/s: the place that touches the table, seen from \
-             the ball, during {end:.2} s. The ball turns about the vertical meanwhile, so the path goes round only {} times while the tilt grows to {tilt:.0}°{}.",
-            number(turns, 1),
-            match aloft {
-                0 => ", and it never leaves the table".to_owned(),
-                _ => format!("; at {aloft} of the samples it is in the air"),
-            },
-        ),
-        alt: format!(
-            "A ball with the centre of mass below its centre. A line on its surface starts near the south pole, goes round {} times and ends {tilt:.0} degrees from there; \
-             behind the ball it is faint.",
-            number(turns, 1)
-        ),
+    let rounds = number(turns, 1);
+    let flight = match aloft {
+        0 => ", and it never leaves the table".to_owned(),
+        _ => format!("; at {aloft} of the samples it is in the air"),
     };
+    let words = words!(
+        "{claim}",
+        "A ball of $R = 2$ cm, $\\alpha = {alpha:.2}$, $\\mu = {mu:.3}$, spun about the vertical at {spin:.0} rad/s: the place that touches the table, seen from \
+         the ball, during {end:.2} s. The ball turns about the vertical meanwhile, so the path goes round only {rounds} times while the tilt grows to {tilt:.0}°{flight}.",
+        "A ball with the centre of mass below its centre. A line on its surface starts near the south pole, goes round {rounds} times and ends {tilt:.0} degrees from there; \
+         behind the ball it is faint."
+    );
     let made = figure("contact-path", 360.0, words, |pen| {
         let (center, radius): (Point, f64) = ([300.0, 180.0], 164.0);
         let view = View::new(0.4, 0.3, center, radius);

@@ -68,38 +68,29 @@ pub fn energies(values: &Values) -> Result<Figure> {
             "No tilted branch leaves the upright one: that is stable at every spin.".to_owned()
         }
     };
-    let words = Words {
-        claim: "Friction takes energy and leaves Jellett's integral alone, so every top falls down a plumb line.".to_owned(),
-        details: format!(
-            "Energy of the steady states of a tippe top with $\\alpha = {}$, $I_1/I_3 = {}$ against Jellett's integral $J$, given as the spin \
-             $J/RI_3(1-\\alpha)$ of the upright top. Solid: stable; dashed: not. {branch} Arrows: three runs released at 0.1 rad, spun at {}, {} and {} \
-             rad/s; after 14 s they are at {}°, {}° and {}°.",
-            number(values.of(&DIAGRAM[1]), 2),
-            number(values.of(&GAMMA), 3),
-            named[0],
-            named[1],
-            named[2],
-            falls[0].1,
-            falls[1].1,
-            falls[2].1,
-        ),
-        alt: format!(
-            "Energy against spin. Two parabolas: the steep one, upright, is solid {}; the flat one, upside down, is {}. {branch} Three vertical arrows fall from \
-             the upright parabola, to tilts of {}, {} and {} degrees.",
-            match rise {
-                Some(rise) => format!("up to {rise:.0} radians a second and dashed beyond"),
-                None => "all the way".to_owned(),
-            },
-            match (invert, top.inversion()) {
-                (Some(invert), _) => format!("dashed up to {invert:.0} and solid beyond"),
-                (None, Inversion::Never) => "solid from where it is steady".to_owned(),
-                (None, _) => "dashed all the way".to_owned(),
-            },
-            falls[0].1,
-            falls[1].1,
-            falls[2].1,
-        ),
+    let (alpha, gamma) = (
+        number(values.of(&DIAGRAM[1]), 2),
+        number(values.of(&GAMMA), 3),
+    );
+    let [slow, chosen, fast] = named;
+    let [a, b, c] = [0, 1, 2].map(|k: usize| &falls[k].1);
+    let steep = match rise {
+        Some(rise) => format!("up to {rise:.0} radians a second and dashed beyond"),
+        None => "all the way".to_owned(),
     };
+    let flat = match (invert, top.inversion()) {
+        (Some(invert), _) => format!("dashed up to {invert:.0} and solid beyond"),
+        (None, Inversion::Never) => "solid from where it is steady".to_owned(),
+        (None, _) => "dashed all the way".to_owned(),
+    };
+    let words = words!(
+        "Friction takes energy and leaves Jellett's integral alone, so every top falls down a plumb line.",
+        "Energy of the steady states of a tippe top with $\\alpha = {alpha}$, $I_1/I_3 = {gamma}$ against Jellett's integral $J$, given as the spin \
+         $J/RI_3(1-\\alpha)$ of the upright top. Solid: stable; dashed: not. {branch} Arrows: three runs released at 0.1 rad, spun at {slow}, {chosen} and {fast} \
+         rad/s; after 14 s they are at {a}°, {b}° and {c}°.",
+        "Energy against spin. Two parabolas: the steep one, upright, is solid {steep}; the flat one, upside down, is {flat}. {branch} Three vertical arrows fall from \
+         the upright parabola, to tilts of {a}, {b} and {c} degrees."
+    );
     let steady = |tilt: f64| -> Vec<(f64, f64)> {
         spaced([0.0, WIDEST], 120)
             .map(|spin| (spin, energy(&top, tilt, spin)))

@@ -74,17 +74,13 @@ pub fn egg_film(values: &Values) -> Result<Figure> {
             )
         })
         .collect();
-    let words = Words {
-        claim,
-        details: format!(
-            "Picture h of the tutorial. An egg of 6 by 4 cm and 60 g at {turns:.0} turns a second, $\\mu = {mu:.2}$, drawn when its long axis first stands at \
-             the angles marked; the camera goes round with it."
-        ),
-        alt: format!(
-            "Pictures of an egg on a table, from left to right with its long axis this far from the vertical: {}.",
-            times.join(", ")
-        ),
-    };
+    let times = times.join(", ");
+    let words = words!(
+        "{claim}",
+        "Picture h of the tutorial. An egg of 6 by 4 cm and 60 g at {turns:.0} turns a second, $\\mu = {mu:.2}$, drawn when its long axis first stands at \
+         the angles marked; the camera goes round with it.",
+        "Pictures of an egg on a table, from left to right with its long axis this far from the vertical: {times}."
+    );
     let made = figure("egg-film", 178.0, words, |pen| {
         let floor = 128.0;
         table(pen, 8.0, 592.0, floor);
@@ -130,19 +126,15 @@ pub fn how_far_eggs_rise() -> Result<Figure> {
         Ok(slope(rows[8].1.tilt()))
     };
     let ends = SPINS.iter().map(|&n| one(n)).collect::<Result<Vec<_>>>()?;
-    let words = Words {
-        claim: "An egg that is spun too sluggishly rises part of the way, or not at all.".to_owned(),
-        details: format!(
-            "Angle between the long axis and the vertical after 8 s, against the spin given to the lying egg ($6\\times4$ cm, 60 g, $\\mu = 0.1$). At 8 \
-             turns a second it stays at {}°, at 10 it rests at {}°, at 20 at {}°.",
-            number(ends[0], 0),
-            number(ends[2], 0),
-            number(ends[6], 1),
-        ),
-        alt: "Final angle from the vertical against turns a second. Up to nine turns the egg stays at about 89 degrees. Then the angle falls: about 64 \
-              at ten turns, and near zero at twenty."
-            .to_owned(),
-    };
+    let [eight, ten] = numbers([ends[0], ends[2]], 0);
+    let twenty = number(ends[6], 1);
+    let words = words!(
+        "An egg that is spun too sluggishly rises part of the way, or not at all.",
+        "Angle between the long axis and the vertical after 8 s, against the spin given to the lying egg ($6\\times4$ cm, 60 g, $\\mu = 0.1$). At 8 \
+         turns a second it stays at {eight}°, at 10 it rests at {ten}°, at 20 at {twenty}°.",
+        "Final angle from the vertical against turns a second. Up to nine turns the egg stays at about 89 degrees. Then the angle falls: about 64 \
+         at ten turns, and near zero at twenty."
+    );
     Ok(figure("egg-angle", 348.0, words, |pen| {
         let frame = Frame {
             x: Axis::linear([7.0, 21.0], [62.0, 572.0]),

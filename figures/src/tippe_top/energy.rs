@@ -49,31 +49,24 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
     let steady = rows
         .windows(2)
         .all(|pair| pair[1].1.energy <= pair[0].1.energy * (1.0 + 1e-6));
-    let words = Words {
-        claim,
-        details: format!(
-            "Tippe top of 20 g, $R = 2$ cm, $\\alpha = {alpha:.2}$, spun at {spin:.0} rad/s about its axis, viscous friction {friction:.2} s/m. $C$ goes from {} to {} mm. \
-             {side}. The height costs {} mJ. The energy falls from {} to {} mJ{}",
-            number(1e3 * first.position.z(), 2),
-            number(1e3 * last.position.z(), 2),
-            number(1e3 * gain, 2),
-            number(1e3 * first.energy, 2),
-            number(1e3 * last.energy, 2),
-            if steady {
-                ", at no instant rising."
-            } else {
-                "."
-            },
-        ),
-        alt: format!(
-            "Two curves against time from 0 to {END} seconds. The upper one, total energy, falls from {} to {} millijoules. The lower one, dashed, the potential energy, \
-             goes from {} to {}. {side}. The gap between the curves is the kinetic energy.",
-            number(1e3 * first.energy, 1),
-            number(1e3 * last.energy, 1),
-            number(1e3 * weight * first.position.z(), 1),
-            number(1e3 * weight * last.position.z(), 1),
-        ),
+    let [low, high] = numbers([first, last].map(|s| 1e3 * s.position.z()), 2);
+    let climb = number(1e3 * gain, 2);
+    let energies = [first, last].map(|s| 1e3 * s.energy);
+    let [before, after] = numbers(energies, 2);
+    let falls = if steady {
+        ", at no instant rising."
+    } else {
+        "."
     };
+    let [more, less] = numbers(energies, 1);
+    let [lower, upper] = numbers([first, last].map(|s| 1e3 * weight * s.position.z()), 1);
+    let words = words!(
+        "{claim}",
+        "Tippe top of 20 g, $R = 2$ cm, $\\alpha = {alpha:.2}$, spun at {spin:.0} rad/s about its axis, viscous friction {friction:.2} s/m. $C$ goes from {low} to {high} mm. \
+         {side}. The height costs {climb} mJ. The energy falls from {before} to {after} mJ{falls}",
+        "Two curves against time from 0 to {END} seconds. The upper one, total energy, falls from {more} to {less} millijoules. The lower one, dashed, the potential energy, \
+         goes from {lower} to {upper}. {side}. The gap between the curves is the kinetic energy."
+    );
     let height = |s: &State| 1e3 * weight * s.position.z();
     let made = figure("tippe-energy", 380.0, words, |pen| {
         let top = 1.08 * 1e3 * first.energy;

@@ -73,22 +73,16 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
     };
     let told =
         slopes.map(|slope| slope.map_or("not to be had".to_owned(), |slope| number(slope, 2)));
-    let words = Words {
-        claim,
-        details: format!(
-            "Growth rates of the chiral top's slow swing about its quasi-steady state, in units of $\\sqrt{{g/R}}$, at ${spin:.1}\\sqrt{{g/R}}$, $\\alpha = {alpha:.2}$, the \
-             products of inertia {} times the book's: half the difference of the two senses and their mean. At the left end the slopes are {} and {}. Dotted: slopes 2 and 1. \
-             Where a curve falls off it changes sign.",
-            number(skew, 2),
-            told[0],
-            told[1],
-        ),
-        alt: format!(
-            "Two curves on doubly logarithmic axes, friction from 0.001 to 0.25. The half difference of the growth rates, black, starts with slope {}. The mean, grey, \
-             with slope {}. Dotted lines of slopes two and one for comparison.",
-            told[0], told[1]
-        ),
-    };
+    let times = number(skew, 2);
+    let [first, second] = &told;
+    let words = words!(
+        "{claim}",
+        "Growth rates of the chiral top's slow swing about its quasi-steady state, in units of $\\sqrt{{g/R}}$, at ${spin:.1}\\sqrt{{g/R}}$, $\\alpha = {alpha:.2}$, the \
+         products of inertia {times} times the book's: half the difference of the two senses and their mean. At the left end the slopes are {first} and {second}. Dotted: slopes 2 and 1. \
+         Where a curve falls off it changes sign.",
+        "Two curves on doubly logarithmic axes, friction from 0.001 to 0.25. The half difference of the growth rates, black, starts with slope {first}. The mean, grey, \
+         with slope {second}. Dotted lines of slopes two and one for comparison."
+    );
     let made = figure("chiral-growth", 392.0, words, |pen| {
         let frame = Frame {
             x: Axis::log(MU, [74.0, 560.0]),

@@ -55,29 +55,20 @@ pub fn hoop_with_clay(values: &Values) -> Result<Figure> {
     };
     let dips = torques.map(|n| number((n.z() / n.x()).atan().to_degrees(), 0));
     let named = degrees.map(|tilt| number(tilt, 0));
-    let words = Words {
-        claim,
-        details: format!(
-            "Pictures i and j of the tutorial. The hoop spins about the vertical, anticlockwise from above, {} times a second. At tilts of {}° and {}° the \
-             contact plunges into the page, with {} and {} m/s in the toy if $CK$ were {} of $R$; so friction comes out of it, and its \
-             torque $N$ about $C$ points left and {}° and {}° down. It turns the axis $CK$ away from $L$ both times.",
-            number(values.of(&TURNS), 0),
-            named[0],
-            named[1],
-            number(slips[0].y(), 2),
-            number(slips[1].y(), 2),
-            number(values.of(&OFFSET), 2),
-            dips[0],
-            dips[1],
-        ),
-        alt: format!(
-            "Two hoops on a table, seen along it, each with a lump of clay on its rim. On the left the clay is low and to the left, on the right \
-             high and to the left. K is the hoop's centre, C lies between K and the clay. The vertical arrow L and the axis from C through K \
-             enclose the angle theta, {} and {} degrees. Below K, where the hoop touches the table, friction comes out of the page. \
-             A torque arrow points left from C and slightly down, in both pictures.",
-            named[0], named[1]
-        ),
-    };
+    let turns = number(values.of(&TURNS), 0);
+    let ([low, high], [dip, dive]) = (&named, &dips);
+    let [first, second] = numbers(slips.map(|slip| slip.y()), 2);
+    let off = number(values.of(&OFFSET), 2);
+    let words = words!(
+        "{claim}",
+        "Pictures i and j of the tutorial. The hoop spins about the vertical, anticlockwise from above, {turns} times a second. At tilts of {low}° and {high}° the \
+         contact plunges into the page, with {first} and {second} m/s in the toy if $CK$ were {off} of $R$; so friction comes out of it, and its \
+         torque $N$ about $C$ points left and {dip}° and {dive}° down. It turns the axis $CK$ away from $L$ both times.",
+        "Two hoops on a table, seen along it, each with a lump of clay on its rim. On the left the clay is low and to the left, on the right \
+         high and to the left. K is the hoop's centre, C lies between K and the clay. The vertical arrow L and the axis from C through K \
+         enclose the angle theta, {low} and {high} degrees. Below K, where the hoop touches the table, friction comes out of the page. \
+         A torque arrow points left from C and slightly down, in both pictures."
+    );
     let made = figure("hoop-with-clay", 314.0, words, |pen| {
         pen.line(&[[14.0, FLOOR], [586.0, FLOOR]], inked(SECONDARY));
         for k in 0..2 {

@@ -47,19 +47,15 @@ pub fn outcomes() -> Result<Figure> {
             )
         })
         .collect();
-    let words = Words {
-        claim: "Clockwise it turns over from every release; anticlockwise only if you let it lean.".to_owned(),
-        details: format!(
-            "Outcome after {END:.1} s of {total} releases each way: the ring gives the tilt of the release, 2°, 5°, 10°, 15°, 20° and 30°, the direction its \
-             azimuth in the body. Full discs turn over: {} of {total} clockwise, {} of {total} anticlockwise ({}). $\\mu = 0.3$, 132.9 rad/s.",
-            count(&minus),
-            count(&plus),
-            by_ring.join(", "),
-        ),
-        alt: "Two targets of six rings with eight discs each. On the left, clockwise, all discs are full. On the right, anticlockwise, the \
-              inner rings are empty and some discs of the outer rings are full."
-            .to_owned(),
-    };
+    let [clockwise, other] = [&minus, &plus].map(|rings| count(rings));
+    let by_ring = by_ring.join(", ");
+    let words = words!(
+        "Clockwise it turns over from every release; anticlockwise only if you let it lean.",
+        "Outcome after {END:.1} s of {total} releases each way: the ring gives the tilt of the release, 2°, 5°, 10°, 15°, 20° and 30°, the direction its \
+         azimuth in the body. Full discs turn over: {clockwise} of {total} clockwise, {other} of {total} anticlockwise ({by_ring}). $\\mu = 0.3$, 132.9 rad/s.",
+        "Two targets of six rings with eight discs each. On the left, clockwise, all discs are full. On the right, anticlockwise, the \
+         inner rings are empty and some discs of the outer rings are full."
+    );
     Ok(figure("chiral-map", 330.0, words, |pen| {
         target(pen, [155.0, 168.0], &minus, "clockwise");
         target(pen, [445.0, 168.0], &plus, "anticlockwise");

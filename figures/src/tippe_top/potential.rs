@@ -90,22 +90,15 @@ pub fn effective(values: &Values) -> Result<Figure> {
         None => "the head is never reached".to_owned(),
     };
     let listed: Vec<String> = ends.iter().map(|&tilt| degrees(tilt)).collect();
-    let words = Words {
-        claim,
-        details: format!(
-            "Effective potential $V(\\theta)$ of a tippe top with $\\alpha = {}$, $I_1/I_3 = {}$, less $V(0)$, over $MgR$, for {} spins about the upright axis \
-             in rad/s, each with its Jellett integral; heavy: {chosen:.1}. Discs: the minima where a top ends, at {}. {lost}, {reached}.",
-            number(values.of(&ALPHA), 2),
-            number(values.of(&GAMMA), 3),
-            spins.len(),
-            listed.join(", "),
-        ),
-        alt: format!(
-            "Curves over the tilt from 0 to 180 degrees, all from the same point at 0; the faster the spin, the lower the curve. A disc marks the place where a top of each ends: \
-             from the slowest to the fastest at {}.",
-            listed.join(", ")
-        ),
-    };
+    let (alpha, gamma) = (number(values.of(&ALPHA), 2), number(values.of(&GAMMA), 3));
+    let (count, listed) = (spins.len(), listed.join(", "));
+    let words = words!(
+        "{claim}",
+        "Effective potential $V(\\theta)$ of a tippe top with $\\alpha = {alpha}$, $I_1/I_3 = {gamma}$, less $V(0)$, over $MgR$, for {count} spins about the upright axis \
+         in rad/s, each with its Jellett integral; heavy: {chosen:.1}. Discs: the minima where a top ends, at {listed}. {lost}, {reached}.",
+        "Curves over the tilt from 0 to 180 degrees, all from the same point at 0; the faster the spin, the lower the curve. A disc marks the place where a top of each ends: \
+         from the slowest to the fastest at {listed}."
+    );
     let made = figure("tippe-potential", 400.0, words, |pen| {
         let frame = frame(&top);
         let names = ["tilt *θ*", "(*V* − *V* (0))/*MgR*"];

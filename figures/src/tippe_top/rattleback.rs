@@ -78,25 +78,15 @@ pub fn reversals(values: &Values) -> Result<Figure> {
         .chain(&slow)
         .map(|(_, s)| s.spin().abs())
         .fold(spin, f64::max);
-    let words = Words {
-        claim,
-        details: format!(
-            "Spin about the vertical of Kane and Levinson's stone in pure rolling without any loss, released at ±{} rad/s {}° off level. First reversals \
-             {} and {}.",
-            number(spin, 1),
-            number(tilt, 1),
-            told[0],
-            told[1],
-        ),
-        alt: format!(
-            "Spin against time up to {END} seconds. The black curve starts at minus {} radians a second, trembles and crosses zero {}. The grey one starts at plus {} and crosses zero \
-             {}.",
-            number(spin, 1),
-            told[0],
-            number(spin, 1),
-            told[1]
-        ),
-    };
+    let [spun, askew] = numbers([spin, tilt], 1);
+    let [wrong, right] = &told;
+    let words = words!(
+        "{claim}",
+        "Spin about the vertical of Kane and Levinson's stone in pure rolling without any loss, released at ±{spun} rad/s {askew}° off level. First reversals \
+         {wrong} and {right}.",
+        "Spin against time up to {END} seconds. The black curve starts at minus {spun} radians a second, trembles and crosses zero {wrong}. The grey one starts at plus {spun} and crosses zero \
+         {right}."
+    );
     let made = figure("rattleback", 372.0, words, |pen| {
         let frame = Frame {
             x: Axis::linear([0.0, END], [58.0, 572.0]),

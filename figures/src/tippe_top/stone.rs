@@ -62,28 +62,20 @@ pub fn two_pairs_of_axes(values: &Values) -> Result<Figure> {
         _ if angle == 0.0 => "With its axes of inertia in line with those of its belly, rattling grows in neither sense of spin.".to_owned(),
         _ => format!("At this spin rattling grows in neither sense, though the stone's axes stand {out}° out of line."),
     };
-    let words = Words {
-        claim,
-        details: format!(
-            "Kane and Levinson's stone from above, half axes 20 and 3 cm, to scale. Dashed: the axes of the belly; solid: the principal axes of inertia, from moments of 2 and 16 cm² and a \
-             product of ${}$ cm² a unit mass; in the lens the tip, {} times as large. Steady spin of {} rad/s in pure rolling: clockwise rattling {}, anticlockwise it {}.",
-            short(product, 2).replace('\u{2212}', "-"),
-            LENS.2,
-            short(spin, 2),
-            told[0],
-            told[1],
-        ),
-        alt: format!(
-            "The outline of a long stone from above with two crosses of axes through its middle, one dashed along the outline and one solid, turned by {out} degrees. A lens enlarges the tip, \
-             where the dashed axis meets the outline and the solid one {}. Two bent arrows tell what each sense of spin does: clockwise rattling {}, anticlockwise it {}.",
-            match angle == 0.0 {
-                true => "lies on it",
-                false => "passes beside it",
-            },
-            told[0],
-            told[1]
-        ),
+    let off = short(product, 2).replace('\u{2212}', "-");
+    let (times, spun) = (LENS.2, short(spin, 2));
+    let [clockwise, other] = &told;
+    let passes = match angle == 0.0 {
+        true => "lies on it",
+        false => "passes beside it",
     };
+    let words = words!(
+        "{claim}",
+        "Kane and Levinson's stone from above, half axes 20 and 3 cm, to scale. Dashed: the axes of the belly; solid: the principal axes of inertia, from moments of 2 and 16 cm² and a \
+         product of ${off}$ cm² a unit mass; in the lens the tip, {times} times as large. Steady spin of {spun} rad/s in pure rolling: clockwise rattling {clockwise}, anticlockwise it {other}.",
+        "The outline of a long stone from above with two crosses of axes through its middle, one dashed along the outline and one solid, turned by {out} degrees. A lens enlarges the tip, \
+         where the dashed axis meets the outline and the solid one {passes}. Two bent arrows tell what each sense of spin does: clockwise rattling {clockwise}, anticlockwise it {other}."
+    );
     let made = figure("rattleback-stone", 322.0, words, |pen| {
         let belly = inked(SECONDARY).dashed();
         let inertia = inked(DATA);

@@ -32,19 +32,14 @@ pub fn strobed(values: &Values) -> Result<Figure> {
         let tilts = rows[k].iter().map(|(_, s)| s.tilt().to_degrees());
         tilts.map(|tilt| number(tilt, 0)).collect()
     };
-    let words = Words {
-        claim: "Seven looks at one top: clockwise above, anticlockwise below.".to_owned(),
-        details: format!(
-            "The chiral top every {step:.2} s, released at {tilt:.0}° with {} rad/s, $\\mu = {mu:.2}$. The dark cap is on the light side of the ball, so it is on top of one that \
-             stands on its foot and at the bottom of one that has turned over. Under each ball its tilt.",
-            number(spin, 1),
-        ),
-        alt: format!(
-            "Two rows of seven balls with a dark cap, {step:.2} seconds apart. In the upper row the cap is tilted by {} degrees, in the lower row by {}.",
-            tilts(0).join(", "),
-            tilts(1).join(", ")
-        ),
-    };
+    let spun = number(spin, 1);
+    let [above, below] = [0, 1].map(|k| tilts(k).join(", "));
+    let words = words!(
+        "Seven looks at one top: clockwise above, anticlockwise below.",
+        "The chiral top every {step:.2} s, released at {tilt:.0}° with {spun} rad/s, $\\mu = {mu:.2}$. The dark cap is on the light side of the ball, so it is on top of one that \
+         stands on its foot and at the bottom of one that has turned over. Under each ball its tilt.",
+        "Two rows of seven balls with a dark cap, {step:.2} seconds apart. In the upper row the cap is tilted by {above} degrees, in the lower row by {below}."
+    );
     let made = figure("chiral-strobe", 300.0, words, |pen| {
         row(pen, &rows[0], 106.0, "clockwise");
         row(pen, &rows[1], 240.0, "anticlockwise");

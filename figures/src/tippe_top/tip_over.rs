@@ -67,29 +67,19 @@ pub fn tip_over(values: &Values) -> Result<Figure> {
         Some(mean) => format!("{}°", number(mean, 1)),
         None => "too few degrees to tell".to_owned(),
     });
-    let words = Words {
-        claim,
-        details: format!(
-            "Tilt of the tutorial's toy, a ball with $R = 2$ cm, $I = \\frac25MR^2$, {} turns a second, $\\mu = {mu:.3}$, released at {START} rad. \
-             Dashed: the estimate, {}° a second. Between 30° and 150° the full motion makes {} a second for \
-             $\\alpha = {}$ and {} for $\\alpha = {}$. Dotted: the rate that Jellett's integral gives for $\\alpha = {}$.",
-            number(values.of(&TURNS), 0),
-            number(rate.to_degrees(), 2),
-            told[0],
-            named[0],
-            told[1],
-            named[1],
-            named[1],
-        ),
-        alt: format!(
-            "Tilt in degrees against time in seconds. A dashed straight line rises from near zero to 180 degrees at {} seconds. A grey curve, for the lighter clay, starts \
-             late, and a black one, for the heavier clay, climbs beside it; after {end:.2} seconds they stand at {} and {} degrees. \
-             A dotted curve is the refined estimate for the heavier clay.",
-            number((PI - START) / rate, 1),
-            number(runs[0][250].1.tilt().to_degrees(), 0),
-            number(runs[1][250].1.tilt().to_degrees(), 0),
-        ),
-    };
+    let (turns, slope) = (number(values.of(&TURNS), 0), number(rate.to_degrees(), 2));
+    let ([slow, fast], [light, heavy]) = (&told, &named);
+    let reached = number((PI - START) / rate, 1);
+    let [low, high] = [0, 1].map(|k: usize| number(runs[k][250].1.tilt().to_degrees(), 0));
+    let words = words!(
+        "{claim}",
+        "Tilt of the tutorial's toy, a ball with $R = 2$ cm, $I = \\frac25MR^2$, {turns} turns a second, $\\mu = {mu:.3}$, released at {START} rad. \
+         Dashed: the estimate, {slope}° a second. Between 30° and 150° the full motion makes {slow} a second for \
+         $\\alpha = {light}$ and {fast} for $\\alpha = {heavy}$. Dotted: the rate that Jellett's integral gives for $\\alpha = {heavy}$.",
+        "Tilt in degrees against time in seconds. A dashed straight line rises from near zero to 180 degrees at {reached} seconds. A grey curve, for the lighter clay, starts \
+         late, and a black one, for the heavier clay, climbs beside it; after {end:.2} seconds they stand at {low} and {high} degrees. \
+         A dotted curve is the refined estimate for the heavier clay."
+    );
     let made = figure("tip-over", 404.0, words, |pen| {
         let frame = Frame {
             x: Axis::linear([0.0, end], [58.0, 572.0]),

@@ -56,22 +56,15 @@ pub fn twins(values: &Values) -> Result<Figure> {
         Some(time) => format!("is on its side after {time:.2} s"),
         None => format!("stays below {}°", number(most[k], 1)),
     });
-    let words = Words {
-        claim: claim.to_owned(),
-        details: format!(
-            "Above: the three rods in the chiral top and in its image in a mirror between them. Below: both, spun clockwise at {} rad/s and {tilt:.0}° from the vertical, $\\mu = {mu:.2}$, every {} s. \
-             The top {}, its image {}.",
-            number(spin, 1),
-            number(END / (PICTURES - 1) as f64, 0),
-            told[0],
-            told[1],
-        ),
-        alt: format!(
-            "Left and right of a dotted line two transparent balls, each with three crossed rods that lean opposite ways. Below each a row of {PICTURES} balls with a dark cap, from release to {END} \
-             seconds later. The top on the left {}, its mirror image on the right {}.",
-            told[0], told[1]
-        ),
-    };
+    let (spun, every) = (number(spin, 1), number(END / (PICTURES - 1) as f64, 0));
+    let [own, image] = told;
+    let words = words!(
+        "{claim}",
+        "Above: the three rods in the chiral top and in its image in a mirror between them. Below: both, spun clockwise at {spun} rad/s and {tilt:.0}° from the vertical, $\\mu = {mu:.2}$, every {every} s. \
+         The top {own}, its image {image}.",
+        "Left and right of a dotted line two transparent balls, each with three crossed rods that lean opposite ways. Below each a row of {PICTURES} balls with a dark cap, from release to {END} \
+         seconds later. The top on the left {own}, its mirror image on the right {image}."
+    );
     let made = figure("chiral-twins", 346.0, words, |pen| {
         pen.line(
             &[[300.0, 12.0], [300.0, 334.0]],

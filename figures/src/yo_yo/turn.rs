@@ -32,26 +32,17 @@ pub fn turn(values: &Values) -> Result<Figure> {
     let peak = pictures[2].1.tension;
     let told = pictures.iter().map(|(_, s)| number(s.tension / weight, 1));
     let pulls: Vec<String> = told.collect();
-    let words = Words {
-        claim: format!(
-            "In {} milliseconds the centre swings half round the end of the thread: the velocity is reversed, the sense of the spin is not.",
-            number(1e3 * turn.duration, 1)
-        ),
-        details: format!(
-            "A yo-yo of 55 g and radius 29 mm on {} m of string round an axle of {} mm, to scale, at five equal steps of its turn. Arrows: the velocity of the centre; bars: the pull of the string, \
-             {} times the weight. The spin is {} rad/s at both ends and {} at the bottom.",
-            short(length, 2),
-            short(1e3 * axle, 2),
-            pulls.join(", "),
-            number(turn.omega, 1),
-            number(turn.fastest, 1),
-        ),
-        alt: format!(
-            "Five pictures of a disc on a thread. In the first the axle hangs on the right of the thread and moves down, in the third it is below the end of the thread and moves to the left, in the \
-             last it is on the left and moves up. A blue arrow shows the spin, clockwise in all five. The bar of the pull is short, longer, longest at {} weights, and shorter again.",
-            number(peak / weight, 1)
-        ),
-    };
+    let ends = [1e3 * turn.duration, turn.omega, turn.fastest, peak / weight];
+    let [lasts, spun, fastest, most] = numbers(ends, 1);
+    let [long, thick] = shorts([length, 1e3 * axle], 2);
+    let listed = pulls.join(", ");
+    let words = words!(
+        "In {lasts} milliseconds the centre swings half round the end of the thread: the velocity is reversed, the sense of the spin is not.",
+        "A yo-yo of 55 g and radius 29 mm on {long} m of string round an axle of {thick} mm, to scale, at five equal steps of its turn. Arrows: the velocity of the centre; bars: the pull of the string, \
+         {listed} times the weight. The spin is {spun} rad/s at both ends and {fastest} at the bottom.",
+        "Five pictures of a disc on a thread. In the first the axle hangs on the right of the thread and moves down, in the third it is below the end of the thread and moves to the left, in the \
+         last it is on the left and moves up. A blue arrow shows the spin, clockwise in all five. The bar of the pull is short, longer, longest at {most} weights, and shorter again."
+    );
     let made = figure("yo-yo-turn", 276.0, words, |pen| {
         for (k, (time, state)) in pictures.iter().enumerate() {
             let (sin, cos) = state.angle.sin_cos();

@@ -15,8 +15,8 @@ pub const FIGURES: &[Entry] = &[
 ];
 
 /// Whose error.
-const TEXTBOOK: Role = Role::Muted;
-const OURS: Role = Role::Ink;
+const TEXTBOOK: Role = Muted;
+const OURS: Role = Ink;
 
 /// Errors shown: no less than a tenth of a rounding, and all above one as one: nothing is right then.
 const SHOWN: [f64; 2] = [1e-17, 1.0];
@@ -46,20 +46,15 @@ pub fn overview() -> Result<Figure> {
     Ok(figure("hard-cases", bottom + 58.0, words, |pen| {
         for (value, text) in powers([-16, -12, -8, -4, 0]) {
             let x = axis.at(value);
-            pen.line(&[[x, top - 12.0], [x, bottom]], inked(HAIR).alpha(0.18));
-            pen.remark([x, bottom + 20.0], Anchor::Middle, &text);
+            pen.line([[x, top - 12.0], [x, bottom]], inked(HAIR).alpha(0.18));
+            pen.remark([x, bottom + 20.0], Middle, &text);
         }
         let place = [580.0, bottom + 44.0];
-        pen.remark(place, Anchor::End, "relative error");
-        pen.text(
-            [axis.at(1e-16), 26.0],
-            Anchor::Middle,
-            "ours",
-            label(OURS).strong(),
-        );
+        pen.remark(place, End, "relative error");
+        pen.text([axis.at(1e-16), 26.0], Middle, "ours", label(OURS).strong());
         pen.text(
             [axis.at(1e-4), 26.0],
-            Anchor::Middle,
+            Middle,
             "the textbook",
             label(TEXTBOOK).strong(),
         );
@@ -67,14 +62,9 @@ pub fn overview() -> Result<Figure> {
             let y = top + pitch * n as f64 + 36.0;
             let [a, b] = [at.ours, at.textbook].map(|error| [axis.at(shown(error)), y]);
             let lost = format!("lost: {}", family.lost);
-            pen.text(
-                [24.0, y - 30.0],
-                Anchor::Start,
-                family.quantity,
-                small(OURS),
-            );
-            pen.text([24.0, y - 12.0], Anchor::Start, &lost, small(TEXTBOOK));
-            pen.line(&[a, b], stroke(Role::Muted, SECONDARY).alpha(0.7));
+            pen.text([24.0, y - 30.0], Start, family.quantity, small(OURS));
+            pen.text([24.0, y - 12.0], Start, &lost, small(TEXTBOOK));
+            pen.line([a, b], muted(SECONDARY).alpha(0.7));
             pen.disc(a, 4.5, OURS, 1.0);
             pen.disc(b, 4.5, TEXTBOOK, 1.0);
         }
@@ -157,7 +147,7 @@ fn panel(pen: &mut Pen, corner: Point, title: &[String], steps: &[Comparison]) -
     let (last, before) = title.split_last().expect("a title has a line");
     for (k, line) in before.iter().rev().enumerate() {
         let place = [corner[0], corner[1] - 34.0 - 20.0 * k as f64];
-        pen.label(place, Anchor::Start, line);
+        pen.label(place, Start, line);
     }
     let across = [[1.0, 1e-16], SHOWN];
     let frame = Frame::panel(pen, last, corner, across, [&POWERS, &POWERS]);

@@ -148,36 +148,33 @@ pub fn circle(values: &Values) -> Result<Figure> {
             (panels[2], "*K*", &right),
         ] {
             let [left, right] = [x - PANEL - 6.0, x + PANEL + 6.0];
-            pen.line(&[[left, MIDDLE], [right, MIDDLE]], inked(HAIR));
+            pen.line([[left, MIDDLE], [right, MIDDLE]], inked(HAIR));
             let [above, below] = [MIDDLE - PANEL - 6.0, MIDDLE + PANEL + 6.0];
-            pen.line(&[[x, above], [x, below]], inked(HAIR));
-            pen.label([right - 4.0, above + 18.0], Anchor::Middle, text);
-            pen.label([x, below + 26.0], Anchor::Middle, remark);
+            pen.line([[x, above], [x, below]], inked(HAIR));
+            pen.label([right - 4.0, above + 18.0], Middle, text);
+            pen.label([x, below + 26.0], Middle, remark);
         }
-        let path: Vec<Point> = hers.iter().map(|p| scribble(p[0])).collect();
-        pen.line(&path, stroke(Role::Omega, AXIS).alpha(0.8));
-        let ring: Vec<Point> = (0..=360)
+        let path = hers.iter().map(|p| scribble(p[0]));
+        pen.line(path, stroke(Omega, AXIS).alpha(0.8));
+        let ring = (0..=360)
             .map(|n| f64::from(n).to_radians().sin_cos())
-            .map(|(sine, cosine)| smear([k * cosine, k * sine]))
-            .collect();
-        let path: Vec<Point> = hers.iter().map(|p| circle(p[1])).collect();
-        pen.line(&path, inked(DATA));
-        let path: Vec<Point> = wandering.iter().map(|p| smear(*p)).collect();
-        pen.line(&path, stroke(Role::Muted, HAIR).alpha(0.8));
-        pen.line(&ring, inked(SECONDARY).dashed());
+            .map(|(sine, cosine)| smear([k * cosine, k * sine]));
+        let path = hers.iter().map(|p| circle(p[1]));
+        pen.line(path, inked(DATA));
+        let path = wandering.iter().map(|p| smear(*p));
+        pen.line(path, muted(HAIR).alpha(0.8));
+        pen.line(ring, inked(SECONDARY).dashed());
     });
     let time = |n: usize| SECONDS * n as f64 / f64::from(SAMPLES);
-    let columns = ["time (s)", "real part", "imaginary part"];
-    let rows = |pick: &dyn Fn(usize) -> Point| -> Vec<Vec<f64>> {
+    let columns = "time (s) | real part | imaginary part";
+    let rows = |pick: &dyn Fn(usize) -> Point| -> Vec<[f64; 3]> {
         let steps = (0..hers.len()).step_by(10);
-        steps
-            .map(|n| vec![time(n), pick(n)[0], pick(n)[1]])
-            .collect()
+        steps.map(|n| [time(n), pick(n)[0], pick(n)[1]]).collect()
     };
     Ok(made
-        .data("w", &columns, rows(&|n| hers[n][0]))
-        .data("K", &columns, rows(&|n| hers[n][1]))
-        .data("K of other moments", &columns, rows(&|n| wandering[n])))
+        .data("w", columns, rows(&|n| hers[n][0]))
+        .data("K", columns, rows(&|n| hers[n][1]))
+        .data("K of other moments", columns, rows(&|n| wandering[n])))
 }
 
 /// P(s) with its five roots: s₁ swings in the middle band, s₂ comes from −∞ and goes back.
@@ -241,7 +238,7 @@ pub fn bands(values: &Values) -> Result<Figure> {
             .filter(seen)
             .map(|&(s, p)| [x(s), y(p)])
             .collect();
-        pen.line(&[[20.0, LEVEL], [580.0, LEVEL]], inked(AXIS));
+        pen.line([[20.0, LEVEL], [580.0, LEVEL]], inked(AXIS));
         let taken = along(&graph, 6.0);
         if let Some((((low, high), turn), _)) = moving {
             band(pen, [20.0, x(turn)], "*s*_{2}", &taken);
@@ -249,21 +246,21 @@ pub fn bands(values: &Values) -> Result<Figure> {
         }
         pen.line(&graph, inked(DATA));
         for e in &real {
-            pen.disc([x(*e), LEVEL], 3.5, Role::Ink, 1.0);
+            pen.dot([x(*e), LEVEL], 3.5);
         }
-        pen.label([588.0, LEVEL - 8.0], Anchor::End, "*s*");
+        pen.label([588.0, LEVEL - 8.0], End, "*s*");
         let top = grid
             .iter()
             .find(seen)
             .map_or([0.0; 2], |&(s, p)| [x(s), y(p)]);
         pen.label(
             [top[0] + 80.0, (top[1] + 12.0).max(24.0)],
-            Anchor::Start,
+            Start,
             "*P*(*s*)",
         );
     });
-    let rows = grid.iter().map(|&(s, p)| vec![s, p]);
-    Ok(made.data("P", &["s (1/s²)", "P (1/s¹⁰)"], rows))
+    let rows = grid.iter().map(|&(s, p)| [s, p]);
+    Ok(made.data("P", "s (1/s²) | P (1/s¹⁰)", rows))
 }
 
 /// The axis of the bands, units.
@@ -330,14 +327,14 @@ pub fn classes(values: &Values) -> Result<Figure> {
         };
         let inside = |point: &Point| inside_of(point, [least, greatest, highest]);
         for motion in motions.iter().filter(|m| inside(m)) {
-            pen.disc(place(*motion), 1.5, Role::Ink, 0.45);
+            pen.disc(place(*motion), 1.5, Ink, 0.45);
         }
         for curve in &curves {
             // A branch may leave the picture and come back.
             for part in curve.split(|point| !inside(point)) {
                 if part.len() > 1 {
-                    let points: Vec<Point> = part.iter().map(|p| place(*p)).collect();
-                    pen.line(&points, inked(DATA));
+                    let points = part.iter().map(|p| place(*p));
+                    pen.line(points, inked(DATA));
                 }
             }
         }
@@ -358,18 +355,18 @@ pub fn classes(values: &Values) -> Result<Figure> {
             .collect();
         for ((_, text), y) in named.iter().zip(apart(&heights, 18.0, 258.0)) {
             let x = place([greatest, 0.0])[0];
-            pen.label([x + 8.0, y + 5.0], Anchor::Start, text);
+            pen.label([x + 8.0, y + 5.0], Start, text);
         }
-        pen.line(&[[46.0, 262.0], [580.0, 262.0]], inked(AXIS));
-        pen.line(&[[46.0, 262.0], [46.0, 16.0]], inked(AXIS));
-        pen.label([580.0, 284.0], Anchor::End, "*E*");
-        pen.label([54.0, 28.0], Anchor::Start, "*L*_{vert}^{2}");
+        pen.line([[46.0, 262.0], [580.0, 262.0]], inked(AXIS));
+        pen.line([[46.0, 262.0], [46.0, 16.0]], inked(AXIS));
+        pen.label([580.0, 284.0], End, "*E*");
+        pen.label([54.0, 28.0], Start, "*L*_{vert}^{2}");
     });
     let rows = motions
         .iter()
         .filter(|m| inside_of(m, [least, greatest, highest]))
-        .map(|m| m.to_vec());
-    Ok(made.data("starts", &["energy (J)", "L_vert² (J² s²)"], rows))
+        .copied();
+    Ok(made.data("starts", "energy (J) | L_vert² (J² s²)", rows))
 }
 
 fn inside_of([e, h]: &Point, [least, greatest, highest]: [f64; 3]) -> bool {
@@ -378,14 +375,9 @@ fn inside_of([e, h]: &Point, [least, greatest, highest]: [f64; 3]) -> bool {
 
 /// A stretch of the axis with the name of what moves there, clear of the curve.
 fn band(pen: &mut Pen, [from, to]: [f64; 2], name: &str, taken: &[Point]) {
-    pen.line(&[[from, LEVEL], [to, LEVEL]], inked(7.0).alpha(0.4));
+    pen.line([[from, LEVEL], [to, LEVEL]], inked(7.0).alpha(0.4));
     let middle = 0.5 * (from + to);
     let places = [22.0, -20.0, 40.0, -38.0, 60.0, -58.0, 80.0].map(|dy| [middle, LEVEL + dy]);
     let [x, y] = roomiest(places, [12.0, 9.0], taken);
-    pen.text(
-        [x, y + 5.0],
-        Anchor::Middle,
-        name,
-        label(Role::Ink).strong(),
-    );
+    pen.text([x, y + 5.0], Middle, name, label(Ink).strong());
 }

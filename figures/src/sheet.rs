@@ -105,41 +105,41 @@ pub fn speeds(values: &Values) -> Result<Figure> {
             [edge, bottom],
             [x(0.0), bottom],
         ];
-        pen.fill(&shade, Role::Ink, 0.06);
+        pen.fill(shade, Ink, 0.06);
         // Beside each other if both fit, else one above the other.
         let (on, off) = ("on the sheet", "on the table");
         if edge - x(0.0) > 100.0 {
-            pen.note([x(0.0) + 8.0, 32.0], Anchor::Start, on);
-            pen.note([edge + 10.0, 32.0], Anchor::Start, off);
+            pen.note([x(0.0) + 8.0, 32.0], Start, on);
+            pen.note([edge + 10.0, 32.0], Start, off);
         } else {
             let text = format!("grey: {on}; then {off}");
-            pen.note([edge + 10.0, 32.0], Anchor::Start, &text);
+            pen.note([edge + 10.0, 32.0], Start, &text);
         }
         for y in [upper(0.0), lower(0.0)] {
-            pen.line(&[[x(0.0), y], [x(until), y]], inked(AXIS));
+            pen.line([[x(0.0), y], [x(until), y]], inked(AXIS));
         }
-        pen.line(&[[x(0.0), 14.0], [x(0.0), bottom]], inked(AXIS));
+        pen.line([[x(0.0), 14.0], [x(0.0), bottom]], inked(AXIS));
         pen.line(
-            &[[x(stops), upper(0.0) - 20.0], [x(stops), bottom]],
+            [[x(stops), upper(0.0) - 20.0], [x(stops), bottom]],
             inked(HAIR).dashed(),
         );
         for axis in [&high, &low] {
             for (value, text) in axis.ticks(26.0) {
                 let y = axis.at(value);
-                pen.line(&[[x(0.0) - 4.0, y], [x(0.0), y]], inked(AXIS));
-                pen.note([x(0.0) - 8.0, y + 5.0], Anchor::End, &text);
+                pen.line([[x(0.0) - 4.0, y], [x(0.0), y]], inked(AXIS));
+                pen.note([x(0.0) - 8.0, y + 5.0], End, &text);
             }
         }
-        pen.note([8.0, 24.0], Anchor::Start, "m/s");
+        pen.note([8.0, 24.0], Start, "m/s");
         let milliseconds = Axis::linear([0.0, 1e3 * until], time.ends);
         for (t, text) in milliseconds.ticks(80.0).into_iter().skip(1) {
             let x = milliseconds.at(t);
-            pen.line(&[[x, bottom - 3.0], [x, bottom + 3.0]], inked(AXIS));
+            pen.line([[x, bottom - 3.0], [x, bottom + 3.0]], inked(AXIS));
             if x < 535.0 {
-                pen.note([x, bottom + 20.0], Anchor::Middle, &text);
+                pen.note([x, bottom + 20.0], Middle, &text);
             }
         }
-        pen.note([x(until), bottom + 20.0], Anchor::End, "ms");
+        pen.note([x(until), bottom + 20.0], End, "ms");
         let velocity: Vec<_> = corners
             .iter()
             .map(|&t| [x(t), upper(course.at(t).velocity)])
@@ -149,12 +149,12 @@ pub fn speeds(values: &Values) -> Result<Figure> {
             .map(|&t| [x(t), upper(course.at(t).rim_speed)])
             .collect();
         pen.line(&velocity, inked(2.6));
-        pen.line(&rim, stroke(Role::Omega, 2.6));
+        pen.line(&rim, stroke(Omega, 2.6));
         // Beside the longer of the two slopes.
         let after = stops - leaves > leaves;
         let (from, to, anchor) = match after {
-            true => (leaves, stops, Anchor::Start),
-            false => (leaves, rolls.map_or(0.0, |event| event.time), Anchor::End),
+            true => (leaves, stops, Start),
+            false => (leaves, rolls.map_or(0.0, |event| event.time), End),
         };
         let side = if after { 8.0 } else { -8.0 };
         let beside = |v: fn(&Moment) -> f64| {
@@ -167,38 +167,28 @@ pub fn speeds(values: &Values) -> Result<Figure> {
             [at_rim[0] + side, at_rim[1] + 16.0],
             anchor,
             "*R*\u{03a9}",
-            label(Role::Omega),
+            label(Omega),
         );
-        pen.note(
-            [x(stops) + 6.0, upper(0.0) + 20.0],
-            Anchor::Start,
-            "both zero",
-        );
+        pen.note([x(stops) + 6.0, upper(0.0) + 20.0], Start, "both zero");
         let slip: Vec<_> = corners
             .iter()
             .zip(&slips)
             .map(|(&t, &u)| [x(t), lower(u)])
             .collect();
         pen.line(&slip, inked(DATA));
-        pen.label([edge + 10.0, lower(0.0) + 24.0], Anchor::Start, "slip");
+        pen.label([edge + 10.0, lower(0.0) + 24.0], Start, "slip");
         pen.line(
-            &[[x(0.0), 232.0], [x(until), 232.0]],
+            [[x(0.0), 232.0], [x(until), 232.0]],
             inked(SECONDARY).alpha(0.15),
         );
     });
     let rows = corners.iter().map(|&t| {
         let m = course.at(t);
-        vec![t, m.velocity, m.rim_speed, m.slip, m.position]
+        [t, m.velocity, m.rim_speed, m.slip, m.position]
     });
-    let columns = [
-        "time (s)",
-        "velocity (m/s)",
-        "rim speed (m/s)",
-        "slip (m/s)",
-        "place (m)",
-    ];
+    let columns = "time (s) | velocity (m/s) | rim speed (m/s) | slip (m/s) | place (m)";
     Ok(made
-        .data("ball", &columns, rows)
+        .data("ball", columns, rows)
         .value("way", number(1e3 * place, 0)))
 }
 
@@ -226,9 +216,9 @@ pub fn animated() -> Result<Figure> {
          comes to rest, neither moving nor turning. Without motion: the ball as the sheet's edge comes."
     );
     let still = figure(NAME, 160.0, words, |pen| {
-        pen.line(&[[8.0, TABLE], [592.0, TABLE]], inked(SECONDARY));
-        pen.line(&[[FIRST, TABLE], [FIRST, TABLE + 18.0]], inked(AXIS));
-        pen.note([FIRST, TABLE + 36.0], Anchor::Middle, "began here");
+        pen.line([[8.0, TABLE], [592.0, TABLE]], inked(SECONDARY));
+        pen.line([[FIRST, TABLE], [FIRST, TABLE + 18.0]], inked(AXIS));
+        pen.note([FIRST, TABLE + 36.0], Middle, "began here");
     });
     let frame = |n: usize| {
         let t = LASTS * n as f64 / PICTURES as f64;

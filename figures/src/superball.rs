@@ -209,10 +209,10 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
 
         // In: small dots at the flashes.
         let arrive = [place(-1.36, 1.36), place(0.0, 0.0)];
-        pen.line(&arrive, inked(SECONDARY));
+        pen.line(arrive, inked(SECONDARY));
         for k in 1..=8 {
             let t = f64::from(k) / FLASHES;
-            pen.disc(place(-t, t), 2.2, Role::Ink, 1.0);
+            pen.dot(place(-t, t), 2.2);
         }
         pen.arrow(place(-1.265, 1.265), place(-1.145, 1.145), inked(DATA));
 
@@ -238,7 +238,7 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
             pen.ring(corner, RADIUS, inked(HAIR).alpha(0.45));
         }
         for &(center, _, _) in &flashes {
-            pen.disc(center, RADIUS, Role::Ink, 0.055);
+            pen.disc(center, RADIUS, Ink, 0.055);
         }
         pen.line(&path, inked(SECONDARY));
         for &(center, angle, swept) in &flashes {
@@ -246,14 +246,11 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
             if swept != 0.0 {
                 let mut sector = arc(center, 0.78 * RADIUS, hand + swept, hand);
                 sector.push(center);
-                pen.fill(&sector, Role::Omega, 0.22);
+                pen.fill(&sector, Omega, 0.22);
             }
             pen.ring(center, RADIUS, inked(AXIS).alpha(0.75));
-            pen.line(
-                &[center, polar(center, RADIUS, hand)],
-                stroke(Role::Omega, DATA),
-            );
-            pen.disc(center, 1.6, Role::Omega, 1.0);
+            pen.line([center, polar(center, RADIUS, hand)], stroke(Omega, DATA));
+            pen.disc(center, 1.6, Omega, 1.0);
         }
         let last = path.len() - 1;
         let tip = between(path[last - 1], path[last], 0.93);
@@ -274,7 +271,7 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
             taken.extend(arc(center, RADIUS, 0.0, 6.3));
         }
         let at = place(-1.13, 1.19);
-        pen.label([at[0] + 8.0, at[1]], Anchor::Start, "*V*");
+        pen.label([at[0] + 8.0, at[1]], Start, "*V*");
         for (k, leg) in legs.iter().enumerate() {
             let text = told(k, |m| m.velocity, |m| m.velocity);
             velocity_label(pen, leg, &text, &mut taken);
@@ -284,8 +281,8 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
             |k| [50.0, 65.0, 80.0, 100.0, -50.0, -70.0].map(|far| [on(k)[0] + far, on(k)[1] + 4.0]);
         let beside = (0..50).flat_map(right);
         let [x, y] = roomiest(beside, [28.0, 17.0], &taken);
-        pen.remark([x, y - 4.0], Anchor::Middle, "without");
-        pen.remark([x, y + 13.0], Anchor::Middle, "spin");
+        pen.remark([x, y - 4.0], Middle, "without");
+        pen.remark([x, y + 13.0], Middle, "spin");
     });
     let names = [
         "after the floor",
@@ -295,10 +292,10 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
     let mut made = made;
     let mut from = 0.0;
     for (name, motion) in names.into_iter().zip(motions) {
-        let row = vec![from, motion.velocity, motion.rim_speed];
+        let row = [from, motion.velocity, motion.rim_speed];
         made = made.data(
             name,
-            &["place (flights)", "velocity (V)", "rim speed (V)"],
+            "place (flights) | velocity (V) | rim speed (V)",
             [row],
         );
         from += motion.velocity;
@@ -340,11 +337,11 @@ fn velocity_label(pen: &mut Pen, leg: &Leg, text: &str, taken: &mut Vec<Point>) 
                 under,
                 after: "*V*",
             };
-            pen.fraction(at, parts, label(Role::Ink));
+            pen.fraction(at, parts, label(Ink));
         }
         None => {
             let text = format!("{text} *V*");
-            pen.label([at[0], at[1] + 5.0], Anchor::Middle, &text);
+            pen.label([at[0], at[1] + 5.0], Middle, &text);
         }
     }
 }
@@ -358,16 +355,16 @@ fn room(pen: &mut Pen) {
         [590.0, CEILING],
         [edge, CEILING],
     ];
-    pen.fill(&slab, Role::Ink, 0.16);
+    pen.fill(slab, Ink, 0.16);
     let leg = [
         [560.0, CEILING],
         [572.0, CEILING],
         [569.0, FLOOR],
         [563.0, FLOOR],
     ];
-    pen.fill(&leg, Role::Ink, 0.09);
-    pen.outline(&slab, inked(AXIS));
-    pen.line(&[[10.0, FLOOR], [590.0, FLOOR]], inked(SECONDARY));
+    pen.fill(leg, Ink, 0.09);
+    pen.outline(slab, inked(AXIS));
+    pen.line([[10.0, FLOOR], [590.0, FLOOR]], inked(SECONDARY));
 }
 
 /// The ball that takes no spin, and its path.
@@ -382,9 +379,9 @@ fn ghost_ball(pen: &mut Pen, bounces: &[f64]) -> Vec<Point> {
     // It leaves the picture on its second flight.
     let last = path.len() - 1;
     path[last] = between(path[last - 1], path[last], 0.56);
-    pen.line(&path, stroke(Role::Muted, SECONDARY).dashed());
+    pen.line(&path, muted(SECONDARY).dashed());
     for &corner in &path[1..last] {
-        pen.ring(corner, RADIUS, stroke(Role::Muted, HAIR));
+        pen.ring(corner, RADIUS, muted(HAIR));
     }
     path
 }

@@ -5,12 +5,12 @@ use spinning_bodies::Result;
 
 use super::{named_line, points, problem, swept};
 use crate::Figure;
-use crate::plot::{Axis, Frame, beaded, marks, powers};
+use crate::plot::{Frame, beaded, marks, powers};
 use crate::style::*;
 
 const GENTLE: Stroke = inked(DATA);
 const DISCRETE: Stroke = inked(DATA).dashed();
-const GENERAL: Stroke = stroke(Role::Muted, DATA).dotted();
+const GENERAL: Stroke = muted(DATA).dotted();
 
 /// Method, line, what stands before its slope, and where: at the point that is so far along the line, and so far beside it.
 const METHODS: [(&str, Stroke, &str, f64, [f64; 2]); 6] = [
@@ -31,10 +31,7 @@ const METHODS: [(&str, Stroke, &str, f64, [f64; 2]); 6] = [
 /// Error of a turn against the number of steps, the slope of each line at its name.
 pub fn orders() -> Result<Figure> {
     let turn = problem("free-top/1")?;
-    let frame = Frame {
-        x: Axis::log([1.0, 4000.0], [64.0, 584.0]),
-        y: Axis::log([1e-16, 10.0], [372.0, 32.0]),
-    };
+    let frame = Frame::log([1.0, 4000.0], [1e-16, 10.0], [64.0, 584.0, 372.0, 32.0]);
     let mut lines: Vec<(Vec<Point>, String)> = Vec::new();
     let mut slopes = Vec::new();
     for (name, _, before, ..) in METHODS {
@@ -68,11 +65,7 @@ pub fn orders() -> Result<Figure> {
             beaded(pen, line, *style);
             let place = (along * line.len() as f64) as usize;
             if let Some(point) = line.get(place.min(line.len().saturating_sub(1))) {
-                let anchor = if aside[0] < 0.0 {
-                    Anchor::End
-                } else {
-                    Anchor::Start
-                };
+                let anchor = if aside[0] < 0.0 { End } else { Start };
                 named_line(
                     pen,
                     [point[0] + aside[0], point[1] + aside[1]],

@@ -73,18 +73,13 @@ pub fn film(values: &Values) -> Result<Figure> {
         let x = |k: usize| 40.0 + 62.5 * k as f64;
         let off = format!("thrown with *L* {off}° off it");
         for (y, text) in ROWS.into_iter().zip(["thrown exactly about *x*_{2}", &off]) {
-            pen.note([10.0, y - 88.0], Anchor::Start, text);
+            pen.note([10.0, y - 88.0], Start, text);
             pen.line(
-                &[[10.0, y], [566.0, y]],
-                stroke(Role::AngularMomentum, AXIS).dotted(),
+                [[10.0, y], [566.0, y]],
+                stroke(AngularMomentum, AXIS).dotted(),
             );
-            pen.arrow([570.0, y], [594.0, y], stroke(Role::AngularMomentum, DATA));
-            pen.text(
-                [582.0, y - 8.0],
-                Anchor::Middle,
-                "*L*",
-                label(Role::AngularMomentum),
-            );
+            pen.arrow([570.0, y], [594.0, y], stroke(AngularMomentum, DATA));
+            pen.text([582.0, y - 8.0], Middle, "*L*", label(AngularMomentum));
         }
         for (k, pair) in states.iter().enumerate() {
             for (state, y) in pair.iter().zip(ROWS) {
@@ -94,18 +89,18 @@ pub fn film(values: &Values) -> Result<Figure> {
                 0 => "0".to_owned(),
                 _ => format!("{} s", number(time(k), 2)),
             };
-            pen.note([x(k), 410.0], Anchor::Middle, &text);
+            pen.note([x(k), 410.0], Middle, &text);
         }
     });
-    let columns = ["time (s)", "Ω₁ (rad/s)", "Ω₂ (rad/s)", "Ω₃ (rad/s)"];
+    let columns = "time (s) | Ω₁ (rad/s) | Ω₂ (rad/s) | Ω₃ (rad/s)";
     let rows = |which: usize| {
         let row = |(k, pair): (usize, &[State; 2])| {
             let omega = pair[which].omega;
-            vec![time(k), omega.x(), omega.y(), omega.z()]
+            [time(k), omega.x(), omega.y(), omega.z()]
         };
         states.iter().enumerate().map(row).collect::<Vec<_>>()
     };
     Ok(made
-        .data("exactly about the middle axis", &columns, rows(0))
-        .data("off it", &columns, rows(1)))
+        .data("exactly about the middle axis", columns, rows(0))
+        .data("off it", columns, rows(1)))
 }

@@ -113,42 +113,39 @@ pub fn solution(values: &Values) -> Result<Figure> {
     };
     let made = figure("euler-solution", 256.0, words, |pen| {
         let [over, bottom] = [zero - half - 12.0, zero + half + 14.0];
-        pen.line(&[[left, zero], [right, zero]], inked(HAIR));
-        pen.line(
-            &[[left, over], [left, bottom], [right, bottom]],
-            inked(AXIS),
-        );
+        pen.line([[left, zero], [right, zero]], inked(HAIR));
+        pen.line([[left, over], [left, bottom], [right, bottom]], inked(AXIS));
         for (value, text) in
             Axis::linear([-largest, largest], [zero + half, zero - half]).ticks(50.0)
         {
             let y = y(value);
-            pen.line(&[[left - 5.0, y], [left, y]], inked(AXIS));
-            pen.note([left - 9.0, y + 5.0], Anchor::End, &text);
+            pen.line([[left - 5.0, y], [left, y]], inked(AXIS));
+            pen.note([left - 9.0, y + 5.0], End, &text);
         }
         let whole = period.unwrap_or(length);
         for (share, text) in [(0.0, "0"), (0.5, "half a period"), (1.0, "a period")] {
             let at = x(share * whole);
-            pen.line(&[[at, bottom], [at, bottom + 5.0]], inked(AXIS));
+            pen.line([[at, bottom], [at, bottom + 5.0]], inked(AXIS));
             if share > 0.0 {
                 let line = [[at, over], [at, bottom]];
-                pen.line(&line, stroke(Role::Muted, AXIS).dotted());
+                pen.line(line, muted(AXIS).dotted());
                 let time = format!("{} s", number(share * whole, 2));
-                pen.note([at, bottom + 38.0], Anchor::Middle, &time);
+                pen.note([at, bottom + 38.0], Middle, &time);
             }
             let text = if period.is_some() || share == 0.0 {
                 text
             } else {
                 ""
             };
-            pen.note([at, bottom + 21.0], Anchor::Middle, text);
+            pen.note([at, bottom + 21.0], Middle, text);
         }
         let styles = [
-            stroke(Role::Omega, SECONDARY).dashed(),
-            stroke(Role::Omega, 2.6),
-            stroke(Role::Omega, SECONDARY),
+            stroke(Omega, SECONDARY).dashed(),
+            stroke(Omega, 2.6),
+            stroke(Omega, SECONDARY),
         ];
         for (k, style) in styles.into_iter().enumerate() {
-            pen.line(&curve(k), style);
+            pen.line(curve(k), style);
         }
         let ends = states
             .last()
@@ -157,13 +154,13 @@ pub fn solution(values: &Values) -> Result<Figure> {
             .map(|value| y(value) + 5.0);
         for (y, name) in spread(ends, 19.0).into_iter().zip(["1", "2", "3"]) {
             let text = format!("*Ω*_{{{name}}}");
-            pen.text([right + 8.0, y], Anchor::Start, &text, label(Role::Omega));
+            pen.text([right + 8.0, y], Start, &text, label(Omega));
         }
     });
     let rows = states
         .iter()
         .enumerate()
-        .map(|(n, [first, second, third])| vec![step * n as f64, *first, *second, *third]);
-    let columns = ["time (s)", "Ω₁ (rad/s)", "Ω₂ (rad/s)", "Ω₃ (rad/s)"];
-    Ok(made.data("top", &columns, rows))
+        .map(|(n, [first, second, third])| [step * n as f64, *first, *second, *third]);
+    let columns = "time (s) | Ω₁ (rad/s) | Ω₂ (rad/s) | Ω₃ (rad/s)";
+    Ok(made.data("top", columns, rows))
 }

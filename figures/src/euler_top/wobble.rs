@@ -2,12 +2,11 @@
 
 use core::f64::consts::TAU;
 
-use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::euler_top::{Cones, Shape, SymmetricTop};
 use spinning_bodies::frame::BodyVector;
 
-use crate::solid::{View, ellipse, hull};
+use crate::solid::{Vector, View, ellipse, hull};
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -49,7 +48,7 @@ impl Lane {
     fn draw(&self, pen: &mut Pen, days: f64, lines: [f64; 2]) {
         let reached = (self.rate * days).min(TAU);
         pen.ring(CENTER, self.radius, inked(HAIR).alpha(0.45));
-        let style = stroke(Role::Omega, DATA);
+        let style = stroke(Omega, DATA);
         pen.arc(CENTER, self.radius, START, START + reached, style);
         let dots = (0..).map(|k| (k, self.rate * STEP * f64::from(k)));
         for (k, angle) in dots.take_while(|(_, angle)| *angle < reached + 1e-6) {
@@ -58,13 +57,13 @@ impl Lane {
             pen.disc(
                 self.at(0.0, angle),
                 if named { 4.2 } else { 3.0 },
-                Role::Omega,
+                Omega,
                 1.0,
             );
             if named {
                 let [x, y] = self.at(if self.outside { 20.0 } else { -20.0 }, angle);
                 let day = number(STEP * f64::from(k), 0);
-                pen.text([x, y + 4.8], Anchor::Middle, &day, small(Role::Omega));
+                pen.text([x, y + 4.8], Middle, &day, small(Omega));
             }
         }
     }
@@ -127,34 +126,30 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
             };
             let mut gap = arc(CENTER, 152.0, from, to);
             gap.push(CENTER);
-            pen.fill(&gap, Role::Ink, 0.06);
+            pen.fill(&gap, Ink, 0.06);
         }
         let sides = [(START, inked(AXIS)), (end, inked(AXIS).dotted())];
         for (angle, style) in sides {
-            pen.line(&[CENTER, polar(CENTER, 172.0, angle)], style);
+            pen.line([CENTER, polar(CENTER, 172.0, angle)], style);
         }
         rigid.draw(pen, days, [0.0, reached]);
         real.draw(pen, days, [0.0, reached]);
         // The axis of figure, end on.
         pen.ring(CENTER, 6.0, inked(SECONDARY));
-        pen.disc(CENTER, 2.0, Role::Ink, 1.0);
+        pen.dot(CENTER, 2.0);
         // On the side of the axis that the dotted line does not take.
         let side = if (reached - 0.25 * TAU).sin().abs() < 0.3 && reached.sin() > 0.0 {
             1.0
         } else {
             -1.0
         };
-        let anchor = if side < 0.0 {
-            Anchor::End
-        } else {
-            Anchor::Start
-        };
+        let anchor = if side < 0.0 { End } else { Start };
         let name = [CENTER[0] + 12.0 * side, CENTER[1] + 5.0];
         pen.label(name, anchor, "*x*_{3}");
         for at in [rigid.at(0.0, 0.0), real.at(0.0, reached)] {
-            pen.ring(at, 8.0, stroke(Role::Omega, SECONDARY));
+            pen.ring(at, 8.0, stroke(Omega, SECONDARY));
         }
-        pen.note([CENTER[0], 26.0], Anchor::Middle, "start");
+        pen.note([CENTER[0], 26.0], Middle, "start");
         let x = 400.0;
         let told = match lag {
             _ if degrees == "0" => "outer lane, home as well".to_owned(),
@@ -162,7 +157,7 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
             _ => format!("outer lane, {degrees}° beyond"),
         };
         let after = format!("after {days} days");
-        pen.label([x, 156.0], Anchor::Start, &after);
+        pen.label([x, 156.0], Start, &after);
         for (y, head, tail) in [
             (
                 198.0,
@@ -171,22 +166,22 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
             ),
             (254.0, format!("observed: {period} days"), told.as_str()),
         ] {
-            pen.text([x, y], Anchor::Start, &head, label(Role::Omega).strong());
-            pen.note([x, y + 20.0], Anchor::Start, tail);
+            pen.text([x, y], Start, &head, label(Omega).strong());
+            pen.note([x, y + 20.0], Start, tail);
         }
     });
-    let columns = ["time (days)", "angle about the axis of figure (°)"];
+    let columns = "time (days) | angle about the axis of figure (°)";
     let dots = (0..)
         .map(|k| STEP * f64::from(k))
         .take_while(|day| *day <= days);
     let row = |lane: &Lane| {
         let rate = lane.rate;
         dots.clone()
-            .map(move |day| vec![day, (rate * day).to_degrees()])
+            .map(move |day| [day, (rate * day).to_degrees()])
     };
     Ok(made
-        .data("rigid", &columns, row(&rigid))
-        .data("observed", &columns, row(&real)))
+        .data("rigid", columns, row(&rigid))
+        .data("observed", columns, row(&real)))
 }
 
 parameters! {
@@ -253,27 +248,22 @@ pub fn precession_cones(values: &Values) -> Result<Figure> {
                 _ => pair.name,
             };
             let name = format!("{name}, *I*_{{3}}/*I*_{{1}} = {}", brief(ratio.axial()));
-            pen.label([middle, 286.0], Anchor::Middle, &name);
+            pen.label([middle, 286.0], Middle, &name);
             let body = format!("body cone {}°", degrees(pair.cones.body));
             let space = format!("space cone {}°", degrees(pair.cones.space));
-            pen.note([middle - 8.0, 308.0], Anchor::End, &body);
-            let role = Role::AngularMomentum;
-            pen.text([middle + 8.0, 308.0], Anchor::Start, &space, small(role));
+            pen.note([middle - 8.0, 308.0], End, &body);
+            let role = AngularMomentum;
+            pen.text([middle + 8.0, 308.0], Start, &space, small(role));
         }
     });
-    let columns = [
-        "I3/I1 (ratio)",
-        "body cone (°)",
-        "space cone (°)",
-        "axis from L (°)",
-    ];
+    let columns = "I3/I1 (ratio) | body cone (°) | space cone (°) | axis from L (°)";
     let row = |top: &SymmetricTop, cones: &Cones| {
         let angles = [cones.body, cones.space, cones.nutation].map(f64::to_degrees);
-        [vec![top.axial(), angles[0], angles[1], angles[2]]]
+        [[top.axial(), angles[0], angles[1], angles[2]]]
     };
-    Ok(made.data("left", &columns, row(&flat, &flat_cones)).data(
+    Ok(made.data("left", columns, row(&flat, &flat_cones)).data(
         "right",
-        &columns,
+        columns,
         row(&long, &long_cones),
     ))
 }
@@ -287,15 +277,15 @@ struct Pair<'a> {
     cones: &'a Cones,
     side: f64,
     /// Axis of the body, L and Ω, of length one.
-    axis: Vector3<f64>,
-    l: Vector3<f64>,
-    omega: Vector3<f64>,
+    axis: Vector,
+    l: Vector,
+    omega: Vector,
 }
 
 impl<'a> Pair<'a> {
     /// L upright; Ω on the right of it, the axis beyond L if the body is flat, beyond Ω if it is long.
     fn new(name: &'static str, cones: &'a Cones, side: f64) -> Self {
-        let tilted = |angle: f64| Vector3::new(angle.sin(), 0.0, angle.cos());
+        let tilted = |angle: f64| Vector::new(angle.sin(), 0.0, angle.cos());
         Self {
             name,
             cones,
@@ -307,22 +297,22 @@ impl<'a> Pair<'a> {
     }
 
     /// What has to find room.
-    fn reach(&self) -> Vec<Vector3<f64>> {
+    fn reach(&self) -> Vec<Vector> {
         let mut points = rim(&self.axis, self.cones.body);
         points.extend(rim(&self.l, self.cones.space));
         points.extend([self.axis, self.l, self.omega].map(|v| v * LETTER));
-        points.push(Vector3::zeros());
+        points.push(Vector::zeros());
         points
     }
 
     fn draw(&self, pen: &mut Pen, view: &View) {
-        cone(pen, view, &self.axis, self.cones.body, Role::Ink);
-        cone(pen, view, &self.l, self.cones.space, Role::AngularMomentum);
-        let tip = view.project(&Vector3::zeros());
+        cone(pen, view, &self.axis, self.cones.body, Ink);
+        cone(pen, view, &self.l, self.cones.space, AngularMomentum);
+        let tip = view.project(&Vector::zeros());
         let arrows = [
-            (self.axis, "*x*_{3}", Role::Ink, SECONDARY),
-            (self.l, "*L*", Role::AngularMomentum, DATA),
-            (self.omega, "*Ω*", Role::Omega, 2.8),
+            (self.axis, "*x*_{3}", Ink, SECONDARY),
+            (self.l, "*L*", AngularMomentum, DATA),
+            (self.omega, "*Ω*", Omega, 2.8),
         ];
         let letters = arrows.map(|(vector, ..)| view.project(&(vector * LETTER)));
         // Arrows side by side have letters side by side.
@@ -331,23 +321,23 @@ impl<'a> Pair<'a> {
             arrows.into_iter().zip(across.into_iter().zip(letters))
         {
             pen.arrow(tip, view.project(&(vector * ARROW)), stroke(role, width));
-            pen.text([x, at[1] + 5.0], Anchor::Middle, text, label(role));
+            pen.text([x, at[1] + 5.0], Middle, text, label(role));
         }
     }
 }
 
 /// The rim of a cone with its tip in the origin.
-fn rim(axis: &Vector3<f64>, half_angle: f64) -> Vec<Vector3<f64>> {
-    let across = Vector3::y().cross(axis).normalize();
+fn rim(axis: &Vector, half_angle: f64) -> Vec<Vector> {
+    let across = Vector::y().cross(axis).normalize();
     let (s, c) = half_angle.sin_cos();
-    ellipse(axis * c, across * s, Vector3::y() * s, 180)
+    ellipse(axis * c, across * s, Vector::y() * s, 180)
 }
 
 /// A cone with its tip in the origin, seen from outside.
-fn cone(pen: &mut Pen, view: &View, axis: &Vector3<f64>, half_angle: f64, role: Role) {
+fn cone(pen: &mut Pen, view: &View, axis: &Vector, half_angle: f64, role: Role) {
     let rim = view.trace(&rim(axis, half_angle));
     let mut outline = rim.clone();
-    outline.push(view.project(&Vector3::zeros()));
+    outline.push(view.project(&Vector::zeros()));
     let outline = hull(&outline);
     pen.fill(&outline, role, 0.09);
     pen.outline(&outline, stroke(role, AXIS));

@@ -91,13 +91,13 @@ pub fn animated() -> Result<Figure> {
     );
     let still = figure(NAME, 450.0, words, |pen| {
         for film in &films {
-            let path: Vec<Point> = film.pictures.iter().map(|p| p.0).collect();
-            pen.line(&path, stroke(Role::Muted, SECONDARY).alpha(0.8));
+            let path = film.pictures.iter().map(|p| p.0);
+            pen.line(path, muted(SECONDARY).alpha(0.8));
             for ([x, y], angle) in film.pictures.iter().step_by(6) {
                 let (sine, cosine) = angle.sin_cos();
                 let (dx, dy) = (film.half * cosine, film.half * sine);
                 pen.line(
-                    &[[x - dx, y - dy], [x + dx, y + dy]],
+                    [[x - dx, y - dy], [x + dx, y + dy]],
                     inked(SECONDARY).alpha(0.22),
                 );
             }
@@ -105,11 +105,11 @@ pub fn animated() -> Result<Figure> {
             let anchor = if film.start[0] > 200.0 {
                 Anchor::Start
             } else {
-                Anchor::Middle
+                Middle
             };
             pen.label(at, anchor, film.name);
         }
-        pen.remark([580.0, 436.0], Anchor::End, "slow motion");
+        pen.remark([580.0, 436.0], End, "slow motion");
     });
     let (mut style, mut groups, mut all) = ("<style>".to_owned(), String::new(), String::new());
     for (film, part) in films.iter().zip(["wide", "narrow"]) {

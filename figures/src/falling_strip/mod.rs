@@ -6,7 +6,7 @@ mod regimes;
 use spinning_bodies::Result;
 use spinning_bodies::falling_strip::{Coefficients, Fall, LongRun, Regime, Sheet, Start};
 
-use crate::plot::{Axis, Frame, marks};
+use crate::plot::{Frame, marks};
 use crate::style::*;
 use crate::{Entry, Figure, constant};
 
@@ -123,21 +123,21 @@ pub fn paths() -> Result<Figure> {
                     panel.corner[1] + 16.0 - UNIT * (y - path[0][1]),
                 ]
             };
-            let center: Vec<Point> = path.iter().map(|y| place(y[0], y[1])).collect();
-            pen.line(&center, stroke(Role::Muted, SECONDARY).alpha(0.9));
+            let center = path.iter().map(|y| place(y[0], y[1]));
+            pen.line(center, muted(SECONDARY).alpha(0.9));
             for y in path.iter().step_by(10) {
                 let (sine, cosine) = y[2].sin_cos();
                 let ends = [1.0, -1.0].map(|s| place(y[0] + s * cosine, y[1] + s * sine));
-                pen.line(&ends, inked(1.5).alpha(0.75));
+                pen.line(ends, inked(1.5).alpha(0.75));
             }
             let [x, y] = panel.corner;
             let text = format!("*I** = {}", panel.ratio);
             pen.label(
                 [x, y - 24.0],
-                Anchor::Middle,
+                Middle,
                 &text.replace("*I**", "*I*^{\u{2217}}"),
             );
-            pen.remark([x, y - 7.0], Anchor::Middle, panel.name);
+            pen.remark([x, y - 7.0], Middle, panel.name);
         }
     }))
 }
@@ -153,10 +153,7 @@ pub fn rate() -> Result<Figure> {
         .collect::<Result<_>>()?;
     let ratios: Vec<f64> = sheets.iter().map(Sheet::mass_ratio).collect();
     let runs = scan(&ratios, Coefficients::PAPER)?;
-    let frame = Frame {
-        x: Axis::log([0.4, 24.0], [76.0, 570.0]),
-        y: Axis::log([0.4, 40.0], [330.0, 40.0]),
-    };
+    let frame = Frame::log([0.4, 24.0], [0.4, 40.0], [76.0, 570.0, 330.0, 40.0]);
     let hertz = |k: usize| runs[k].rotation.abs() / sheets[k].time() / core::f64::consts::TAU;
     let curve: Vec<Point> = (0..runs.len())
         .filter(|&k| runs[k].regime == Regime::Tumble)
@@ -191,15 +188,15 @@ pub fn rate() -> Result<Figure> {
             &marks(&[0.5, 1.0, 2.0, 5.0, 10.0, 20.0], ""),
             ["width, cm", "turns per second"],
         );
-        pen.line(&law, stroke(Role::Muted, SECONDARY).dashed());
+        pen.line(law, muted(SECONDARY).dashed());
         pen.line(&curve, inked(DATA));
         let [x, y] = frame.at(4.6, one / 4.6);
-        pen.remark([x - 14.0, y + 22.0], Anchor::End, "rate ~ 1/width");
+        pen.remark([x - 14.0, y + 22.0], End, "rate ~ 1/width");
         let [x, y] = frame.at(1.3, 13.0);
         pen.label([x + 12.0, y - 6.0], Anchor::Start, "paper, 80 g/m²");
         if let Some(end) = curve.last() {
-            pen.disc(*end, 4.0, Role::Ink, 1.0);
-            pen.note([end[0] - 10.0, end[1] + 5.0], Anchor::End, "flutter begins");
+            pen.dot(*end, 4.0);
+            pen.note([end[0] - 10.0, end[1] + 5.0], End, "flutter begins");
         }
     }))
 }

@@ -125,43 +125,37 @@ pub fn cycloids(values: &Values) -> Result<Figure> {
         for (row, [_, depth]) in rows.iter().zip(reaches) {
             let place = |&[along, down]: &Point| [LEFT + unit * along, from + unit * down];
             let lowest = place(&[0.0, 2.0]);
-            pen.line(&[[LEFT, from], [RIGHT, from]], inked(HAIR));
-            let dotted = stroke(Role::Muted, AXIS).dotted();
-            pen.line(&[lowest, [RIGHT, lowest[1]]], dotted);
+            pen.line([[LEFT, from], [RIGHT, from]], inked(HAIR));
+            let dotted = muted(AXIS).dotted();
+            pen.line([lowest, [RIGHT, lowest[1]]], dotted);
             let levels = spread([from, lowest[1]], 18.0);
             for (y, text) in levels.into_iter().zip(["*θ*_{0}", "+2*a*"]) {
-                pen.note([LEFT - 10.0, y + 5.0], Anchor::End, text);
+                pen.note([LEFT - 10.0, y + 5.0], End, text);
             }
-            let limit: Vec<Point> = row.limit.iter().map(place).collect();
-            pen.line(&limit, inked(SECONDARY).dashed());
+            let limit = row.limit.iter().map(place);
+            pen.line(limit, inked(SECONDARY).dashed());
             let trace: Vec<Point> = row.trace.iter().map(place).collect();
             pen.line(&trace, inked(DATA));
             for point in trace.iter().step_by(STEPS as usize / 8) {
-                pen.disc(*point, 3.0, Role::Ink, 1.0);
+                pen.dot(*point, 3.0);
             }
             pen.text(
                 [LEFT, from - 14.0],
-                Anchor::Start,
+                Start,
                 &format!("*L*_{{3}} = {}", brief(row.axial)),
-                label(Role::AngularMomentum),
+                label(AngularMomentum),
             );
             from += unit * depth.max(2.0) + BETWEEN;
         }
         let under = [RIGHT, from - BETWEEN + 26.0];
-        pen.label(under, Anchor::End, "*φ* sin *θ*_{0}");
+        pen.label(under, End, "*φ* sin *θ*_{0}");
     });
-    let columns = [
-        "φ sin θ₀ (radii of the wheel)",
-        "θ − θ₀ (radii of the wheel)",
-    ];
+    let columns = "φ sin θ₀ (radii of the wheel) | θ − θ₀ (radii of the wheel)";
     Ok(rows.iter().fold(made, |made, row| {
         let name = brief(row.axial);
-        let rows = |curve: &[Point]| curve.iter().map(|at| at.to_vec()).collect::<Vec<_>>();
-        made.data(format!("top with L3 = {name}"), &columns, rows(&row.trace))
-            .data(
-                format!("cycloid for L3 = {name}"),
-                &columns,
-                rows(&row.limit),
-            )
+        let [top, cycloid] =
+            ["top with", "cycloid for"].map(|curve| format!("{curve} L3 = {name}"));
+        made.data(top, columns, row.trace.clone())
+            .data(cycloid, columns, row.limit.clone())
     }))
 }

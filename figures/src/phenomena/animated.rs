@@ -40,7 +40,7 @@ pub fn cat_animated() -> Result<Figure> {
          straightens and has its feet below. Without motion: the cat half-way, bent to the side."
     );
     let still = figure(NAME, 340.0, words, |pen| {
-        pen.remark([590.0, 326.0], Anchor::End, "angular momentum 0");
+        pen.remark([590.0, 326.0], End, "angular momentum 0");
     });
     Ok(still.moving(&moving(&states)?))
 }

@@ -49,7 +49,7 @@ pub fn cat_film() -> Result<Figure> {
             let milliseconds = number(1000.0 * fractions[k] * DURATION, 0);
             pen.remark(
                 [center[0], center[1] + 80.0],
-                Anchor::Middle,
+                Middle,
                 &format!("{milliseconds} ms"),
             );
         }
@@ -117,26 +117,26 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
     let made = figure("back-bend", 384.0, words, |pen| {
         let axis = inked(AXIS);
         let place = |[back, turn]: Point| [x.at(back), y.at(turn)];
-        pen.line(&[[LEFT, TOP], [LEFT, BOTTOM], [RIGHT, BOTTOM]], axis);
+        pen.line([[LEFT, TOP], [LEFT, BOTTOM], [RIGHT, BOTTOM]], axis);
         for back in [0.0, 30.0, 60.0, 90.0] {
             let x = x.at(back);
-            pen.line(&[[x, BOTTOM], [x, BOTTOM + 5.0]], axis);
+            pen.line([[x, BOTTOM], [x, BOTTOM + 5.0]], axis);
             let text = format!("{}°", number(back, 0));
-            pen.note([x, BOTTOM + 22.0], Anchor::Middle, &text);
+            pen.note([x, BOTTOM + 22.0], Middle, &text);
         }
         let turns = (0..=4)
             .map(|k| 60.0 * f64::from(k))
             .filter(|turn| *turn >= low);
         for turn in turns {
             let y = y.at(turn);
-            pen.line(&[[LEFT - 5.0, y], [LEFT, y]], axis);
+            pen.line([[LEFT - 5.0, y], [LEFT, y]], axis);
             let text = format!("{}°", number(turn, 0));
-            pen.note([LEFT - 9.0, y + 5.0], Anchor::End, &text);
+            pen.note([LEFT - 9.0, y + 5.0], End, &text);
         }
         let level = y.at(180.0);
-        pen.line(&[[LEFT, level], [RIGHT, level]], inked(SECONDARY).dashed());
-        pen.label([RIGHT, BOTTOM + 46.0], Anchor::End, "bend backward");
-        pen.label([LEFT - 40.0, TOP - 16.0], Anchor::Start, "turn");
+        pen.line([[LEFT, level], [RIGHT, level]], inked(SECONDARY).dashed());
+        pen.label([RIGHT, BOTTOM + 46.0], End, "bend backward");
+        pen.label([LEFT - 40.0, TOP - 16.0], Start, "turn");
         let shown: Vec<Vec<Point>> = curves
             .iter()
             .map(|(_, points, _)| {
@@ -148,7 +148,7 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
         let mut write = |places: &mut dyn Iterator<Item = Point>, text: &str, half: f64| {
             let inside =
                 places.filter(|p| (LEFT + half..596.0 - half).contains(&p[0]) && p[1] > 12.0);
-            pen.name(inside, text, small(Role::Ink));
+            pen.name(inside, text, small(Ink));
         };
         for ((forward, _, _), points) in curves.iter().zip(&shown) {
             let [x, y] = points.last().copied().unwrap_or([LEFT, BOTTOM]);
@@ -177,17 +177,20 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
             .filter(|back| *back <= 90.0)
         {
             let [x, y] = place([needed, 180.0]);
-            pen.disc([x, y], 3.6, Role::Ink, 1.0);
-            pen.line(&[[x, y], [x, BOTTOM]], inked(HAIR).dotted());
+            pen.dot([x, y], 3.6);
+            pen.line([[x, y], [x, BOTTOM]], inked(HAIR).dotted());
         }
     });
     let mut made = made
         .value("after-90", needed(2).unwrap_or_default())
         .value("after-120", needed(4).unwrap_or_default());
     for (forward, points, _) in &curves {
-        let columns = ["bend backward (°)", "turn (°)"];
-        let rows = points.iter().map(|point| point.to_vec());
-        made = made.data(format!("{}° forward", name(*forward)), &columns, rows);
+        let columns = "bend backward (°) | turn (°)";
+        made = made.data(
+            format!("{}° forward", name(*forward)),
+            columns,
+            points.clone(),
+        );
     }
     Ok(made)
 }

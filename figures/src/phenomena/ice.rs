@@ -108,8 +108,8 @@ impl Person {
             let mut points = circle(at(a), radii[0] * scale);
             points.extend(circle(at(b), radii[1] * scale));
             let outline = hull(&points);
-            pen.fill(&outline, Role::Paper, 1.0);
-            pen.fill(&outline, Role::Ink, 0.1);
+            pen.fill(&outline, Paper, 1.0);
+            pen.fill(&outline, Ink, 0.1);
             pen.outline(&outline, inked(AXIS));
         }
     }
@@ -146,23 +146,23 @@ pub fn ice(values: &Values) -> Result<Figure> {
     let ground = 288.0;
     let scale = 138.0;
     let made = figure("ice", 340.0, words, |pen| {
-        pen.line(&[[14.0, ground + 9.0], [586.0, ground + 9.0]], inked(AXIS));
+        pen.line([[14.0, ground + 9.0], [586.0, ground + 9.0]], inked(AXIS));
         for ((pose, x), (foot, height)) in poses.iter().zip(centers).zip(&placed) {
-            pen.line(&[[x, 30.0], [x, ground + 9.0]], inked(SECONDARY).dotted());
+            pen.line([[x, 30.0], [x, ground + 9.0]], inked(SECONDARY).dotted());
             pose.draw(pen, [x + scale * foot, ground], scale);
-            pen.disc([x, ground - scale * height], 6.0, Role::Paper, 1.0);
-            pen.disc([x, ground - scale * height], 5.0, Role::Ink, 1.0);
+            pen.disc([x, ground - scale * height], 6.0, Paper, 1.0);
+            pen.dot([x, ground - scale * height], 5.0);
             let y = ground + 24.0;
             let [from, to] = [placed[0].0, *foot].map(|foot| [x + scale * foot, y]);
             pen.arrow(from, to, inked(DATA));
         }
-        pen.label([centers[0], ground + 40.0], Anchor::Middle, "before");
-        pen.label([centers[3], ground + 40.0], Anchor::Middle, "after");
-        pen.label([300.0, 22.0], Anchor::Middle, "*C* stays");
+        pen.label([centers[0], ground + 40.0], Middle, "before");
+        pen.label([centers[3], ground + 40.0], Middle, "after");
+        pen.label([300.0, 22.0], Middle, "*C* stays");
     });
-    let rows = placed.iter().map(|(foot, height)| vec![*foot, *height]);
-    let columns = ["feet from the line (m)", "height of the centre of mass (m)"];
-    Ok(made.data("postures", &columns, rows))
+    let rows = placed.iter().map(|(foot, height)| [*foot, *height]);
+    let columns = "feet from the line (m) | height of the centre of mass (m)";
+    Ok(made.data("postures", columns, rows))
 }
 
 /// Five rounds of a push and a pull of the feet.
@@ -247,13 +247,13 @@ pub fn crawler(values: &Values) -> Result<Figure> {
                 .collect();
             pen.line(&track, inked(HAIR).alpha(0.7));
             if let Some(&end) = track.last() {
-                pen.disc(end, 4.0, Role::Ink, 0.8);
+                pen.disc(end, 4.0, Ink, 0.8);
             }
         }
-        let track: Vec<Point> = run.states.iter().map(|y| at(wriggler.center(y))).collect();
-        pen.line(&track, inked(DATA));
-        pen.disc(at(center), 6.0, Role::Ink, 1.0);
-        pen.label([146.0, 328.0], Anchor::Middle, "on ice: *C* is a point");
+        let track = run.states.iter().map(|y| at(wriggler.center(y)));
+        pen.line(track, inked(DATA));
+        pen.dot(at(center), 6.0);
+        pen.label([146.0, 328.0], Middle, "on ice: *C* is a point");
         let seconds = time.ticks(70.0).into_iter();
         let seconds: Vec<_> = seconds.map(|(t, text)| (t, text + " s")).collect();
         frame.draw(pen, &seconds, &way.ticks(45.0), ["", "place, m"]);
@@ -285,17 +285,17 @@ pub fn crawler(values: &Values) -> Result<Figure> {
             let inside = beside.filter(|p| {
                 (324.0 + half..590.0 - half).contains(&p[0]) && (24.0..268.0).contains(&p[1])
             });
-            pen.name(inside, text, small(Role::Ink));
+            pen.name(inside, text, small(Ink));
         }
-        pen.label([448.0, 328.0], Anchor::Middle, "on ground: stick and slip");
+        pen.label([448.0, 328.0], Middle, "on ground: stick and slip");
     });
-    let columns = ["time (s)", "rear foot (m)", "front foot (m)", "centre (m)"];
-    let rows = |rows: &[(f64, CrawlerState)]| -> Vec<Vec<f64>> {
+    let columns = "time (s) | rear foot (m) | front foot (m) | centre (m)";
+    let rows = |rows: &[(f64, CrawlerState)]| -> Vec<[f64; 4]> {
         rows.iter()
-            .map(|(t, s)| vec![*t, s.rear, s.front, s.center])
+            .map(|(t, s)| [*t, s.rear, s.front, s.center])
             .collect()
     };
     Ok(made
-        .data("on ice", &columns, rows(&ice))
-        .data("on ground", &columns, rows(&ground)))
+        .data("on ice", columns, rows(&ice))
+        .data("on ground", columns, rows(&ground)))
 }

@@ -73,14 +73,14 @@ fn sheet(pen: &mut Pen, center: Point, tilt: f64) -> Vec<Point> {
         .into_iter()
         .map(|p| turned(p, center, tilt))
         .collect();
-    pen.fill(&outline, Role::Ink, 0.1);
+    pen.fill(&outline, Ink, 0.1);
     pen.outline(&outline, inked(SECONDARY));
     let push = turned([0.0, -44.0], center, tilt);
-    pen.line(&[center, push], inked(SECONDARY).dotted());
+    pen.line([center, push], inked(SECONDARY).dotted());
     pen.arrow([push[0], push[1] + 54.0], push, inked(DATA));
     pen.arrow(center, [center[0], center[1] + 54.0], inked(DATA));
-    pen.disc(center, 4.5, Role::Ink, 1.0);
-    pen.disc(push, 4.5, Role::Ink, 1.0);
+    pen.dot(center, 4.5);
+    pen.dot(push, 4.5);
     outline
 }
 
@@ -114,7 +114,7 @@ pub fn paper_cat(values: &Values) -> Result<Figure> {
             outline = sheet(pen, [x, 132.0], tilt);
             pen.label(
                 [x, 270.0],
-                Anchor::Middle,
+                Middle,
                 &format!("{}°", number(tilt.to_degrees(), 0)),
             );
         }
@@ -128,13 +128,13 @@ pub fn paper_cat(values: &Values) -> Result<Figure> {
             [[534.0, y], [466.0, y], [546.0, y], [454.0, y]]
         });
         let [x, y] = roomiest(beside, [24.0, 7.0], &taken);
-        pen.note([x, y + 5.0], Anchor::Middle, "weight");
+        pen.note([x, y + 5.0], Middle, "weight");
         let push = turned([0.0, -44.0], [108.0, 132.0], tilts[0]);
-        pen.note([push[0] - 10.0, push[1] + 40.0], Anchor::End, "drag");
+        pen.note([push[0] - 10.0, push[1] + 40.0], End, "drag");
     });
     let rows = [0.0, times[0], times[1]].into_iter().zip(tilts);
-    let rows = rows.map(|(time, tilt)| vec![time, tilt.to_degrees()]);
-    Ok(made.data("paper cat", &["time (s)", "tilt (°)"], rows))
+    let rows = rows.map(|(time, tilt)| [time, tilt.to_degrees()]);
+    Ok(made.data("paper cat", "time (s) | tilt (°)", rows))
 }
 
 const LEFT: f64 = 66.0;
@@ -178,15 +178,15 @@ pub fn paper_cat_fall(values: &Values) -> Result<Figure> {
         let degrees = plot::marks(&[10.0, 1.0, 0.1, 0.01, 0.001], "°");
         let names = ["short of upside down by", "fall, m"];
         frame.draw(pen, &degrees, &frame.y.ticks(50.0), names);
-        let points: Vec<Point> = curve.iter().map(|point| place(*point)).collect();
-        pen.line(&points, inked(DATA));
+        let points = curve.iter().map(|point| place(*point));
+        pen.line(points, inked(DATA));
         for (k, (&degrees, &fall)) in marks.iter().zip(&falls).enumerate() {
             let at = place([degrees, fall]);
-            pen.disc(at, 4.0, Role::Ink, 1.0);
+            pen.dot(at, 4.0);
             // Above and below the curve in turn: the marks are close together.
             let (aside, anchor) = match k % 2 {
-                0 => ([-4.0, -12.0], Anchor::End),
-                _ => ([6.0, 22.0], Anchor::Start),
+                0 => ([-4.0, -12.0], End),
+                _ => ([6.0, 22.0], Start),
             };
             let told = number(fall, 3);
             // Clear of the axes.
@@ -201,9 +201,8 @@ pub fn paper_cat_fall(values: &Values) -> Result<Figure> {
             pen.note([x.max(left), y.min(BOTTOM - 8.0)], anchor, &told);
         }
     });
-    let rows = curve.iter().map(|point| point.to_vec());
     Ok(made
-        .data("paper cat", &["short of upside down (°)", "fall (m)"], rows)
+        .data("paper cat", "short of upside down (°) | fall (m)", curve)
         .value("from-10", number(falls[1], 3))
         .value("from-1", number(falls[3], 3))
         .value("decade", number(decade, 3)))

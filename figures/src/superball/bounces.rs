@@ -82,16 +82,16 @@ pub fn reflections(values: &Values) -> Result<Figure> {
             [[CENTER[0], 14.0], [CENTER[0], 354.0]],
         ];
         pen.lines(axes, inked(AXIS));
-        pen.label([CENTER[0] + 196.0, CENTER[1] + 5.0], Anchor::Start, "*V*");
+        pen.label([CENTER[0] + 196.0, CENTER[1] + 5.0], Start, "*V*");
         for (angle, name) in [(beta, "floor"), (-beta, "ceiling")] {
             let ends = [polar(CENTER, MIRROR, angle), polar(CENTER, -MIRROR, angle)];
-            pen.line(&ends, stroke(Role::Muted, DATA).dashed());
+            pen.line(ends, muted(DATA).dashed());
             let shift = if angle > 0.0 { -4.0 } else { 16.0 };
             pen.text(
                 [ends[0][0] + 6.0, ends[0][1] + shift],
-                Anchor::Start,
+                Start,
                 name,
-                label(Role::Muted),
+                label(Muted),
             );
         }
         for pair in motions.windows(2) {
@@ -102,12 +102,9 @@ pub fn reflections(values: &Values) -> Result<Figure> {
         let mut named: Vec<Point> = Vec::new();
         for (n, m) in motions.iter().enumerate() {
             let p = point(m);
-            pen.disc(p, 5.5, Role::Ink, 1.0);
+            pen.dot(p, 5.5);
             // One name where the ball comes back to an old point.
-            if named
-                .iter()
-                .any(|q| (q[0] - p[0]).hypot(q[1] - p[1]) < 14.0)
-            {
+            if named.iter().any(|q| distance(*q, p) < 14.0) {
                 continue;
             }
             named.push(p);
@@ -115,16 +112,16 @@ pub fn reflections(values: &Values) -> Result<Figure> {
                 let aside = f64::from((k + 1) / 2) * if k % 2 == 0 { 0.012 } else { -0.012 };
                 polar(CENTER, SIZE + 18.0, angles[n] + aside)
             });
-            pen.name(turns, &n.to_string(), label(Role::Ink).strong());
+            pen.name(turns, &n.to_string(), label(Ink).strong());
         }
         let beside = [34.0, -34.0, 52.0, -52.0, 80.0].map(|x| [CENTER[0] + x, 15.0]);
-        pen.name(beside, "√κ *R*\u{03a9}", label(Role::Omega));
+        pen.name(beside, "√κ *R*\u{03a9}", label(Omega));
     });
     let rows = motions
         .iter()
         .enumerate()
-        .map(|(n, m)| vec![n as f64, m.velocity, m.rim_speed]);
-    Ok(made.data("ball", &["bounces", "velocity (V)", "rim speed (V)"], rows))
+        .map(|(n, m)| [n as f64, m.velocity, m.rim_speed]);
+    Ok(made.data("ball", "bounces | velocity (V) | rim speed (V)", rows))
 }
 
 parameters! {
@@ -170,7 +167,7 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
     let balls = [
         (values.of(&DENSE), inked(DATA).dashed()),
         (0.4, inked(DATA)),
-        (values.of(&HOLLOW), stroke(Role::Muted, DATA)),
+        (values.of(&HOLLOW), muted(DATA)),
     ];
     let motions = balls.map(|(kappa, _)| {
         let mut motions = UnderTable::new(THROWN, kappa);
@@ -199,17 +196,17 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
          with velocities {last} of the first; negative ones lead back out to the left."
     );
     let made = figure("three-superballs", 268.0, words, |pen| {
-        pen.line(&[[10.0, FLOOR], [590.0, FLOOR]], inked(SECONDARY));
+        pen.line([[10.0, FLOOR], [590.0, FLOOR]], inked(SECONDARY));
         let slab = [
             [250.0, CEILING - 12.0],
             [590.0, CEILING - 12.0],
             [590.0, CEILING],
             [250.0, CEILING],
         ];
-        pen.fill(&slab, Role::Ink, 0.16);
+        pen.fill(slab, Ink, 0.16);
         pen.line(&slab[2..], inked(AXIS));
         let arrives = [place(-1.17, 1.17), place(0.0, 0.0)];
-        pen.line(&arrives, inked(HAIR).dashed());
+        pen.line(arrives, inked(HAIR).dashed());
         pen.arrow(place(-1.05, 1.05), place(-0.93, 0.93), inked(DATA));
         let mut ends = Vec::new();
         for (of, (_, line)) in motions.iter().zip(balls) {
@@ -241,10 +238,10 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
                 places.filter(|p| (wide + 4.0..596.0 - wide).contains(&p[0]) && p[1] > 14.0);
             pen.name(inside, text, lettering);
         };
-        write(place(-0.99, 0.99), "thrown", small(Role::Ink), 25.0);
+        write(place(-0.99, 0.99), "thrown", small(Ink), 25.0);
         for (end, name) in ends.into_iter().zip(&names) {
             let text = format!("κ = {name}");
-            write(end, &text, label(Role::Ink), 32.0);
+            write(end, &text, label(Ink), 32.0);
         }
     });
     let hollow = number(-motions[2][2].velocity, 3);
@@ -253,9 +250,9 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
         let rows = of
             .iter()
             .zip([1.0, 2.0, 3.0])
-            .map(|(m, n)| vec![n, m.velocity, m.rim_speed]);
-        let columns = ["bounces", "velocity (V)", "rim speed (V)"];
-        made = made.data(format!("κ = {name}"), &columns, rows);
+            .map(|(m, n)| [n, m.velocity, m.rim_speed]);
+        let columns = "bounces | velocity (V) | rim speed (V)";
+        made = made.data(format!("κ = {name}"), columns, rows);
     }
     Ok(made)
 }

@@ -7,7 +7,7 @@ use spinning_bodies::scene::contact::passage;
 
 use super::ball::table;
 use super::{FRICTION, TURNS, egg_scene, run};
-use crate::plot::{Axis, Frame, marks};
+use crate::plot::{Frame, marks};
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -88,8 +88,8 @@ pub fn egg_film(values: &Values) -> Result<Figure> {
             one(pen, [66.0 + 117.0 * k as f64, floor], time, tilt);
         }
     });
-    let table = rows.iter().map(|(t, s)| vec![*t, slope(s.tilt())]);
-    Ok(made.data("egg", &["time (s)", "angle from the vertical (°)"], table))
+    let table = rows.iter().map(|(t, s)| [*t, slope(s.tilt())]);
+    Ok(made.data("egg", "time (s) | angle from the vertical (°)", table))
 }
 
 fn one(pen: &mut Pen, foot: Point, time: f64, tilt: f64) {
@@ -99,24 +99,20 @@ fn one(pen: &mut Pen, foot: Point, time: f64, tilt: f64) {
         .iter()
         .map(|p| [center[0] + p[0], center[1] + p[1]])
         .collect();
-    pen.fill(&moved, Role::Ink, 0.09);
+    pen.fill(&moved, Ink, 0.09);
     pen.outline(&moved, inked(1.4));
     let tip = |sign: f64| {
         let [x, y] = polar([0.0, 0.0], HALF[0], FRAC_PI_2 - tilt);
         [center[0] + sign * x, center[1] + sign * y]
     };
-    pen.line(&[tip(1.0), tip(-1.0)], inked(HAIR).alpha(0.7));
-    pen.disc(center, 2.8, Role::Ink, 1.0);
+    pen.line([tip(1.0), tip(-1.0)], inked(HAIR).alpha(0.7));
+    pen.dot(center, 2.8);
     pen.note(
         [foot[0], foot[1] + 22.0],
-        Anchor::Middle,
+        Middle,
         &format!("{}°", number(tilt.to_degrees(), 0)),
     );
-    pen.remark(
-        [foot[0], foot[1] + 41.0],
-        Anchor::Middle,
-        &format!("{time:.2} s"),
-    );
+    pen.remark([foot[0], foot[1] + 41.0], Middle, &format!("{time:.2} s"));
 }
 
 /// A sluggish egg rises part of the way, then rolls. Seven runs of eight seconds: a constant figure.
@@ -136,20 +132,17 @@ pub fn how_far_eggs_rise() -> Result<Figure> {
          at ten turns, and near zero at twenty."
     );
     Ok(figure("egg-angle", 348.0, words, |pen| {
-        let frame = Frame {
-            x: Axis::linear([7.0, 21.0], [62.0, 572.0]),
-            y: Axis::linear([0.0, 95.0], [296.0, 34.0]),
-        };
+        let frame = Frame::linear([7.0, 21.0], [0.0, 95.0], [62.0, 572.0, 296.0, 34.0]);
         frame.draw(
             pen,
             &marks(&[8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0], ""),
             &marks(&[0.0, 30.0, 60.0, 90.0], "°"),
             ["turns a second", "angle from the vertical"],
         );
-        let curve = SPINS.iter().copied().zip(ends.iter().copied());
+        let curve = SPINS.into_iter().zip(ends).map(|(turns, end)| [turns, end]);
         frame.curve(pen, curve.clone(), inked(AXIS).dotted());
-        for (turns, end) in curve {
-            pen.disc(frame.at(turns, end), 4.6, Role::Ink, 1.0);
+        for [turns, end] in curve {
+            pen.dot(frame.at(turns, end), 4.6);
             if let 10.0 | 14.0 = turns {
                 let [x, y] = frame.at(turns, end);
                 let (points, _) = outline(end.to_radians());
@@ -157,11 +150,11 @@ pub fn how_far_eggs_rise() -> Result<Figure> {
                     .iter()
                     .map(|p| [x + 62.0 + 0.62 * p[0], y - 12.0 + 0.62 * p[1]])
                     .collect();
-                pen.fill(&small_egg, Role::Ink, 0.09);
+                pen.fill(&small_egg, Ink, 0.09);
                 pen.outline(&small_egg, inked(DATA * 0.6));
             }
         }
-        pen.label(frame.at(8.0, 80.0), Anchor::Middle, "lies");
-        pen.label(frame.at(20.0, 7.0), Anchor::Middle, "stands");
+        pen.label(frame.at(8.0, 80.0), Middle, "lies");
+        pen.label(frame.at(20.0, 7.0), Middle, "stands");
     }))
 }

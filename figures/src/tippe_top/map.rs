@@ -65,12 +65,12 @@ pub fn outcomes() -> Result<Figure> {
 fn target(pen: &mut Pen, center: Point, rings: &[Vec<bool>], name: &str) {
     let reach = |k: usize| 22.0 + 21.0 * k as f64;
     for (k, ring) in rings.iter().enumerate() {
-        pen.ring(center, reach(k), stroke(Role::Muted, HAIR));
+        pen.ring(center, reach(k), muted(HAIR));
         for (j, over) in ring.iter().enumerate() {
             let angle = TAU * j as f64 / f64::from(AZIMUTHS);
             let at = polar(center, reach(k), angle);
             if *over {
-                pen.disc(at, 5.6, Role::Ink, 1.0);
+                pen.dot(at, 5.6);
             } else {
                 pen.ring(at, 5.0, inked(AXIS));
             }
@@ -78,16 +78,8 @@ fn target(pen: &mut Pen, center: Point, rings: &[Vec<bool>], name: &str) {
         // The innermost ring has no room for a name.
         if k == 2 || k == 5 {
             let [x, y] = polar(center, reach(k), 1.18);
-            pen.remark(
-                [x, y - 1.0],
-                Anchor::Middle,
-                &format!("{}°", number(TILTS[k], 0)),
-            );
+            pen.remark([x, y - 1.0], Middle, &format!("{}°", number(TILTS[k], 0)));
         }
     }
-    pen.label(
-        [center[0], center[1] + reach(5) + 29.0],
-        Anchor::Middle,
-        name,
-    );
+    pen.label([center[0], center[1] + reach(5) + 29.0], Middle, name);
 }

@@ -6,7 +6,7 @@ use spinning_bodies::Result;
 use spinning_bodies::tippe_top::{Inversion, TippeTop};
 
 use super::{ALPHA, G_TIPPE, GAMMA, SPIN, TILTS, tippe};
-use crate::plot::{Axis, Frame, apart, marks};
+use crate::plot::{Frame, apart, marks};
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -36,10 +36,11 @@ fn frame(top: &TippeTop) -> Frame {
         .map(|tilt| height(top, SPINS[0], tilt))
         .fold(0.0, f64::max);
     let room = 0.06 * (high - low);
-    Frame {
-        x: Axis::linear([0.0, 180.0], [58.0, 500.0]),
-        y: Axis::linear([low - room, high + room], [352.0, 36.0]),
-    }
+    Frame::linear(
+        [0.0, 180.0],
+        [low - room, high + room],
+        [58.0, 500.0, 352.0, 36.0],
+    )
 }
 
 /// Where the heavy curve ends.
@@ -110,22 +111,22 @@ pub fn effective(values: &Values) -> Result<Figure> {
         let labels = apart(&right, 18.0, 352.0);
         for (k, &spin) in spins.iter().enumerate() {
             let (width, role) = match spin == chosen {
-                true => (1.5 * DATA, Role::Ink),
-                false => (SECONDARY, Role::Muted),
+                true => (1.5 * DATA, Ink),
+                false => (SECONDARY, Muted),
             };
             let curve = (0..=180).map(f64::from);
-            let curve = curve.map(|tilt| (tilt, height(&top, spin, tilt.to_radians())));
+            let curve = curve.map(|tilt| [tilt, height(&top, spin, tilt.to_radians())]);
             frame.curve(pen, curve, stroke(role, width));
             let at = frame.at(ends[k].to_degrees(), height(&top, spin, ends[k]));
-            pen.disc(at, 5.0, Role::Ink, 1.0);
+            pen.dot(at, 5.0);
             let text = format!("{spin:.0} rad/s");
-            pen.text([512.0, labels[k] + 5.0], Anchor::Start, &text, small(role));
+            pen.text([512.0, labels[k] + 5.0], Start, &text, small(role));
         }
     });
-    let columns = ["tilt (°)", "(V − V(0))/MgR"];
+    let columns = "tilt (°) | (V − V(0))/MgR";
     Ok(spins.iter().fold(made, |made, &spin| {
         let rows = (0..=180).map(f64::from);
-        let rows = rows.map(|tilt| vec![tilt, height(&top, spin, tilt.to_radians())]);
-        made.data(format!("{spin} rad/s"), &columns, rows)
+        let rows = rows.map(|tilt| [tilt, height(&top, spin, tilt.to_radians())]);
+        made.data(format!("{spin} rad/s"), columns, rows)
     }))
 }

@@ -87,12 +87,12 @@ pub fn two_pairs_of_axes(values: &Values) -> Result<Figure> {
             .iter()
             .map(|p| [MIDDLE[0] + p[0], MIDDLE[1] - p[1]])
             .collect();
-        pen.fill(&placed, Role::Ink, 0.08);
+        pen.fill(&placed, Ink, 0.08);
         pen.outline(&placed, inked(SECONDARY));
         let cross = |pen: &mut Pen, turned: f64, style: Stroke| {
             for (turned, half) in [(turned, 284.0), (turned + FRAC_PI_2, 70.0)] {
                 pen.line(
-                    &[
+                    [
                         polar(MIDDLE, half, turned + PI),
                         polar(MIDDLE, half, turned),
                     ],
@@ -102,7 +102,7 @@ pub fn two_pairs_of_axes(values: &Values) -> Result<Figure> {
         };
         cross(pen, 0.0, belly);
         cross(pen, angle, inertia);
-        pen.disc(MIDDLE, 3.5, Role::Ink, 1.0);
+        pen.dot(MIDDLE, 3.5);
         lens(pen, &outline, angle, [belly, inertia]);
         for (k, (way, text)) in [("clockwise", &told[0]), ("anticlockwise", &told[1])]
             .into_iter()
@@ -111,18 +111,14 @@ pub fn two_pairs_of_axes(values: &Values) -> Result<Figure> {
             let center = [54.0, 204.0 + 74.0 * k as f64];
             let (from, to) = [(2.6, 0.5), (0.5, 2.6)][k];
             pen.arc_arrow([center[0], center[1] + 6.0], 24.0, from, to, inked(DATA));
-            pen.label([center[0] + 44.0, center[1] - 4.0], Anchor::Start, way);
+            pen.label([center[0] + 44.0, center[1] - 4.0], Start, way);
             let text = format!("rattling {text}");
-            pen.note([center[0] + 44.0, center[1] + 18.0], Anchor::Start, &text);
+            pen.note([center[0] + 44.0, center[1] + 18.0], Start, &text);
         }
     });
-    let columns = [
-        "angle (°)",
-        "growth clockwise (1/s)",
-        "growth anticlockwise (1/s)",
-    ];
-    let row = vec![angle.to_degrees(), rates[0], rates[1]];
-    Ok(made.data("stone", &columns, [row]).value("angle", out))
+    let columns = "angle (°) | growth clockwise (1/s) | growth anticlockwise (1/s)";
+    let row = [angle.to_degrees(), rates[0], rates[1]];
+    Ok(made.data("stone", columns, [row]).value("angle", out))
 }
 
 /// The tip enlarged, with both axes that leave it.
@@ -136,19 +132,19 @@ fn lens(pen: &mut Pen, outline: &[Point], angle: f64, [belly, inertia]: [Stroke;
             center[1] - times * p[1],
         ]
     };
-    let within = |p: &Point| (p[0] - center[0]).hypot(p[1] - center[1]) < radius - 1.0;
+    let within = |p: &Point| distance(*p, center) < radius - 1.0;
     let axis = |turned: f64| -> Vec<Point> {
         (-400..=400)
             .map(|k| tip + 0.05 * f64::from(k))
             .map(|x| [x, x * turned.tan()])
             .collect()
     };
-    pen.disc([MIDDLE[0] + tip, MIDDLE[1]], 3.5, Role::Ink, 1.0);
-    pen.ring(center, radius, stroke(Role::Muted, AXIS));
+    pen.dot([MIDDLE[0] + tip, MIDDLE[1]], 3.5);
+    pen.ring(center, radius, muted(AXIS));
     let to = [MIDDLE[0] + tip, MIDDLE[1] + 8.0];
     pen.line(
-        &[to, [to[0] - 4.0, center[1] - radius]],
-        stroke(Role::Muted, AXIS).dotted(),
+        [to, [to[0] - 4.0, center[1] - radius]],
+        muted(AXIS).dotted(),
     );
     let curves = [
         (outline.to_vec(), inked(SECONDARY)),

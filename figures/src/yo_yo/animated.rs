@@ -109,20 +109,15 @@ pub fn animated() -> Result<Figure> {
         let line: Vec<Point> = pictures.iter().map(|p| depth.at(p.0, p.1.depth)).collect();
         pen.line(&line, inked(DATA));
         let line: Vec<Point> = pictures.iter().map(|p| spin.at(p.0, p.1.omega)).collect();
-        pen.line(&line, stroke(Role::Omega, DATA));
+        pen.line(&line, stroke(Omega, DATA));
         let middle = 0.5 * (asleep[0] + asleep[asleep.len() - 1]);
         let [x, y] = depth.at(middle, 0.36);
-        pen.remark([x, y - 10.0], Anchor::Middle, "asleep");
+        pen.remark([x, y - 10.0], Middle, "asleep");
         pen.line(
-            &[[HAND[0] - 56.0, HAND[1]], [HAND[0] - 36.0, HAND[1]]],
+            [[HAND[0] - 56.0, HAND[1]], [HAND[0] - 36.0, HAND[1]]],
             inked(AXIS),
         );
-        pen.text(
-            [HAND[0] - 60.0, HAND[1] + 5.0],
-            Anchor::End,
-            "hand",
-            label(Role::Muted),
-        );
+        pen.text([HAND[0] - 60.0, HAND[1] + 5.0], End, "hand", label(Muted));
     });
     let picture = pictures.len() / 2;
     Ok(still.moving(&moving(&pictures, duration, picture, [&depth, &spin])))

@@ -72,7 +72,7 @@ pub fn string(values: &Values) -> Result<Figure> {
     };
     let mut place: Vec<Point> = Vec::new();
     let mut tension: Vec<Point> = Vec::new();
-    let mut kept: Vec<Vec<f64>> = Vec::new();
+    let mut kept: Vec<[f64; 3]> = Vec::new();
     for (t, state) in &rows {
         let at = depth.at(*t, state.depth);
         if place.last().is_none_or(|p| at[0] - p[0] >= 1.0) {
@@ -82,7 +82,7 @@ pub fn string(values: &Values) -> Result<Figure> {
         let far = |p: &Point| at[0] - p[0] >= 1.0 || (at[1] - p[1]).abs() >= 0.5;
         if tension.last().is_none_or(far) {
             tension.push(at);
-            kept.push(vec![*t, state.depth, state.tension]);
+            kept.push([*t, state.depth, state.tension]);
         }
     }
     let milliseconds = 1e3 * turn.duration;
@@ -111,9 +111,9 @@ pub fn string(values: &Values) -> Result<Figure> {
         pen.line(&tension, inked(DATA));
         let [px, py] = pull.at(first, peak);
         let text = format!("the turn: {milliseconds:.0} ms");
-        pen.label([px - 4.0, py - 8.0], Anchor::Start, &text);
+        pen.label([px - 4.0, py - 8.0], Start, &text);
     });
-    Ok(made.data("yo-yo", &["time (s)", "depth (m)", "pull (N)"], kept))
+    Ok(made.data("yo-yo", "time (s) | depth (m) | pull (N)", kept))
 }
 
 /// Speed against depth for a thin and a thick string.
@@ -128,10 +128,11 @@ pub fn speed(values: &Values) -> Result<Figure> {
         .max_by(|&a, &b| thick.speed(a).total_cmp(&thick.speed(b)))
         .unwrap_or(0.0);
     let peak = thick.speed(fastest);
-    let frame = Frame {
-        x: Axis::linear([0.0, length], [66.0, 570.0]),
-        y: Axis::linear([0.0, 1.12 * peak.max(thin.speed(length))], [296.0, 40.0]),
-    };
+    let frame = Frame::linear(
+        [0.0, length],
+        [0.0, 1.12 * peak.max(thin.speed(length))],
+        [66.0, 570.0, 296.0, 40.0],
+    );
     let curve =
         |way: &Unwinding| -> Vec<Point> { depths().map(|x| frame.at(x, way.speed(x))).collect() };
     let curves = [curve(&thin), curve(&thick)];
@@ -160,7 +161,7 @@ pub fn speed(values: &Values) -> Result<Figure> {
         pen.line(&curves[0], inked(SECONDARY).dashed());
         pen.line(&curves[1], inked(DATA));
         let top = frame.at(fastest, peak);
-        pen.disc(top, 4.0, Role::Ink, 1.0);
+        pen.dot(top, 4.0);
         let mut beside = |curve: &[Point], text: &str, lettering, half: f64| {
             let places = curve.iter().skip(60).step_by(4).flat_map(|p| {
                 [[half + 8.0, 16.0], [-half - 8.0, -16.0], [0.0, -18.0]]
@@ -171,17 +172,15 @@ pub fn speed(values: &Values) -> Result<Figure> {
             });
             pen.name(inside, text, lettering);
         };
-        beside(&[top; 61], "fastest", small(Role::Ink), 24.0);
-        beside(&curves[1], "thick string", label(Role::Ink), 45.0);
-        beside(&curves[0], "thin string", label(Role::Ink), 42.0);
+        beside(&[top; 61], "fastest", small(Ink), 24.0);
+        beside(&curves[1], "thick string", label(Ink), 45.0);
+        beside(&curves[0], "thin string", label(Ink), 42.0);
     });
-    let columns = ["depth (m)", "speed (m/s)", "angular velocity (rad/s)"];
-    let rows = |way: &Unwinding| -> Vec<Vec<f64>> {
-        depths()
-            .map(|x| vec![x, way.speed(x), way.omega(x)])
-            .collect()
+    let columns = "depth (m) | speed (m/s) | angular velocity (rad/s)";
+    let rows = |way: &Unwinding| -> Vec<[f64; 3]> {
+        depths().map(|x| [x, way.speed(x), way.omega(x)]).collect()
     };
     Ok(made
-        .data("thin string", &columns, rows(&thin))
-        .data("thick string", &columns, rows(&thick)))
+        .data("thin string", columns, rows(&thin))
+        .data("thick string", columns, rows(&thick)))
 }

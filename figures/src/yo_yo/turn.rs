@@ -50,13 +50,13 @@ pub fn turn(values: &Values) -> Result<Figure> {
             let arm = METRE * axle;
             let center = [end[0] + arm * cos, end[1] + arm * sin];
             let radius = METRE * 0.029;
-            pen.disc(center, radius, Role::Ink, 0.1);
+            pen.disc(center, radius, Ink, 0.1);
             pen.ring(center, radius, inked(SECONDARY));
             pen.ring(center, arm, inked(AXIS));
-            pen.line(&[[end[0], 12.0], end], inked(AXIS));
-            pen.disc(end, 3.0, Role::Ink, 1.0);
+            pen.line([[end[0], 12.0], end], inked(AXIS));
+            pen.dot(end, 3.0);
             let pull = LONGEST * state.tension / peak;
-            pen.line(&[end, [end[0], end[1] - pull]], inked(5.0));
+            pen.line([end, [end[0], end[1] - pull]], inked(5.0));
             // The centre goes round the end of the thread.
             let speed = 0.5 * LONGEST * state.omega / turn.fastest;
             let velocity = [center[0] - speed * sin, center[1] + speed * cos];
@@ -67,39 +67,28 @@ pub fn turn(values: &Values) -> Result<Figure> {
                 0.8 * radius,
                 around[0],
                 around[1],
-                stroke(Role::Omega, DATA),
+                stroke(Omega, DATA),
             );
             let row = |pen: &mut crate::style::Pen, y: f64, text: &str, role| {
                 let at: Point = [64.0 + 118.0 * k as f64, y];
-                pen.text(at, Anchor::Middle, text, small(role));
+                pen.text(at, Middle, text, small(role));
             };
-            row(
-                pen,
-                232.0,
-                &format!("{} ms", number(1e3 * time, 1)),
-                Role::Muted,
-            );
-            row(pen, 256.0, &format!("pull {} *Mg*", pulls[k]), Role::Ink);
+            row(pen, 232.0, &format!("{} ms", number(1e3 * time, 1)), Muted);
+            row(pen, 256.0, &format!("pull {} *Mg*", pulls[k]), Ink);
         }
         let first = [64.0 + METRE * axle, END];
         let name = polar(first, 0.8 * METRE * 0.029 + 18.0, 0.8);
-        pen.text(name, Anchor::Start, "*Ω*", label(Role::Omega));
+        pen.text(name, Start, "*Ω*", label(Omega));
     });
-    let columns = [
-        "time (s)",
-        "angle (rad)",
-        "depth (m)",
-        "velocity downward (m/s)",
-        "spin (rad/s)",
-        "pull (N)",
-    ];
+    let columns =
+        "time (s) | angle (rad) | depth (m) | velocity downward (m/s) | spin (rad/s) | pull (N)";
     let rows = (0..=200)
         .map(|k| {
             let (time, s) = at(f64::from(k) / 200.0)?;
-            Ok(vec![time, s.angle, s.depth, s.velocity, s.omega, s.tension])
+            Ok([time, s.angle, s.depth, s.velocity, s.omega, s.tension])
         })
         .collect::<Result<Vec<_>>>()?;
-    Ok(made.data("turn", &columns, rows))
+    Ok(made.data("turn", columns, rows))
 }
 
 #[cfg(test)]

@@ -1,13 +1,13 @@
 //! What a throw keeps (tutorial 3.2, 3.3): L of a brick in the air, and Ω that wanders about it.
 
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::UnitQuaternion;
 use spinning_bodies::Result;
 use spinning_bodies::conservation::uniform_gravity;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use spinning_bodies::inertia::{PlatonicSolid, shapes};
 
-use crate::solid::{View, polyhedron};
+use crate::solid::{Vector, View, polyhedron};
 use crate::style::*;
 use crate::{Entry, Figure, Parameter, Values, of};
 
@@ -38,7 +38,7 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
     let omega = BodyVector::new(sin, cos, 0.0) * (core::f64::consts::TAU * turns);
     let l = body.inertia().angular_momentum(omega);
     // L upwards, the long edge to the right as far as that goes.
-    let upright = UnitQuaternion::rotation_between(&l.components(), &Vector3::z());
+    let upright = UnitQuaternion::rotation_between(&l.components(), &Vector::z());
     let upright = upright.unwrap_or_default().into_inner();
     let start = Attitude::from_quaternion(upright.w, upright.i, upright.j, upright.k)?;
     let moments = body.inertia().principal_axes().moments;
@@ -46,8 +46,8 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
     let ground = SpaceVector::zero();
     let weight = uniform_gravity(MASS, ground, ground, SpaceVector::new(0.0, 0.0, -9.81))?;
     let fall = weight.force.components() / MASS;
-    let thrown = Vector3::new(0.0, THROWN, 0.0) - 0.5 * FLIGHT * fall;
-    let row = |t: f64| -> Result<[Vector3<f64>; 3]> {
+    let thrown = Vector::new(0.0, THROWN, 0.0) - 0.5 * FLIGHT * fall;
+    let row = |t: f64| -> Result<[Vector; 3]> {
         let state = top.at(t)?;
         let space = |v| state.attitude.to_space(v).components();
         let place = t * thrown + 0.5 * t * t * fall;
@@ -59,30 +59,24 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
     let most = leans.clone().fold(0.0, f64::max);
     let least = leans.fold(180.0, f64::min);
     let told = [least, most].map(|lean| number(lean, 1));
-    let words = Words {
-        claim: match most < 0.05 {
+    let claim = match most < 0.05 {
             true => "Thrown exactly about a principal axis, the brick keeps its angular momentum, and its angular velocity stays with it.".to_owned(),
             false => format!(
                 "In the air the brick keeps its angular momentum; its angular velocity wanders, between {}° and {}° from it.",
                 told[0], told[1]
             ),
-        },
-        details: format!(
-            "A brick of {} by {} by {} cm, thrown with {} turns a second about an axis {}° off its middle one, every {} s. Its centre follows the parabola of a thrown stone, \
-             and about the centre gravity has no torque. Orange: $L$, the same seven times; blue: $\\Omega$, each to its own scale.",
-            short(1e2 * EDGES[0], 1),
-            short(1e2 * EDGES[1], 1),
-            short(1e2 * EDGES[2], 1),
-            short(turns, 2),
-            short(off, 1),
-            short(FLIGHT / f64::from(PICTURES - 1), 3),
-        ),
-        alt: format!(
-            "Seven pictures of a tumbling brick along a parabola. From each centre an orange arrow, the angular momentum, points straight up, always of one length. Beside it a blue \
-             arrow, the angular velocity, changes its direction from picture to picture, {} to {} degrees from the orange one.",
-            told[0], told[1]
-        ),
-    };
+        };
+    let [low, high] = &told;
+    let [long, middle, thin] = EDGES.map(|edge| short(1e2 * edge, 1));
+    let (spun, lean) = (short(turns, 2), short(off, 1));
+    let apart = short(FLIGHT / f64::from(PICTURES - 1), 3);
+    let words = words!(
+        "{claim}",
+        "A brick of {long} by {middle} by {thin} cm, thrown with {spun} turns a second about an axis {lean}° off its middle one, every {apart} s. Its centre follows the parabola of a thrown stone, \
+         and about the centre gravity has no torque. Orange: $L$, the same seven times; blue: $\\Omega$, each to its own scale.",
+        "Seven pictures of a tumbling brick along a parabola. From each centre an orange arrow, the angular momentum, points straight up, always of one length. Beside it a blue \
+         arrow, the angular velocity, changes its direction from picture to picture, {low} to {high} degrees from the orange one."
+    );
     let solid = PlatonicSolid::Cube;
     let corners = solid.vertices(1.0)?;
     let page = View::new(0.0, 0.3, [78.0, 352.0], 206.0);
@@ -90,7 +84,7 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
     let mut drawn = Ok(());
     let made = figure("thrown-brick", 420.0, words, |pen| {
         let path: Vec<Point> = rows.iter().map(|row| page.project(&row[0])).collect();
-        pen.line(&path, stroke(Role::Muted, AXIS).dotted());
+        pen.line(&path, muted(AXIS).dotted());
         let mut arrows = Vec::new();
         for k in 0..PICTURES {
             let at = (180 / (PICTURES - 1) * k) as usize;
@@ -109,7 +103,7 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
                 let corner = BodyVector::new(x * EDGES[0], y * EDGES[1], z * EDGES[2]);
                 attitude.to_space(corner).components()
             };
-            let faces: Vec<Vec<Vector3<f64>>> = solid
+            let faces: Vec<Vec<Vector>> = solid
                 .faces()
                 .iter()
                 .map(|face| face.iter().map(corner).collect())
@@ -119,10 +113,7 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
                 [l.normalize() * 0.36, omega * (0.34 / greatest)].map(|tip| view.project(&tip));
             arrows.push((center, tips));
         }
-        let roles = [
-            (Role::AngularMomentum, 2.6, "*L*"),
-            (Role::Omega, DATA, "*Ω*"),
-        ];
+        let roles = [(AngularMomentum, 2.6, "*L*"), (Omega, DATA, "*Ω*")];
         for (center, tips) in &arrows {
             for (tip, (role, width, _)) in tips.iter().zip(roles) {
                 pen.arrow(*center, *tip, stroke(role, width));
@@ -135,26 +126,21 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
             }
         }
         let text = format!("{} s", short(FLIGHT, 2));
-        pen.remark([path[180][0], 412.0], Anchor::Middle, &text);
-        pen.remark([path[0][0], 412.0], Anchor::Middle, "0 s");
+        pen.remark([path[180][0], 412.0], Middle, &text);
+        pen.remark([path[0][0], 412.0], Middle, "0 s");
     });
     drawn?;
-    let columns = [
-        "time (s)",
-        "L_x (kg m²/s)",
-        "L_y (kg m²/s)",
-        "L_z (kg m²/s)",
-        "Ω_x (rad/s)",
-        "Ω_y (rad/s)",
-        "Ω_z (rad/s)",
-    ];
+    let columns = "time (s) | L_x (kg m²/s) | L_y (kg m²/s) | L_z (kg m²/s) | Ω_x (rad/s) | Ω_y (rad/s) | Ω_z (rad/s)";
     let table = times.iter().zip(&rows).map(|(t, [_, l, omega])| {
         let numbers = l.iter().chain(omega.iter());
-        core::iter::once(t).chain(numbers).copied().collect()
+        core::iter::once(t)
+            .chain(numbers)
+            .copied()
+            .collect::<Vec<_>>()
     });
     let [least, most] = told;
     Ok(made
-        .data("brick", &columns, table)
+        .data("brick", columns, table)
         .value("least", least)
         .value("most", most))
 }
@@ -167,16 +153,16 @@ mod tests {
     #[test]
     fn eight_masses_keep_what_the_brick_keeps() {
         let (s, c) = 20_f64.to_radians().sin_cos();
-        let omega = Vector3::new(s, c, 0.0) * 1.5 * core::f64::consts::TAU;
-        let half = Vector3::from(EDGES) / 12_f64.sqrt();
-        let l: Vector3<f64> = (0..8)
-            .map(|k| Vector3::from_fn(|i, _| f64::from((k >> i & 1) * 2 - 1) * half[i]))
+        let omega = Vector::new(s, c, 0.0) * 1.5 * core::f64::consts::TAU;
+        let half = Vector::from(EDGES) / 12_f64.sqrt();
+        let l: Vector = (0..8)
+            .map(|k| Vector::from_fn(|i, _| f64::from((k >> i & 1) * 2 - 1) * half[i]))
             .map(|x| x.cross(&omega.cross(&x)) * MASS / 8.0)
             .sum();
         let figure = thrown_brick(&Values::default()).expect("a figure");
         for (_, row) in &figure.data.rows {
-            let [now, turning] = [1, 4].map(|k| Vector3::new(row[k], row[k + 1], row[k + 2]));
-            let off = now - Vector3::z() * l.norm();
+            let [now, turning] = [1, 4].map(|k| Vector::new(row[k], row[k + 1], row[k + 2]));
+            let off = now - Vector::z() * l.norm();
             assert!(off.norm() < 1e-14 * l.norm(), "{off}");
             let energy = now.dot(&turning) / l.dot(&omega) - 1.0;
             assert!(energy.abs() < 1e-13, "{energy:e}");

@@ -4,7 +4,6 @@ mod triangle;
 
 use core::f64::consts::PI;
 
-use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::euler_equations::{
     AxisMoments, Equilibrium, Nature, equilibria, fastest_flow, separatrix_slope, streamline,
@@ -12,7 +11,7 @@ use spinning_bodies::euler_equations::{
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::PrincipalMoments;
 
-use crate::solid::{View, ellipsoid_hides, segment};
+use crate::solid::{Vector, View, ellipsoid_hides, segment};
 use crate::style::*;
 use crate::{Entry, Figure, Parameter, Values, of};
 
@@ -37,7 +36,7 @@ const STEPS: usize = 16;
 
 /// One closed line of the flow, and the points it passes at equal times.
 struct Orbit {
-    curve: Vec<Vector3<f64>>,
+    curve: Vec<Vector>,
     /// Place in `curve` of the point at time zero; the dots are a multiple of [`STEPS`] away from it.
     zero: usize,
 }
@@ -51,7 +50,7 @@ impl Orbit {
         (tick, most): (f64, usize),
     ) -> Result<Self> {
         let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
-        let half = |step: f64| -> Result<Vec<Vector3<f64>>> {
+        let half = |step: f64| -> Result<Vec<Vector>> {
             let points = streamline(moments, start, step, most * STEPS)?;
             let angle = |p: &BodyVector| p.components()[k].atan2(p.components()[j]);
             let (mut swept, mut last) = (0.0, angle(&points[0]));
@@ -60,7 +59,7 @@ impl Orbit {
                 let now = angle(point);
                 swept += (now - last + PI).rem_euclid(2.0 * PI) - PI;
                 last = now;
-                path.push(Vector3::from(point.components()));
+                path.push(Vector::from(point.components()));
                 if swept.abs() > PI {
                     break;
                 }
@@ -76,20 +75,16 @@ impl Orbit {
     }
 
     fn draw(&self, pen: &mut Pen, view: &View, width: f64) {
-        let front = |p: &Vector3<f64>| p.dot(&view.toward) > 0.0;
-        let [seen, hidden] = view.split(&self.curve, front);
-        pen.lines(
-            hidden,
-            stroke(Role::AngularMomentum, 0.8 * width).alpha(BEHIND),
-        );
-        pen.lines(seen, stroke(Role::AngularMomentum, width));
+        let [seen, hidden] = view.halves(&self.curve);
+        pen.lines(hidden, stroke(AngularMomentum, 0.8 * width).alpha(BEHIND));
+        pen.lines(seen, stroke(AngularMomentum, width));
     }
 
     fn draw_dots(&self, pen: &mut Pen, view: &View, radius: f64, saddle: usize) {
         let dots = self.curve[self.zero % STEPS..].iter().step_by(STEPS);
         // At the rim and at the saddle they would be a blot.
         for dot in dots.filter(|p| p.dot(&view.toward) > 0.1 && p[saddle].abs() < 0.99) {
-            pen.disc(view.project(dot), radius, Role::AngularMomentum, 1.0);
+            pen.disc(view.project(dot), radius, AngularMomentum, 1.0);
         }
     }
 
@@ -111,11 +106,11 @@ impl Orbit {
             return;
         };
         let (from, to) = (view.project(from), view.project(to));
-        let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+        let length = distance(to, from);
         pen.arrow(
             between(to, from, 9.0 / length),
             to,
-            stroke(Role::AngularMomentum, width),
+            stroke(AngularMomentum, width),
         );
     }
 }
@@ -204,25 +199,18 @@ pub fn momentum_flow(values: &Values) -> Result<Figure> {
         }
         _ => "Circles go round the axis whose moment differs from the other two.",
     };
-    let words = Words {
-        claim: claim.to_owned(),
-        details: format!(
-            "The sphere $\\lvert L\\rvert=1$ seen from a body with $I_1={}$, $I_2={}$, $I_3={}$; a dot every {tick} seconds. {}",
-            of[0],
-            of[1],
-            of[2],
-            if parted { saddles } else { rest },
-        ),
-        alt: format!(
-            "A sphere with the three principal axes of a body sticking out, moments {}, {} and {}. {seen} Dots stand every {tick} seconds.",
-            of[0], of[1], of[2]
-        ),
-    };
+    let [i1, i2, i3] = of;
+    let rest = if parted { saddles } else { rest };
+    let words = words!(
+        "{claim}",
+        "The sphere $\\lvert L\\rvert=1$ seen from a body with $I_1={i1}$, $I_2={i2}$, $I_3={i3}$; a dot every {tick} seconds. {rest}",
+        "A sphere with the three principal axes of a body sticking out, moments {i1}, {i2} and {i3}. {seen} Dots stand every {tick} seconds."
+    );
 
     let center = [300.0, 214.0];
     let view = View::new(1.08, 0.44, center, RADIUS);
     let made = figure("momentum-flow", 424.0, words, |pen| {
-        pen.disc(center, RADIUS, Role::Shade, 1.0);
+        pen.disc(center, RADIUS, Shade, 1.0);
         for orbit in &orbits {
             orbit.draw(pen, &view, SECONDARY);
         }
@@ -240,19 +228,14 @@ pub fn momentum_flow(values: &Values) -> Result<Figure> {
         }
         axes(pen, &view);
         for Equilibrium { direction, .. } in still {
-            let p = Vector3::from(direction.components());
-            let seen = p.dot(&view.toward) > 0.0;
-            pen.disc(
-                view.project(&p),
-                5.0,
-                Role::Ink,
-                if seen { 1.0 } else { BEHIND },
-            );
+            let p = Vector::from(direction.components());
+            let alpha = if view.faces(&p) { 1.0 } else { BEHIND };
+            pen.disc(view.project(&p), 5.0, Ink, alpha);
         }
         for (axis, at, anchor) in [
-            (0, [66.0, 276.0], Anchor::Middle),
-            (1, [452.0, 350.0], Anchor::Start),
-            (2, [290.0, 22.0], Anchor::End),
+            (0, [66.0, 276.0], Middle),
+            (1, [452.0, 350.0], Start),
+            (2, [290.0, 22.0], End),
         ] {
             let shares = of.iter().filter(|moment| **moment == of[axis]).count();
             let size = match shares {
@@ -279,31 +262,27 @@ pub fn momentum_flow(values: &Values) -> Result<Figure> {
                     line(0.0, 22.0, anchor, size);
                     line(0.0, 41.0, anchor, nature);
                 }
-                _ => line(20.0, 0.0, Anchor::Start, &format!("{size} {nature}")),
+                _ => line(20.0, 0.0, Start, &format!("{size} {nature}")),
             }
         }
         // Named where it leaves the picture's half of the sphere at the upper left.
-        let front = |p: &&Vector3<f64>| p.dot(&view.toward) > 0.0;
-        let seen = border
-            .iter()
-            .flat_map(|line| line.curve.iter().filter(front));
-        let corner = seen
-            .map(|p| view.project(p))
-            .min_by(|a, b| (a[0] + a[1]).total_cmp(&(b[0] + b[1])));
+        let seen = border.iter().flat_map(|line| &line.curve);
+        let seen = seen.filter(|p| view.faces(p)).map(|p| view.project(p));
+        let corner = seen.min_by(|a, b| (a[0] + a[1]).total_cmp(&(b[0] + b[1])));
         if let Some([x, y]) = corner {
-            let name = label(Role::AngularMomentum);
-            pen.text([x - 8.0, y - 6.0], Anchor::End, "separatrix", name);
+            let name = label(AngularMomentum);
+            pen.text([x - 8.0, y - 6.0], End, "separatrix", name);
         }
     });
-    let columns = ["time (s)", "L1", "L2", "L3"];
+    let columns = "time (s) | L1 | L2 | L3";
     let lines = orbits.iter().map(|line| ("orbit", line));
     let lines = lines.chain(border.iter().map(|line| ("separatrix", line)));
     Ok(lines.enumerate().fold(made, |made, (n, (name, line))| {
         let table = line.curve.iter().enumerate().map(|(k, p)| {
             let time = (k as f64 - line.zero as f64) * tick / STEPS as f64;
-            vec![time, p.x, p.y, p.z]
+            [time, p.x, p.y, p.z]
         });
-        made.data(format!("{name} {}", n + 1), &columns, table)
+        made.data(format!("{name} {}", n + 1), columns, table)
     }))
 }
 
@@ -312,10 +291,10 @@ const RADIUS: f64 = 178.0;
 
 /// The axes outside the sphere; faint and dotted behind it.
 fn axes(pen: &mut Pen, view: &View) {
-    let sphere = Vector3::new(1.0, 1.0, 1.0);
+    let sphere = Vector::new(1.0, 1.0, 1.0);
     for axis in 0..3 {
         for sign in [1.0, -1.0] {
-            let mut p = Vector3::zeros();
+            let mut p = Vector::zeros();
             p[axis] = sign;
             let line = segment(p, p * [1.3, 1.8, 1.26][axis], 80);
             let [seen, hidden] = view.split(&line, |p| !ellipsoid_hides(&sphere, p, &view.toward));

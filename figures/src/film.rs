@@ -3,17 +3,14 @@
 use core::f64::consts::TAU;
 use core::fmt::Write as _;
 
-use nalgebra::{Isometry3, Matrix3, Vector3};
+use nalgebra::{Isometry3, Matrix3};
 use spinning_bodies::scene::{Around, Sight, Solid};
 
 use crate::finish::short;
 use crate::plot::Axis;
-use crate::solid::{View, hull};
+use crate::solid::{Vector, View, hull};
 use crate::style::*;
 use crate::{Figure, Theme};
-
-/// A point or a vector: m along the body's axes or those of space, z upward; or rad/s, or kg m²/s.
-type Vector = Vector3<f64>;
 
 /// What is drawn of a solid, along its own axes.
 ///
@@ -157,7 +154,7 @@ impl Body {
         let space = |place: &Vector| stands.translation.vector + stands.rotation * place;
         if let Some(to) = self.bar {
             let ends = [Vector::zeros(), to].map(|end| space(&end));
-            return pen.line(&view.trace(&ends), inked(DATA));
+            return pen.line(view.trace(&ends), inked(DATA));
         }
         let inward = stands.rotation.inverse();
         let corner = |turns: f64| {
@@ -182,7 +179,7 @@ impl Body {
             let seen = |[_, a, b]: &[Vector; 3]| a.dot(&toward).max(b.dot(&toward)) > 0.0;
             for piece in edge.split(|point| !seen(point)) {
                 let places: Vec<Vector> = piece.iter().map(|[place, ..]| space(place)).collect();
-                pen.line(&thinned(&view.trace(&places)), inked(AXIS));
+                pen.line(thinned(&view.trace(&places)), inked(AXIS));
             }
         }
     }
@@ -258,7 +255,7 @@ fn vectors(sight: &Sight) -> [Vector; 2] {
     [sight.omega, sight.angular_momentum.unwrap_or_default()]
 }
 
-const NAMES: [(Role, &str); 2] = [(Role::Omega, "Ω"), (Role::AngularMomentum, "L")];
+const NAMES: [(Role, &str); 2] = [(Omega, "Ω"), (AngularMomentum, "L")];
 
 impl Scenery {
     /// The arrows of a sight on the paper, from their beginning.
@@ -361,15 +358,15 @@ impl Film<'_> {
             Around::Space => false,
             Around::Floor => true,
             Around::Pivot => {
-                return pen.disc(view.project(&sight.place), 3.2, Role::Ink, 1.0);
+                return pen.dot(view.project(&sight.place), 3.2);
             }
             Around::String => {
                 let ends = [Vector::zeros(), sight.place];
-                return pen.line(&view.trace(&ends), inked(AXIS));
+                return pen.line(view.trace(&ends), inked(AXIS));
             }
             Around::Under(ceiling) => {
                 let lines = levels(view, ceiling).map(|y| [[24.0, y], [576.0, y]]);
-                return pen.lines(lines, stroke(Role::Muted, SECONDARY));
+                return pen.lines(lines, muted(SECONDARY));
             }
         };
         // Points of space at round distances: on the floor, or in the plane of the motion.
@@ -389,7 +386,7 @@ impl Film<'_> {
             };
             let [x, y] = view.project(&place);
             if (20.0..580.0).contains(&x) && (20.0..366.0).contains(&y) {
-                pen.disc([x, y], 1.6, Role::Muted, 1.0);
+                pen.disc([x, y], 1.6, Muted, 1.0);
             }
         }
     }
@@ -435,7 +432,7 @@ impl Film<'_> {
                     return None;
                 }
                 let [dx, dy] = way.map(|part| part / length);
-                let side = if role == Role::Omega { -side } else { side };
+                let side = if role == Omega { -side } else { side };
                 let beside = |along: f64, across: f64| {
                     let across = side * across;
                     [
@@ -468,10 +465,10 @@ impl Film<'_> {
             pen.arrow(*from, *tip, stroke(*role, DATA));
         }
         for (_, role, name, place) in behind.into_iter().chain(before) {
-            pen.text(place, Anchor::Middle, name, label(role));
+            pen.text(place, Middle, name, label(role));
         }
         let time = format!("{} s", number(*time, self.decimals()));
-        pen.note([24.0, HEIGHT - 32.0], Anchor::Start, &time);
+        pen.note([24.0, HEIGHT - 32.0], Start, &time);
     }
 
     /// Decimals that tell two pictures apart.
@@ -503,9 +500,9 @@ impl Film<'_> {
             self.draw_around(pen, scenery, &self.shots[0].1);
         }
         let drawn_as = self.shots[0].1.drawn_as;
-        let muted = small(Role::Muted);
-        pen.text([576.0, HEIGHT - 32.0], Anchor::End, pace, muted);
-        pen.text([576.0, HEIGHT - 12.0], Anchor::End, drawn_as, muted);
+        let muted = small(Muted);
+        pen.text([576.0, HEIGHT - 32.0], End, pace, muted);
+        pen.text([576.0, HEIGHT - 12.0], End, drawn_as, muted);
     }
 
     /// A picture for each time.
@@ -575,7 +572,7 @@ fn colours(theme: Theme) -> String {
     let variables = Role::ALL
         .iter()
         .filter_map(|&role| Some(format!("{}:{};", variable(role)?, theme.color(role))));
-    let [paper, ink] = [Role::Paper, Role::Ink].map(|role| theme.color(role));
+    let [paper, ink] = [Paper, Ink].map(|role| theme.color(role));
     let variables: String = variables.collect();
     format!("#fig-{NAME}-svg{{background:{paper};color:{ink};{variables}}}")
 }

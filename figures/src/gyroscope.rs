@@ -2,13 +2,12 @@
 
 use core::f64::consts::{FRAC_PI_6, TAU};
 
-use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::conservation::uniform_gravity;
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use spinning_bodies::lagrange_top::{LagrangeTop, PurePrecession, pure_precession};
 
-use crate::solid::{View, ellipse, segment};
+use crate::solid::{Vector, View, ellipse, segment};
 use crate::style::*;
 use crate::{Entry, Figure, Parameter, Values, of};
 
@@ -67,7 +66,7 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
     };
     let omega = BodyVector::new(-rate * tilt.sin(), 0.0, TAU * turns);
     let top = LagrangeTop::new(ACROSS, ALONG, MASS * GRAVITY * ARM, omega, attitude)?;
-    let momentum = |time: f64| -> Result<Vector3<f64>> {
+    let momentum = |time: f64| -> Result<Vector> {
         let state = top.at(time)?;
         Ok(state.attitude.to_space(state.angular_momentum).components())
     };
@@ -89,94 +88,76 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
             }
         ),
     };
-    let words = Words {
-        claim: format!(
-            "The weight's torque pushes the tip of L sideways, so the axle goes round instead of down: at {} rad/s, {beside}.",
-            number(rate, 3)
-        ),
-        details: format!(
-            "A wheel of 0.1 kg at $\\ell = 4$ cm from its support, $I_3 = 6 \\cdot 10^{{-5}}$ kg m², {} turns a second, axle {}° from the vertical. Orange: $L$ now and {STEP} s later, \
-             and $dL$, the change; purple: the torque $N$ of the weight for as long. $Mg\\ell/L_3 = {law:.4}$ rad/s; once round in {} s. The torque is at right angles to $L$, which turns and does not grow.",
-            short(turns, 1),
-            short(values.of(&TILT), 1),
-            number(TAU / rate, 2),
-        ),
-        alt: format!(
-            "A wheel on an axle that is held at one end on a stand, {} degrees from the vertical. An orange arrow, the angular momentum, lies along the axle; the weight points down from the \
-             wheel; the purple torque is level and points across the axle, and the orange arrow half a second later has moved that way, along a dotted circle round the vertical.",
-            short(values.of(&TILT), 1)
-        ),
-    };
+    let (pace, round) = (number(rate, 3), number(TAU / rate, 2));
+    let (spun, lean) = (short(turns, 1), short(values.of(&TILT), 1));
+    let words = words!(
+        "The weight's torque pushes the tip of L sideways, so the axle goes round instead of down: at {pace} rad/s, {beside}.",
+        "A wheel of 0.1 kg at $\\ell = 4$ cm from its support, $I_3 = 6 \\cdot 10^{{-5}}$ kg m², {spun} turns a second, axle {lean}° from the vertical. Orange: $L$ now and {STEP} s later, \
+         and $dL$, the change; purple: the torque $N$ of the weight for as long. $Mg\\ell/L_3 = {law:.4}$ rad/s; once round in {round} s. The torque is at right angles to $L$, which turns and does not grow.",
+        "A wheel on an axle that is held at one end on a stand, {lean} degrees from the vertical. An orange arrow, the angular momentum, lies along the axle; the weight points down from the \
+         wheel; the purple torque is level and points across the axle, and the orange arrow half a second later has moved that way, along a dotted circle round the vertical."
+    );
     let view = view(values);
     let lowest = path.iter().map(|l| view.project(&(l * LENGTH))[1]);
-    let stand = view.project(&Vector3::zeros())[1] + 180.0;
+    let stand = view.project(&Vector::zeros())[1] + 180.0;
     let height = lowest.map(|y| y + 40.0).fold(stand, f64::max);
-    let at = |p: &Vector3<f64>| view.project(p);
+    let at = |p: &Vector| view.project(p);
     let made = figure("gyroscope", height, words, |pen| {
-        let origin = Vector3::zeros();
-        let axle = Vector3::new(tilt.sin(), 0.0, tilt.cos());
-        let foot = Vector3::new(0.0, 0.0, -0.075);
+        let origin = Vector::zeros();
+        let axle = Vector::new(tilt.sin(), 0.0, tilt.cos());
+        let foot = Vector::new(0.0, 0.0, -0.075);
         let hub = axle * ARM;
         let rim = ellipse(
             hub,
-            Vector3::y() * WHEEL,
-            Vector3::y().cross(&axle) * WHEEL,
+            Vector::y() * WHEEL,
+            Vector::y().cross(&axle) * WHEEL,
             96,
         );
         let tips = [now, later].map(|l| l * LENGTH);
-        let circle: Vec<Vector3<f64>> = path.iter().map(|l| l * LENGTH).collect();
+        let circle: Vec<Vector> = path.iter().map(|l| l * LENGTH).collect();
         let [circle, rim] = [&circle, &rim].map(|curve| view.trace(curve));
         pen.outline(
-            &view.trace(&ellipse(
-                foot,
-                Vector3::x() * 0.018,
-                Vector3::y() * 0.018,
-                60,
-            )),
+            view.trace(&ellipse(foot, Vector::x() * 0.018, Vector::y() * 0.018, 60)),
             inked(AXIS),
         );
-        pen.line(&[at(&foot), at(&origin)], inked(DATA));
-        pen.line(&circle, stroke(Role::Muted, AXIS).dotted());
-        pen.line(&[at(&origin), at(&(axle * HOLD))], inked(SECONDARY));
+        pen.line([at(&foot), at(&origin)], inked(DATA));
+        pen.line(&circle, muted(AXIS).dotted());
+        pen.line([at(&origin), at(&(axle * HOLD))], inked(SECONDARY));
         pen.arrow(
             at(&origin),
             at(&tips[1]),
-            stroke(Role::AngularMomentum, DATA).alpha(0.5),
+            stroke(AngularMomentum, DATA).alpha(0.5),
         );
-        pen.fill(&rim, Role::Ink, 0.14);
+        pen.fill(&rim, Ink, 0.14);
         pen.outline(&rim, inked(SECONDARY));
         for k in 0..3 {
             let angle = f64::from(k) * 2.0 * FRAC_PI_6;
-            let spoke = Vector3::y() * angle.cos() + Vector3::y().cross(&axle) * angle.sin();
+            let spoke = Vector::y() * angle.cos() + Vector::y().cross(&axle) * angle.sin();
             let ends = segment(hub - spoke * WHEEL, hub + spoke * WHEEL, 1);
-            pen.line(&view.trace(&ends), inked(AXIS).alpha(0.4));
+            pen.line(view.trace(&ends), inked(AXIS).alpha(0.4));
         }
-        pen.arrow(
-            at(&origin),
-            at(&tips[0]),
-            stroke(Role::AngularMomentum, 2.6),
-        );
-        let down = hub - Vector3::z() * 0.055;
+        pen.arrow(at(&origin), at(&tips[0]), stroke(AngularMomentum, 2.6));
+        let down = hub - Vector::z() * 0.055;
         pen.arrow(at(&hub), at(&down), inked(DATA));
         let pushed = tips[0] + torque * STEP * LENGTH;
-        pen.arrow(at(&tips[0]), at(&pushed), stroke(Role::Torque, 2.6));
+        pen.arrow(at(&tips[0]), at(&pushed), stroke(Torque, 2.6));
         pen.arrow(
             at(&tips[0]),
             at(&tips[1]),
-            stroke(Role::AngularMomentum, DATA).dashed(),
+            stroke(AngularMomentum, DATA).dashed(),
         );
-        pen.disc(at(&origin), 4.0, Role::Ink, 1.0);
+        pen.dot(at(&origin), 4.0);
 
         // Each name near its point, in this direction if there is room.
-        let momentum = label(Role::AngularMomentum);
+        let momentum = label(AngularMomentum);
         let again = format!("once round in {} s", number(TAU / rate, 2));
         for (by, direction, text, lettering) in [
             (0.8 * tips[0], -1.2, "*L*", momentum),
             (tips[1], 0.8, "*L* + *dL*", momentum),
-            (pushed, 0.0, "*N*", label(Role::Torque)),
+            (pushed, 0.0, "*N*", label(Torque)),
             (0.5 * (tips[0] + tips[1]), -1.2, "*dL*", momentum),
-            (down, 0.0, "*Mg*", label(Role::Ink)),
-            (foot, -1.57, &again, small(Role::Ink)),
+            (down, 0.0, "*Mg*", label(Ink)),
+            (foot, -1.57, &again, small(Ink)),
         ] {
             let mut places: Vec<(i32, i32)> = (0..9)
                 .flat_map(|out| (-12..=12).map(move |turned| (out, turned)))
@@ -191,17 +172,12 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
             pen.name(places, text, lettering);
         }
     });
-    let columns = [
-        "time (s)",
-        "L_x (kg m²/s)",
-        "L_y (kg m²/s)",
-        "L_z (kg m²/s)",
-    ];
+    let columns = "time (s) | L_x (kg m²/s) | L_y (kg m²/s) | L_z (kg m²/s)";
     let rows = path.iter().enumerate();
     Ok(made.data(
         "tip of L",
-        &columns,
-        rows.map(|(k, l)| vec![TAU / rate * k as f64 / 180.0, l.x, l.y, l.z]),
+        columns,
+        rows.map(|(k, l)| [TAU / rate * k as f64 / 180.0, l.x, l.y, l.z]),
     ))
 }
 

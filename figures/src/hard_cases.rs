@@ -15,8 +15,8 @@ pub const FIGURES: &[Entry] = &[
 ];
 
 /// Whose error.
-const TEXTBOOK: Role = Role::Muted;
-const OURS: Role = Role::Ink;
+const TEXTBOOK: Role = Muted;
+const OURS: Role = Ink;
 
 /// Errors shown: no less than a tenth of a rounding, and all above one as one: nothing is right then.
 const SHOWN: [f64; 2] = [1e-17, 1.0];
@@ -35,35 +35,26 @@ pub fn overview() -> Result<Figure> {
     let (top, pitch) = (66.0, 64.0);
     let bottom = top + pitch * rows.len() as f64 - 14.0;
     let axis = Axis::log(SHOWN, [24.0, 580.0]);
-    let words = Words {
-        claim: "The formula is the same, the digits are not.".to_owned(),
-        details: format!(
-            "Twelve quantities of this book, each about a millionth away from the place where its formula loses its digits (after a million units of time, a million \
-             bounces). Relative error of the formula as printed, and of the library, from the same doubles, against 36 digits. The library’s worst is ${}$.",
-            scientific(worst, 1)
-        ),
-        alt: format!(
-            "Twelve horizontal lines, one a case, on a logarithmic axis of errors from 1e-17 to 1; above each what is asked and what is lost. The left end of each, the library, lies between 1e-17 and {worst:.0e}. The \
-             right end, the textbook, lies anywhere from 1e-13 to beyond 1."
-        ),
-    };
+    let lost = scientific(worst, 1);
+    let words = words!(
+        "The formula is the same, the digits are not.",
+        "Twelve quantities of this book, each about a millionth away from the place where its formula loses its digits (after a million units of time, a million \
+         bounces). Relative error of the formula as printed, and of the library, from the same doubles, against 36 digits. The library’s worst is ${lost}$.",
+        "Twelve horizontal lines, one a case, on a logarithmic axis of errors from 1e-17 to 1; above each what is asked and what is lost. The left end of each, the library, lies between 1e-17 and {worst:.0e}. The \
+         right end, the textbook, lies anywhere from 1e-13 to beyond 1."
+    );
     Ok(figure("hard-cases", bottom + 58.0, words, |pen| {
         for (value, text) in powers([-16, -12, -8, -4, 0]) {
             let x = axis.at(value);
-            pen.line(&[[x, top - 12.0], [x, bottom]], inked(HAIR).alpha(0.18));
-            pen.remark([x, bottom + 20.0], Anchor::Middle, &text);
+            pen.line([[x, top - 12.0], [x, bottom]], inked(HAIR).alpha(0.18));
+            pen.remark([x, bottom + 20.0], Middle, &text);
         }
         let place = [580.0, bottom + 44.0];
-        pen.remark(place, Anchor::End, "relative error");
-        pen.text(
-            [axis.at(1e-16), 26.0],
-            Anchor::Middle,
-            "ours",
-            label(OURS).strong(),
-        );
+        pen.remark(place, End, "relative error");
+        pen.text([axis.at(1e-16), 26.0], Middle, "ours", label(OURS).strong());
         pen.text(
             [axis.at(1e-4), 26.0],
-            Anchor::Middle,
+            Middle,
             "the textbook",
             label(TEXTBOOK).strong(),
         );
@@ -71,14 +62,9 @@ pub fn overview() -> Result<Figure> {
             let y = top + pitch * n as f64 + 36.0;
             let [a, b] = [at.ours, at.textbook].map(|error| [axis.at(shown(error)), y]);
             let lost = format!("lost: {}", family.lost);
-            pen.text(
-                [24.0, y - 30.0],
-                Anchor::Start,
-                family.quantity,
-                small(OURS),
-            );
-            pen.text([24.0, y - 12.0], Anchor::Start, &lost, small(TEXTBOOK));
-            pen.line(&[a, b], stroke(Role::Muted, SECONDARY).alpha(0.7));
+            pen.text([24.0, y - 30.0], Start, family.quantity, small(OURS));
+            pen.text([24.0, y - 12.0], Start, &lost, small(TEXTBOOK));
+            pen.line([a, b], muted(SECONDARY).alpha(0.7));
             pen.disc(a, 4.5, OURS, 1.0);
             pen.disc(b, 4.5, TEXTBOOK, 1.0);
         }
@@ -87,15 +73,13 @@ pub fn overview() -> Result<Figure> {
 
 /// Tops: the walk to the separatrix, the axis, the sphere, and so on.
 pub fn tops() -> Result<Figure> {
-    let words = Words {
-        claim: "The textbook walks uphill, the library on a floor.".to_owned(),
-        details: "Six walks of a top to a place where its formula loses digits: relative error against the distance that is left (for the fast top and the slow \
-                  precession, 4 over the spin). Grey the formula as printed, black the library. What reaches the top has not one digit left."
-            .to_owned(),
-        alt: "Six small panels with logarithmic axes. In each the line of the textbook climbs from 1e-16 to 1 as the distance shrinks, steeply for the sleeping and \
-              the fast top; the line of the library stays at 1e-16 throughout."
-            .to_owned(),
-    };
+    let words = words!(
+        "The textbook walks uphill, the library on a floor.",
+        "Six walks of a top to a place where its formula loses digits: relative error against the distance that is left (for the fast top and the slow \
+         precession, 4 over the spin). Grey the formula as printed, black the library. What reaches the top has not one digit left.",
+        "Six small panels with logarithmic axes. In each the line of the textbook climbs from 1e-16 to 1 as the distance shrinks, steeply for the sleeping and \
+         the fast top; the line of the library stays at 1e-16 throughout."
+    );
     panels(
         "hard-cases-tops",
         words,
@@ -112,15 +96,13 @@ pub fn tops() -> Result<Figure> {
 
 /// The rest.
 pub fn bodies() -> Result<Figure> {
-    let words = Words {
-        claim: "It is not only tops.".to_owned(),
-        details: "Six more walks: relative error against the distance that is left. For the long time and the bounces that is 1 over the time or their number, \
-                  for the mesh the size of the body over its distance from the origin."
-            .to_owned(),
-        alt: "Six small panels with logarithmic axes: an ordinary top after a long time, a superball after many bounces, dn next to a quarter period, a small angle, a moment of a distant body, a needle. The line of the textbook climbs from \
-              1e-16 towards 1 in each; the line of the library stays at 1e-16."
-            .to_owned(),
-    };
+    let words = words!(
+        "It is not only tops.",
+        "Six more walks: relative error against the distance that is left. For the long time and the bounces that is 1 over the time or their number, \
+         for the mesh the size of the body over its distance from the origin.",
+        "Six small panels with logarithmic axes: an ordinary top after a long time, a superball after many bounces, dn next to a quarter period, a small angle, a moment of a distant body, a needle. The line of the textbook climbs from \
+         1e-16 towards 1 in each; the line of the library stays at 1e-16."
+    );
     panels(
         "hard-cases-bodies",
         words,
@@ -165,7 +147,7 @@ fn panel(pen: &mut Pen, corner: Point, title: &[String], steps: &[Comparison]) -
     let (last, before) = title.split_last().expect("a title has a line");
     for (k, line) in before.iter().rev().enumerate() {
         let place = [corner[0], corner[1] - 34.0 - 20.0 * k as f64];
-        pen.label(place, Anchor::Start, line);
+        pen.label(place, Start, line);
     }
     let across = [[1.0, 1e-16], SHOWN];
     let frame = Frame::panel(pen, last, corner, across, [&POWERS, &POWERS]);

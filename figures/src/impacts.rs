@@ -1,11 +1,10 @@
 //! A meteorite tilts a planet (tutorial 4.2, picture c).
 
-use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::impacts::{Meteorite, Planet, strike};
 
-use crate::solid::{View, ellipse};
+use crate::solid::{View, latitude};
 use crate::style::*;
 use crate::{Entry, Figure, Parameter, Values, of};
 
@@ -57,28 +56,19 @@ pub fn meteorite(values: &Values) -> Result<Figure> {
         true => "A small meteorite can tilt a planet's axis a long way.".to_owned(),
         false => format!("Hit like this, the planet's axis tilts by {tilt} degrees only."),
     };
-    let words = Words {
-        claim,
-        details: format!(
-            "Ball, $M = {mass}$, $R = 1$, $I = {}$; meteorite $m = {}$ with $v = (-10, {}, 5)$ at \
-             $x = ({}, 0, {})$, where it sticks. The angular velocity goes from $(0, 0, 1)$ to ${}$, a tilt of \
-             {tilt} degrees; the first-order formula gives ${}$, off by {} per cent of the change.",
-            short(moment, 3),
-            short(small_mass, 4),
-            ascii(short(velocity.y(), 1)),
-            short(out, 3),
-            ascii(short(height, 3)),
-            ascii(triple(after)),
-            ascii(triple(rough)),
-            number(miss, 1),
-        ),
-        alt: format!(
-            "A planet with its vertical axis of rotation before the impact, dashed, and its axis after it, {tilt} \
-             degrees away. A meteorite comes in and sticks to the ball at {} of its radius over the equator. Under a \
-             magnifying glass the tip of the first-order answer lies beside the tip of the exact one.",
-            short(height, 2),
-        ),
-    };
+    let (ratio, light) = (short(moment, 3), short(small_mass, 4));
+    let (across, up) = (short(velocity.y(), 1), short(height, 3));
+    let [across, up, exactly, roughly] = [across, up, triple(after), triple(rough)].map(ascii);
+    let (outward, off, over) = (short(out, 3), number(miss, 1), short(height, 2));
+    let words = words!(
+        "{claim}",
+        "Ball, $M = {mass}$, $R = 1$, $I = {ratio}$; meteorite $m = {light}$ with $v = (-10, {across}, 5)$ at \
+         $x = ({outward}, 0, {up})$, where it sticks. The angular velocity goes from $(0, 0, 1)$ to ${exactly}$, a tilt of \
+         {tilt} degrees; the first-order formula gives ${roughly}$, off by {off} per cent of the change.",
+        "A planet with its vertical axis of rotation before the impact, dashed, and its axis after it, {tilt} \
+         degrees away. A meteorite comes in and sticks to the ball at {over} of its radius over the equator. Under a \
+         magnifying glass the tip of the first-order answer lies beside the tip of the exact one."
+    );
 
     let view = View::new(1.4, 0.32, CENTER, RADIUS);
     // As long as the longest arrow allows.
@@ -90,18 +80,17 @@ pub fn meteorite(values: &Values) -> Result<Figure> {
     let scale = SPIN.min(1.0 / longest.into_iter().fold(0.0, f64::max));
     let spin = View::new(1.4, 0.32, CENTER, scale);
     let made = figure("meteorite", 380.0, words, |pen| {
-        pen.disc(CENTER, RADIUS, Role::Shade, 0.8);
+        pen.disc(CENTER, RADIUS, Shade, 0.8);
         pen.ring(CENTER, RADIUS, inked(DATA));
         // Equator and a meridian, so that the ball is seen to be round.
-        let equator = ellipse(Vector3::zeros(), Vector3::x(), Vector3::y(), 240);
-        let [seen, hidden] = view.split(&equator, |p| p.dot(&view.toward) > 0.0);
+        let [seen, hidden] = view.halves(&latitude(0.0, 1.0, 240));
         pen.lines(seen, inked(HAIR).alpha(0.7));
         pen.lines(hidden, inked(HAIR).alpha(0.25));
 
         let tips = [before, after, rough].map(|v| spin.project(&v.components()));
-        pen.arrow(CENTER, tips[0], stroke(Role::Omega, SECONDARY).dashed());
-        pen.arrow(CENTER, tips[1], stroke(Role::Omega, 2.8));
-        pen.disc(CENTER, 3.0, Role::Ink, 1.0);
+        pen.arrow(CENTER, tips[0], stroke(Omega, SECONDARY).dashed());
+        pen.arrow(CENTER, tips[1], stroke(Omega, 2.8));
+        pen.dot(CENTER, 3.0);
         let place = view.project(&at.components());
         let back = velocity.components() / velocity.norm();
         let start = |far: f64| view.project(&(at.components() - far * back));
@@ -110,9 +99,9 @@ pub fn meteorite(values: &Values) -> Result<Figure> {
         let far = (0..60).map(|k| 3.3 - 0.05 * f64::from(k));
         let far = far.into_iter().find(|far| inside(start(*far)));
         let come = start(far.unwrap_or(0.3));
-        pen.line(&[CENTER, place], inked(AXIS).dotted());
+        pen.line([CENTER, place], inked(AXIS).dotted());
         pen.arrow(come, place, inked(DATA));
-        pen.disc(come, 7.0, Role::Ink, 1.0);
+        pen.dot(come, 7.0);
         let mut name = |at: Point, text: &str, lettering, half: f64| {
             let far = [1.0, 1.4, 1.9, 2.5];
             let places = far.into_iter().flat_map(|far| {
@@ -134,28 +123,28 @@ pub fn meteorite(values: &Values) -> Result<Figure> {
             });
             pen.name(inside, text, lettering);
         };
-        name(tips[0], "before, *Ω*", label(Role::Omega), 42.0);
-        name(tips[1], "after, *Ω*\u{2032}", label(Role::Omega), 36.0);
-        name(come, "*m*", label(Role::Ink), 8.0);
-        name(between(come, place, 0.4), "*v*", label(Role::Ink), 5.0);
-        name(place, "*x*", label(Role::Ink), 5.0);
-        name(CENTER, "*C*", label(Role::Ink), 6.0);
+        name(tips[0], "before, *Ω*", label(Omega), 42.0);
+        name(tips[1], "after, *Ω*\u{2032}", label(Omega), 36.0);
+        name(come, "*m*", label(Ink), 8.0);
+        name(between(come, place, 0.4), "*v*", label(Ink), 5.0);
+        name(place, "*x*", label(Ink), 5.0);
+        name(CENTER, "*C*", label(Ink), 6.0);
 
         glass(pen, tips[1], tips[2]);
     });
-    let row = |v: BodyVector| vec![v.x(), v.y(), v.z()];
-    let columns = ["Ω_x (Ω)", "Ω_y (Ω)", "Ω_z (Ω)"];
+    let row = |v: BodyVector| [v.x(), v.y(), v.z()];
+    let columns = "Ω_x (Ω) | Ω_y (Ω) | Ω_z (Ω)";
     Ok(made
-        .data("before", &columns, [row(before)])
-        .data("after", &columns, [row(after)])
-        .data("first order", &columns, [row(rough)])
+        .data("before", columns, [row(before)])
+        .data("after", columns, [row(after)])
+        .data("first order", columns, [row(rough)])
         .value("tilt", tilt)
         .value("miss", number(miss, 1)))
 }
 
 /// The two tips enlarged.
 fn glass(pen: &mut Pen, exact: Point, rough: Point) {
-    let apart = (rough[0] - exact[0]).hypot(rough[1] - exact[1]);
+    let apart = distance(rough, exact);
     // A round number, so that the two tips are well apart and inside.
     let magnified = [300.0, 200.0, 100.0, 50.0, 24.0, 10.0, 5.0, 2.0]
         .into_iter()
@@ -174,8 +163,8 @@ fn glass(pen: &mut Pen, exact: Point, rough: Point) {
         GLASS[0] - GLASS_RADIUS * way.cos(),
         GLASS[1] - GLASS_RADIUS * way.sin(),
     ];
-    pen.line(&[start, stop], inked(HAIR));
-    pen.disc(GLASS, GLASS_RADIUS, Role::Ink, 0.04);
+    pen.line([start, stop], inked(HAIR));
+    pen.disc(GLASS, GLASS_RADIUS, Ink, 0.04);
     pen.ring(GLASS, GLASS_RADIUS, inked(SECONDARY));
     let enlarged = |p: Point| {
         [
@@ -184,8 +173,8 @@ fn glass(pen: &mut Pen, exact: Point, rough: Point) {
         ]
     };
     for (tip, style) in [
-        (exact, stroke(Role::Omega, 2.8)),
-        (rough, stroke(Role::Omega, SECONDARY).dashed()),
+        (exact, stroke(Omega, 2.8)),
+        (rough, stroke(Omega, SECONDARY).dashed()),
     ] {
         // The shaft as far as the glass reaches.
         let there = enlarged(tip);
@@ -200,7 +189,7 @@ fn glass(pen: &mut Pen, exact: Point, rough: Point) {
     let tips = [enlarged(exact), enlarged(rough)];
     let shaft = |tip: Point, end: Point| {
         let back = between(CENTER, tip, 0.5);
-        let length = (back[0] - tip[0]).hypot(back[1] - tip[1]).max(1.0);
+        let length = distance(back, tip).max(1.0);
         along(
             &[
                 end,
@@ -223,15 +212,14 @@ fn glass(pen: &mut Pen, exact: Point, rough: Point) {
                 [tip[0] + x, tip[1] + 0.8 * y]
             })
         });
-        let inside =
-            places.filter(|p| (p[0] - GLASS[0]).hypot(p[1] - GLASS[1]) < GLASS_RADIUS - 24.0);
+        let inside = places.filter(|p| distance(*p, GLASS) < GLASS_RADIUS - 24.0);
         let [x, y] = roomiest(inside, half, &taken);
         taken.extend(area([x, y], half));
         for (line, text) in lines.iter().enumerate() {
             let at = [x, y + 13.0 - half[1] + 16.0 * line as f64];
-            pen.text(at, Anchor::Middle, text, small(Role::Omega));
+            pen.text(at, Middle, text, small(Omega));
         }
     }
     let under = [GLASS[0], GLASS[1] + GLASS_RADIUS + 20.0];
-    pen.remark(under, Anchor::Middle, &format!("{magnified:.0} times"));
+    pen.remark(under, Middle, &format!("{magnified:.0} times"));
 }

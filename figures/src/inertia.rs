@@ -2,12 +2,13 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::{InertiaMatrix, PlatonicSolid, ellipsoid_of_inertia, shapes};
 
-use crate::solid::{HIDDEN, View, box_hides, ellipse, ellipsoid_hides, hull, polyhedron, segment};
+use crate::solid::{
+    HIDDEN, Vector, View, box_hides, ellipse, ellipsoid_hides, hull, polyhedron, rim, segment,
+};
 use crate::style::*;
 use crate::{Entry, Figure, Parameter, Values, constant, of};
 
@@ -39,42 +40,28 @@ pub fn ellipsoid(values: &Values) -> Result<Figure> {
     let principal = body.inertia().principal_axes();
     let moments = principal.moments;
     let semi = ellipsoid_of_inertia(mass, &principal.principal_moments())?;
-    let half = Vector3::from(edges) / 2.0;
+    let half = Vector::from(edges) / 2.0;
 
-    let words = Words {
-        claim: "As far as spinning goes, this box is its ellipsoid of inertia.".to_owned(),
-        details: format!(
-            "A box of {} kg with edges of {}, {} and {} m, and the homogeneous ellipsoid of the same mass and \
-             the same inertia: semi-axes {}, {} and {} m, each the half edge times {}. Both have the principal moments \
-             $I_1 = {}$, $I_2 = {}$, $I_3 = {}$ kg m²; the long axis has the small moment.",
-            short(mass, 2),
-            short(edges[0], 2),
-            short(edges[1], 2),
-            short(edges[2], 2),
-            number(semi[0], 3),
-            number(semi[1], 3),
-            number(semi[2], 3),
-            number(semi[0] / half[0], 3),
-            short(moments[0], 2),
-            short(moments[1], 2),
-            short(moments[2], 2),
-        ),
-        alt: format!(
-            "A rectangular box seen from above a corner. A shaded ellipsoid with the same centre and axes bulges out of \
-             every face, while the eight corners stick out of the ellipsoid. Three principal axes leave the tips, \
-             labelled with the moments {}, {} and {}: smallest along the longest edge, largest along the shortest.",
-            short(moments[0], 2),
-            short(moments[1], 2),
-            short(moments[2], 2),
-        ),
-    };
+    let (heavy, times) = (short(mass, 2), number(semi[0] / half[0], 3));
+    let [a, b, c] = shorts(edges, 2);
+    let [p, q, r] = numbers(semi, 3);
+    let [i1, i2, i3] = shorts(moments, 2);
+    let words = words!(
+        "As far as spinning goes, this box is its ellipsoid of inertia.",
+        "A box of {heavy} kg with edges of {a}, {b} and {c} m, and the homogeneous ellipsoid of the same mass and \
+         the same inertia: semi-axes {p}, {q} and {r} m, each the half edge times {times}. Both have the principal moments \
+         $I_1 = {i1}$, $I_2 = {i2}$, $I_3 = {i3}$ kg m²; the long axis has the small moment.",
+        "A rectangular box seen from above a corner. A shaded ellipsoid with the same centre and axes bulges out of \
+         every face, while the eight corners stick out of the ellipsoid. Three principal axes leave the tips, \
+         labelled with the moments {i1}, {i2} and {i3}: smallest along the longest edge, largest along the shortest."
+    );
 
-    let semi = Vector3::from(semi);
+    let semi = Vector::from(semi);
     // As large as the tips of the axes allow; the axes stand out by the same length on the page.
     let reach = [1.2, 1.5, 1.5];
     let whole = View::new(-0.9, 0.46, [0.0, 0.0], 1.0);
     let scale = (0..3).map(|k| {
-        let mut unit = Vector3::zeros();
+        let mut unit = Vector::zeros();
         unit[k] = 1.0;
         let [x, y] = whole.project(&unit);
         let room = (198.0 / x.abs()).min(176.0 / y.abs());
@@ -86,19 +73,16 @@ pub fn ellipsoid(values: &Values) -> Result<Figure> {
     let made = figure("ellipsoid-of-inertia", 382.0, words, |pen| {
         box_with_bulges(pen, &view, &half, &semi);
         let names = [0, 1, 2].map(|k| format!("*I*_{{{}}} = {}", k + 1, short(moments[k], 2)));
-        let texts: [(f64, f64, Anchor); 3] = [
-            (10.0, 5.0, Anchor::Start),
-            (-8.0, 14.0, Anchor::End),
-            (0.0, -9.0, Anchor::Middle),
-        ];
+        let texts: [(f64, f64, Anchor); 3] =
+            [(10.0, 5.0, Start), (-8.0, 14.0, End), (0.0, -9.0, Middle)];
         for k in 0..3 {
             let along = |t: f64| {
-                let mut p = Vector3::zeros();
+                let mut p = Vector::zeros();
                 p[k] = t;
                 p
             };
             let line = segment(along(-semi[k] - reach[k]), along(semi[k] + reach[k]), 400);
-            let visible = |p: &Vector3<f64>| {
+            let visible = |p: &Vector| {
                 !box_hides(&half, p, &view.toward) && !ellipsoid_hides(&semi, p, &view.toward)
             };
             let [seen, hidden] = view.split(&line, visible);
@@ -111,17 +95,17 @@ pub fn ellipsoid(values: &Values) -> Result<Figure> {
             pen.label([tip[0] + dx, tip[1] + dy], anchor, &names[k]);
         }
     });
-    let rows = |k: usize| vec![edges[k], semi[k], moments[k]];
-    let columns = ["edge (m)", "semi-axis (m)", "moment (kg m²)"];
+    let rows = |k: usize| [edges[k], semi[k], moments[k]];
+    let columns = "edge (m) | semi-axis (m) | moment (kg m²)";
     Ok((0..3).fold(made, |made, k| {
-        made.data(format!("axis {}", k + 1), &columns, [rows(k)])
+        made.data(format!("axis {}", k + 1), columns, [rows(k)])
     }))
 }
 
 /// The body that is the union of a box and an ellipsoid with the same axes.
-fn box_with_bulges(pen: &mut Pen, view: &View, half: &Vector3<f64>, semi: &Vector3<f64>) {
+fn box_with_bulges(pen: &mut Pen, view: &View, half: &Vector, semi: &Vector) {
     let unit = |k: usize| {
-        let mut e = Vector3::zeros();
+        let mut e = Vector::zeros();
         e[k] = 1.0;
         e
     };
@@ -137,7 +121,7 @@ fn box_with_bulges(pen: &mut Pen, view: &View, half: &Vector3<f64>, semi: &Vecto
             middle - hu - hv,
             middle - hu + hv,
         ];
-        pen.fill(&view.trace(&corners), Role::Ink, alpha);
+        pen.fill(view.trace(&corners), Ink, alpha);
     }
     for k in [1, 0, 2] {
         let n = unit(k) * view.toward[k].signum();
@@ -155,10 +139,10 @@ fn box_with_bulges(pen: &mut Pen, view: &View, half: &Vector3<f64>, semi: &Vecto
                 view.trace(&ring)
             })
             .collect();
-        pen.fill(&hull(&cap), Role::Shade, 1.0);
+        pen.fill(hull(&cap), Shade, 1.0);
     }
 
-    let mut curves: Vec<(Vec<Vector3<f64>>, f64)> = Vec::new();
+    let mut curves: Vec<(Vec<Vector>, f64)> = Vec::new();
     for k in 0..3 {
         let (u, v) = (unit((k + 1) % 3), unit((k + 2) % 3));
         let (hu, hv) = (u * half.dot(&u), v * half.dot(&v));
@@ -182,18 +166,7 @@ fn box_with_bulges(pen: &mut Pen, view: &View, half: &Vector3<f64>, semi: &Vecto
         }
     }
     // The outline: where the surface is seen edge on.
-    let n = view.toward.component_div(semi).normalize();
-    let u = n.cross(&Vector3::z()).normalize();
-    let v = n.cross(&u);
-    curves.push((
-        ellipse(
-            Vector3::zeros(),
-            u.component_mul(semi),
-            v.component_mul(semi),
-            360,
-        ),
-        SECONDARY,
-    ));
+    curves.push((rim(semi, &view.toward, 360), SECONDARY));
     for (curve, width) in curves {
         let [seen, hidden] = view.split(&curve, |p| {
             !box_hides(half, p, &view.toward) && !ellipsoid_hides(semi, p, &view.toward)
@@ -225,25 +198,18 @@ pub fn rosettes() -> Result<Figure> {
         .collect::<Result<_>>()?;
 
     let [face, vertex, edge] = cube.quiz.map(|(_, moment)| number(moment, 4));
-    let words = Words {
-        claim: "A cube has the same moment of inertia about every axis through its centre, and so has each of the \
-                five regular solids."
-            .to_owned(),
-        details: format!(
-            "Distance from the centre is the moment about the axis in that direction, in the plane through a face, an \
-             edge and a vertex. Cube of mass $M$ and edge $a$: {face}, {vertex} and {edge} $Ma^2$, a circle. Brick \
-             $a \\times a \\times 2a$ of the same mass: {}, {} and {} $Ma^2$. Below, $I/Ma^2$ for edge $a$.",
-            number(brick.quiz[0].1, 4),
-            number(brick.quiz[1].1, 4),
-            number(brick.quiz[2].1, 4),
-        ),
-        alt: format!(
-            "Two polar curves on the same scale. Around the cross-section of a cube the curve is a perfect circle, and \
-             the axes through a face, an edge and a vertex meet it at equal distances, {face} each. Around a brick \
-             twice as long the curve is a peanut, three axes, three distances. Below, the five regular solids, each in \
-             a circle, with its one number."
-        ),
-    };
+    let [up, slant, side] = brick.quiz.map(|(_, moment)| number(moment, 4));
+    let words = words!(
+        "A cube has the same moment of inertia about every axis through its centre, and so has each of the \
+         five regular solids.",
+        "Distance from the centre is the moment about the axis in that direction, in the plane through a face, an \
+         edge and a vertex. Cube of mass $M$ and edge $a$: {face}, {vertex} and {edge} $Ma^2$, a circle. Brick \
+         $a \\times a \\times 2a$ of the same mass: {up}, {slant} and {side} $Ma^2$. Below, $I/Ma^2$ for edge $a$.",
+        "Two polar curves on the same scale. Around the cross-section of a cube the curve is a perfect circle, and \
+         the axes through a face, an edge and a vertex meet it at equal distances, {face} each. Around a brick \
+         twice as long the curve is a peanut, three axes, three distances. Below, the five regular solids, each in \
+         a circle, with its one number."
+    );
 
     Ok(figure("cube-rosettes", 412.0, words, |pen| {
         let (left, right) = ([104.0, 128.0], [398.0, 128.0]);
@@ -256,42 +222,38 @@ pub fn rosettes() -> Result<Figure> {
         let put = |pen: &mut Pen, p: Point, anchor, text: &str| {
             pen.note([p[0], p[1] + 4.5], anchor, text);
         };
-        put(pen, at(left, up, 12.0), Anchor::Middle, "face");
-        put(pen, at(left, slant, 9.0), Anchor::Start, "vertex");
-        put(pen, at(left, side, 8.0), Anchor::Start, "edge");
+        put(pen, at(left, up, 12.0), Middle, "face");
+        put(pen, at(left, slant, 9.0), Start, "vertex");
+        put(pen, at(left, side, 8.0), Start, "edge");
         let [up, slant, side] = brick.quiz;
         put(
             pen,
             at(right, up, 34.0),
-            Anchor::Middle,
+            Middle,
             &format!("face {}", number(up.1, 3)),
         );
         put(
             pen,
             at(right, slant, 13.0),
-            Anchor::Start,
+            Start,
             &format!("vertex {}", number(slant.1, 3)),
         );
         let inside = at(right, side, -8.0);
         pen.note(
             [inside[0], inside[1] - 6.0],
-            Anchor::End,
+            End,
             &format!("edge {}", number(side.1, 3)),
         );
         let foot = 234.0;
         let all = format!("cube: {} *Ma*^{{2}}", number(cube.quiz[0].1, 3));
-        pen.label([left[0], foot], Anchor::Middle, &all);
-        pen.label(
-            [right[0], foot],
-            Anchor::Middle,
-            "brick: depends on the axis",
-        );
+        pen.label([left[0], foot], Middle, &all);
+        pen.label([right[0], foot], Middle, "brick: depends on the axis");
 
         for (k, (solid, moment)) in five.iter().enumerate() {
             let center = [68.0 + 116.0 * k as f64, 318.0];
             pen.ring(center, 46.0, inked(SECONDARY));
             regular_solid(pen, *solid, center, 41.0);
-            pen.label([center[0], 390.0], Anchor::Middle, &number(*moment, 3));
+            pen.label([center[0], 390.0], Middle, &number(*moment, 3));
         }
     }))
 }
@@ -335,27 +297,22 @@ impl Rosette {
             .iter()
             .map(|&(angle, moment)| polar(center, MOMENT_SCALE * moment, angle))
             .collect();
-        pen.fill(&curve, Role::Ink, 0.05);
+        pen.fill(&curve, Ink, 0.05);
         let [w, h] = self.section.map(|c| BODY_SCALE * c);
         let corners =
             [[-w, -h], [w, -h], [w, h], [-w, h]].map(|[x, y]| [center[0] + x, center[1] + y]);
-        pen.fill(&corners, Role::Ink, 0.12);
-        pen.outline(&corners, inked(AXIS));
+        pen.fill(corners, Ink, 0.12);
+        pen.outline(corners, inked(AXIS));
         for (angle, moment) in self.quiz {
             let r = MOMENT_SCALE * moment;
             pen.line(
-                &[polar(center, -r, angle), polar(center, r, angle)],
+                [polar(center, -r, angle), polar(center, r, angle)],
                 inked(AXIS).alpha(0.6),
             );
         }
         pen.outline(&curve, inked(DATA));
         for (angle, moment) in self.quiz {
-            pen.disc(
-                polar(center, MOMENT_SCALE * moment, angle),
-                4.0,
-                Role::Ink,
-                1.0,
-            );
+            pen.dot(polar(center, MOMENT_SCALE * moment, angle), 4.0);
         }
     }
 }
@@ -367,21 +324,15 @@ pub fn quiz() -> Result<Figure> {
     let faces = cube.faces().len();
     // Euler: corners and faces are two more than edges.
     let edges = corners + faces - 2;
-    let words = Words {
-        claim: "A cube can be spun through two of its corners, two of its edges or two of its faces."
-            .to_owned(),
-        details: format!(
-            "There are {} axes of the first kind, {} of the second and {} of the third, all through the centre. About which is the cube hardest to turn?",
-            corners / 2,
-            edges / 2,
-            faces / 2,
-        ),
-        alt: "Three equal cubes, each on an axle through its centre with a bent arrow round it. The first axle goes through opposite corners, the second through the midpoints of \
-              opposite edges, the third through the centres of opposite faces. Nothing tells which cube is hardest to turn."
-            .to_owned(),
-    };
+    let [first, second, third] = [corners, edges, faces].map(|ends| ends / 2);
+    let words = words!(
+        "A cube can be spun through two of its corners, two of its edges or two of its faces.",
+        "There are {first} axes of the first kind, {second} of the second and {third} of the third, all through the centre. About which is the cube hardest to turn?",
+        "Three equal cubes, each on an axle through its centre with a bent arrow round it. The first axle goes through opposite corners, the second through the midpoints of \
+         opposite edges, the third through the centres of opposite faces. Nothing tells which cube is hardest to turn."
+    );
     Ok(figure("cube-quiz", 236.0, words, |pen| {
-        let half = Vector3::repeat(0.5);
+        let half = Vector::repeat(0.5);
         let kinds = [
             ("corners", [-0.5, 0.5, 0.5]),
             ("edges", [0.0, 0.5, 0.5]),
@@ -392,7 +343,7 @@ pub fn quiz() -> Result<Figure> {
             let Some(view) = regular_solid(pen, cube, center, 74.0) else {
                 continue;
             };
-            let through = Vector3::from(through);
+            let through = Vector::from(through);
             let end = through + through.normalize() * 0.5;
             let line = segment(-end, end, 400);
             let [seen, hidden] = view.split(&line, |p| !box_hides(&half, p, &view.toward));
@@ -406,7 +357,7 @@ pub fn quiz() -> Result<Figure> {
             pen.line(&rings[24..], inked(SECONDARY));
             pen.arrow(rings[56], rings[60], inked(SECONDARY));
             let text = format!("through {name}");
-            pen.label([center[0], 226.0], Anchor::Middle, &text);
+            pen.label([center[0], 226.0], Middle, &text);
         }
     }))
 }
@@ -414,14 +365,14 @@ pub fn quiz() -> Result<Figure> {
 /// A regular solid that just fits into a circle, faces towards the eye shaded by their slope, and how it is seen.
 fn regular_solid(pen: &mut Pen, solid: PlatonicSolid, center: Point, radius: f64) -> Option<View> {
     let vertices = solid.vertices(1.0).ok()?;
-    let corners: Vec<Vector3<f64>> = vertices.into_iter().map(Vector3::from).collect();
-    let size = corners.iter().map(Vector3::norm).fold(0.0, f64::max);
+    let corners: Vec<Vector> = vertices.into_iter().map(Vector::from).collect();
+    let size = corners.iter().map(Vector::norm).fold(0.0, f64::max);
     let (azimuth, elevation) = match solid {
         PlatonicSolid::Icosahedron => (0.3, 0.22),
         _ => (0.42, 0.36),
     };
     let view = View::new(azimuth, elevation, center, radius / size);
-    let faces: Vec<Vec<Vector3<f64>>> = solid
+    let faces: Vec<Vec<Vector>> = solid
         .faces()
         .iter()
         .map(|face| face.iter().map(|&k| corners[k as usize]).collect())

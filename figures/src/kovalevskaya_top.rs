@@ -6,10 +6,7 @@ use spinning_bodies::frame::BodyVector;
 use spinning_bodies::kovalevskaya_top::{Diagram, KovalevskayaTop};
 
 use crate::plot::apart;
-use crate::style::{
-    AXIS, Anchor, DATA, HAIR, Pen, Point, Role, SECONDARY, Words, along, figure, inked, label,
-    number, roomiest, short, spaced, stroke,
-};
+use crate::style::*;
 
 use crate::{Entry, Figure, Parameter, Values, of};
 
@@ -113,28 +110,23 @@ pub fn circle(values: &Values) -> Result<Figure> {
             "the same circle".to_owned(),
         )
     };
-    let words = Words {
-        claim: if k > 1e-3 && open < 0.2 {
-            "The top scribbles; its constant runs round a circle.".to_owned()
-        } else if k > 1e-3 {
-            "The top scribbles; its constant runs to and fro on an arc of a circle.".to_owned()
-        } else {
-            "The top scribbles; its constant stands still at the origin.".to_owned()
-        },
-        details: format!(
-            "Three drawings of {} s from {}, $MgC_1/I_3=1$. Left: $w=\\Omega_1+i\\Omega_2$. Middle: \
-             $K=w^2-(z_1+iz_2)$ of the same motion, always {} from the origin. Right: the same expression if \
-             $I_1=I_2={named}\\,I_3$; dashed, where it should be. {told}",
-            number(SECONDS, 0),
-            spun(values),
-            number(k, 4),
-        ),
-        alt: format!(
-            "Three panels. Left, a tangle of loops: the horizontal path of the angular velocity in the body. Middle, one clean \
-             circle of radius {}, or a part of it: Kovalevskaya's expression along that motion. Right, {ring}: the same expression when the first two moments are {named} times the third.",
-            number(k, 2),
-        ),
+    let claim = if k > 1e-3 && open < 0.2 {
+        "The top scribbles; its constant runs round a circle.".to_owned()
+    } else if k > 1e-3 {
+        "The top scribbles; its constant runs to and fro on an arc of a circle.".to_owned()
+    } else {
+        "The top scribbles; its constant stands still at the origin.".to_owned()
     };
+    let (seconds, from) = (number(SECONDS, 0), spun(values));
+    let [size, radius] = [4, 2].map(|digits| number(k, digits));
+    let words = words!(
+        "{claim}",
+        "Three drawings of {seconds} s from {from}, $MgC_1/I_3=1$. Left: $w=\\Omega_1+i\\Omega_2$. Middle: \
+         $K=w^2-(z_1+iz_2)$ of the same motion, always {size} from the origin. Right: the same expression if \
+         $I_1=I_2={named}\\,I_3$; dashed, where it should be. {told}",
+        "Three panels. Left, a tangle of loops: the horizontal path of the angular velocity in the body. Middle, one clean \
+         circle of radius {radius}, or a part of it: Kovalevskaya's expression along that motion. Right, {ring}: the same expression when the first two moments are {named} times the third."
+    );
 
     let made = figure("kovalevskaya-circle", 246.0, words, |pen| {
         // Each fills its panel: the scribble is wider to the left than to the right.
@@ -156,36 +148,33 @@ pub fn circle(values: &Values) -> Result<Figure> {
             (panels[2], "*K*", &right),
         ] {
             let [left, right] = [x - PANEL - 6.0, x + PANEL + 6.0];
-            pen.line(&[[left, MIDDLE], [right, MIDDLE]], inked(HAIR));
+            pen.line([[left, MIDDLE], [right, MIDDLE]], inked(HAIR));
             let [above, below] = [MIDDLE - PANEL - 6.0, MIDDLE + PANEL + 6.0];
-            pen.line(&[[x, above], [x, below]], inked(HAIR));
-            pen.label([right - 4.0, above + 18.0], Anchor::Middle, text);
-            pen.label([x, below + 26.0], Anchor::Middle, remark);
+            pen.line([[x, above], [x, below]], inked(HAIR));
+            pen.label([right - 4.0, above + 18.0], Middle, text);
+            pen.label([x, below + 26.0], Middle, remark);
         }
-        let path: Vec<Point> = hers.iter().map(|p| scribble(p[0])).collect();
-        pen.line(&path, stroke(Role::Omega, AXIS).alpha(0.8));
-        let ring: Vec<Point> = (0..=360)
+        let path = hers.iter().map(|p| scribble(p[0]));
+        pen.line(path, stroke(Omega, AXIS).alpha(0.8));
+        let ring = (0..=360)
             .map(|n| f64::from(n).to_radians().sin_cos())
-            .map(|(sine, cosine)| smear([k * cosine, k * sine]))
-            .collect();
-        let path: Vec<Point> = hers.iter().map(|p| circle(p[1])).collect();
-        pen.line(&path, inked(DATA));
-        let path: Vec<Point> = wandering.iter().map(|p| smear(*p)).collect();
-        pen.line(&path, stroke(Role::Muted, HAIR).alpha(0.8));
-        pen.line(&ring, inked(SECONDARY).dashed());
+            .map(|(sine, cosine)| smear([k * cosine, k * sine]));
+        let path = hers.iter().map(|p| circle(p[1]));
+        pen.line(path, inked(DATA));
+        let path = wandering.iter().map(|p| smear(*p));
+        pen.line(path, muted(HAIR).alpha(0.8));
+        pen.line(ring, inked(SECONDARY).dashed());
     });
     let time = |n: usize| SECONDS * n as f64 / f64::from(SAMPLES);
-    let columns = ["time (s)", "real part", "imaginary part"];
-    let rows = |pick: &dyn Fn(usize) -> Point| -> Vec<Vec<f64>> {
+    let columns = "time (s) | real part | imaginary part";
+    let rows = |pick: &dyn Fn(usize) -> Point| -> Vec<[f64; 3]> {
         let steps = (0..hers.len()).step_by(10);
-        steps
-            .map(|n| vec![time(n), pick(n)[0], pick(n)[1]])
-            .collect()
+        steps.map(|n| [time(n), pick(n)[0], pick(n)[1]]).collect()
     };
     Ok(made
-        .data("w", &columns, rows(&|n| hers[n][0]))
-        .data("K", &columns, rows(&|n| hers[n][1]))
-        .data("K of other moments", &columns, rows(&|n| wandering[n])))
+        .data("w", columns, rows(&|n| hers[n][0]))
+        .data("K", columns, rows(&|n| hers[n][1]))
+        .data("K of other moments", columns, rows(&|n| wandering[n])))
 }
 
 /// P(s) with its five roots: s₁ swings in the middle band, s₂ comes from −∞ and goes back.
@@ -224,24 +213,18 @@ pub fn bands(values: &Values) -> Result<Figure> {
         ),
         None => "Two roots meet, and the two quantities do not swing.".to_owned(),
     };
-    let words = Words {
-        claim: match moving {
-            Some(_) => "Two quantities swing where a polynomial is positive.".to_owned(),
-            None => {
-                "Where two roots of the polynomial meet, nothing swings between them.".to_owned()
-            }
-        },
-        details: format!(
-            "$P(s)=-4(s-e_1)\\cdots(s-e_5)$ for the motion from {}, heights on a logarithmic scale beyond 0.01. {told}",
-            spun(values),
-        ),
-        alt: format!(
-            "The graph of a polynomial of degree five with {} real roots. It is positive to the left of the smallest root, where \
-             the second separation variable comes and goes, and between two further roots, where the first swings; both stretches \
-             are marked on the axis.",
-            real.len(),
-        ),
+    let claim = match moving {
+        Some(_) => "Two quantities swing where a polynomial is positive.".to_owned(),
+        None => "Where two roots of the polynomial meet, nothing swings between them.".to_owned(),
     };
+    let (begun, count) = (spun(values), real.len());
+    let words = words!(
+        "{claim}",
+        "$P(s)=-4(s-e_1)\\cdots(s-e_5)$ for the motion from {begun}, heights on a logarithmic scale beyond 0.01. {told}",
+        "The graph of a polynomial of degree five with {count} real roots. It is positive to the left of the smallest root, where \
+         the second separation variable comes and goes, and between two further roots, where the first swings; both stretches \
+         are marked on the axis."
+    );
 
     // As high as the polynomial is between its outermost roots, and a little more beside them.
     let (from, to) = (real[0] - 1.1, real[real.len() - 1] + 0.35);
@@ -255,7 +238,7 @@ pub fn bands(values: &Values) -> Result<Figure> {
             .filter(seen)
             .map(|&(s, p)| [x(s), y(p)])
             .collect();
-        pen.line(&[[20.0, LEVEL], [580.0, LEVEL]], inked(AXIS));
+        pen.line([[20.0, LEVEL], [580.0, LEVEL]], inked(AXIS));
         let taken = along(&graph, 6.0);
         if let Some((((low, high), turn), _)) = moving {
             band(pen, [20.0, x(turn)], "*s*_{2}", &taken);
@@ -263,21 +246,21 @@ pub fn bands(values: &Values) -> Result<Figure> {
         }
         pen.line(&graph, inked(DATA));
         for e in &real {
-            pen.disc([x(*e), LEVEL], 3.5, Role::Ink, 1.0);
+            pen.dot([x(*e), LEVEL], 3.5);
         }
-        pen.label([588.0, LEVEL - 8.0], Anchor::End, "*s*");
+        pen.label([588.0, LEVEL - 8.0], End, "*s*");
         let top = grid
             .iter()
             .find(seen)
             .map_or([0.0; 2], |&(s, p)| [x(s), y(p)]);
         pen.label(
             [top[0] + 80.0, (top[1] + 12.0).max(24.0)],
-            Anchor::Start,
+            Start,
             "*P*(*s*)",
         );
     });
-    let rows = grid.iter().map(|&(s, p)| vec![s, p]);
-    Ok(made.data("P", &["s (1/s²)", "P (1/s¹⁰)"], rows))
+    let rows = grid.iter().map(|&(s, p)| [s, p]);
+    Ok(made.data("P", "s (1/s²) | P (1/s¹⁰)", rows))
 }
 
 /// The axis of the bands, units.
@@ -328,18 +311,14 @@ pub fn classes(values: &Values) -> Result<Figure> {
 
     let ends = diagram.cubic_double(greatest)?;
 
-    let words = Words {
-        claim: "Where two roots meet, one kind of motion ends and another begins.".to_owned(),
-        details: format!(
-            "A dot for each of {} starts with $\\lvert K\\rvert={}$, $MgC_1=I_3=1$, at its energy and $L_{{\\text{{vert}}}}^2$. On the straight lines a root \
-             of the cubic meets $e_4$ or $e_5$, on the curve two of its own meet: Appelrot's classes two to four.",
-            motions.len(),
-            number(size, 2),
-        ),
-        alt: "A plane with energy to the right and the square of the vertical angular momentum upwards. Dots fill a region that starts at a \
-              lowest energy and widens to the right; its edges, and borders inside it, are two parallel rising lines and a curve that touches them."
-            .to_owned(),
-    };
+    let (count, radius) = (motions.len(), number(size, 2));
+    let words = words!(
+        "Where two roots meet, one kind of motion ends and another begins.",
+        "A dot for each of {count} starts with $\\lvert K\\rvert={radius}$, $MgC_1=I_3=1$, at its energy and $L_{{\\text{{vert}}}}^2$. On the straight lines a root \
+         of the cubic meets $e_4$ or $e_5$, on the curve two of its own meet: Appelrot's classes two to four.",
+        "A plane with energy to the right and the square of the vertical angular momentum upwards. Dots fill a region that starts at a \
+         lowest energy and widens to the right; its edges, and borders inside it, are two parallel rising lines and a curve that touches them."
+    );
 
     let made = figure("appelrot-classes", 300.0, words, |pen| {
         let place = |[e, h]: Point| {
@@ -348,14 +327,14 @@ pub fn classes(values: &Values) -> Result<Figure> {
         };
         let inside = |point: &Point| inside_of(point, [least, greatest, highest]);
         for motion in motions.iter().filter(|m| inside(m)) {
-            pen.disc(place(*motion), 1.5, Role::Ink, 0.45);
+            pen.disc(place(*motion), 1.5, Ink, 0.45);
         }
         for curve in &curves {
             // A branch may leave the picture and come back.
             for part in curve.split(|point| !inside(point)) {
                 if part.len() > 1 {
-                    let points: Vec<Point> = part.iter().map(|p| place(*p)).collect();
-                    pen.line(&points, inked(DATA));
+                    let points = part.iter().map(|p| place(*p));
+                    pen.line(points, inked(DATA));
                 }
             }
         }
@@ -376,18 +355,18 @@ pub fn classes(values: &Values) -> Result<Figure> {
             .collect();
         for ((_, text), y) in named.iter().zip(apart(&heights, 18.0, 258.0)) {
             let x = place([greatest, 0.0])[0];
-            pen.label([x + 8.0, y + 5.0], Anchor::Start, text);
+            pen.label([x + 8.0, y + 5.0], Start, text);
         }
-        pen.line(&[[46.0, 262.0], [580.0, 262.0]], inked(AXIS));
-        pen.line(&[[46.0, 262.0], [46.0, 16.0]], inked(AXIS));
-        pen.label([580.0, 284.0], Anchor::End, "*E*");
-        pen.label([54.0, 28.0], Anchor::Start, "*L*_{vert}^{2}");
+        pen.line([[46.0, 262.0], [580.0, 262.0]], inked(AXIS));
+        pen.line([[46.0, 262.0], [46.0, 16.0]], inked(AXIS));
+        pen.label([580.0, 284.0], End, "*E*");
+        pen.label([54.0, 28.0], Start, "*L*_{vert}^{2}");
     });
     let rows = motions
         .iter()
         .filter(|m| inside_of(m, [least, greatest, highest]))
-        .map(|m| m.to_vec());
-    Ok(made.data("starts", &["energy (J)", "L_vert² (J² s²)"], rows))
+        .copied();
+    Ok(made.data("starts", "energy (J) | L_vert² (J² s²)", rows))
 }
 
 fn inside_of([e, h]: &Point, [least, greatest, highest]: [f64; 3]) -> bool {
@@ -396,14 +375,9 @@ fn inside_of([e, h]: &Point, [least, greatest, highest]: [f64; 3]) -> bool {
 
 /// A stretch of the axis with the name of what moves there, clear of the curve.
 fn band(pen: &mut Pen, [from, to]: [f64; 2], name: &str, taken: &[Point]) {
-    pen.line(&[[from, LEVEL], [to, LEVEL]], inked(7.0).alpha(0.4));
+    pen.line([[from, LEVEL], [to, LEVEL]], inked(7.0).alpha(0.4));
     let middle = 0.5 * (from + to);
     let places = [22.0, -20.0, 40.0, -38.0, 60.0, -58.0, 80.0].map(|dy| [middle, LEVEL + dy]);
     let [x, y] = roomiest(places, [12.0, 9.0], taken);
-    pen.text(
-        [x, y + 5.0],
-        Anchor::Middle,
-        name,
-        label(Role::Ink).strong(),
-    );
+    pen.text([x, y + 5.0], Middle, name, label(Ink).strong());
 }

@@ -128,17 +128,17 @@ impl Figure {
         self
     }
 
-    /// The figure with the numbers of a curve: rows of these columns, which are the same for all curves of a figure.
+    /// The figure with the numbers of a curve: rows below a head, its columns apart by ` | `, which is the same for all curves of a figure.
     #[must_use]
     pub fn data(
         mut self,
         curve: impl Into<String>,
-        columns: &[&'static str],
-        rows: impl IntoIterator<Item = Vec<f64>>,
+        head: &'static str,
+        rows: impl IntoIterator<Item: Into<Vec<f64>>>,
     ) -> Self {
         let curve = curve.into();
-        self.data.columns = columns.to_vec();
-        let rows = rows.into_iter().map(|row| (curve.clone(), row));
+        self.data.columns = head.split(" | ").collect();
+        let rows = rows.into_iter().map(|row| (curve.clone(), row.into()));
         self.data.rows.extend(rows);
         self
     }

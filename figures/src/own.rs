@@ -89,11 +89,11 @@ impl Quantity {
     fn role(&self) -> Role {
         let letters = self.name.trim_end_matches(|c: char| c.is_ascii_digit());
         match letters {
-            _ if letters.starts_with("omega") || self.name == "spin" => Role::Omega,
+            _ if letters.starts_with("omega") || self.name == "spin" => Omega,
             "l" | "lx" | "ly" | "lz" | "angular_momentum" | "l_about_table" | "l_over_radius" => {
-                Role::AngularMomentum
+                AngularMomentum
             }
-            _ => Role::Ink,
+            _ => Ink,
         }
     }
 }
@@ -152,7 +152,7 @@ pub fn diagram(title: &str, panels: &[[Quantity; 2]]) -> Figure {
             let [low, high] = up.shown;
             if low < 0.0 && high > 0.0 {
                 let zero = [frame.at(shown[0], 0.0), frame.at(shown[1], 0.0)];
-                pen.line(&zero, stroke(Role::Muted, AXIS).dashed());
+                pen.line(zero, muted(AXIS).dashed());
             }
             let mut line: Vec<Point> = Vec::new();
             let mut before = None;
@@ -179,7 +179,7 @@ pub fn diagram(title: &str, panels: &[[Quantity; 2]]) -> Figure {
         let rows = x.values.iter().zip(&y.values).map(|(&x, &y)| vec![x, y]);
         made.data(
             format!("{} against {}", y.name, x.name),
-            &["across", "up"],
+            "across | up",
             rows,
         )
     })
@@ -250,8 +250,8 @@ pub fn map(title: &str, [x, y]: &[Quantity; 2], told: &Quantity) -> Figure {
         for (k, &value) in drawn.values.iter().enumerate() {
             let corners = field(k / up, k % up);
             match value.is_nan() {
-                true => pen.line(&[corners[0], corners[2]], stroke(Role::Muted, AXIS)),
-                false => pen.fill(&corners, Role::Ink, shade(step(value))),
+                true => pen.line([corners[0], corners[2]], muted(AXIS)),
+                false => pen.fill(corners, Ink, shade(step(value))),
             }
         }
         let bare = Frame {
@@ -266,25 +266,25 @@ pub fn map(title: &str, [x, y]: &[Quantity; 2], told: &Quantity) -> Figure {
         };
         bare.draw(pen, &[], &[], [&x.name, &y.name]);
         for (value, text) in ticks(&frame.x, 70.0) {
-            pen.remark([frame.x.at(value), bottom + 20.0], Anchor::Middle, &text);
+            pen.remark([frame.x.at(value), bottom + 20.0], Middle, &text);
         }
         for (value, text) in ticks(&frame.y, 45.0) {
-            pen.remark([left - 9.0, frame.y.at(value) + 5.0], Anchor::End, &text);
+            pen.remark([left - 9.0, frame.y.at(value) + 5.0], End, &text);
         }
-        pen.label([592.0, top - 12.0], Anchor::End, &drawn.label);
+        pen.label([592.0, top - 12.0], End, &drawn.label);
         for step in 0..STEPS {
             let height = |step: u32| bottom + (top - bottom) * f64::from(step) / f64::from(STEPS);
             let [from, to] = [height(step), height(step + 1)];
             let corners = [[480.0, from], [500.0, from], [500.0, to], [480.0, to]];
-            pen.fill(&corners, Role::Ink, shade(step));
+            pen.fill(corners, Ink, shade(step));
             let value = low + (high - low) * f64::from(step) / f64::from(STEPS);
-            pen.remark([506.0, from + 5.0], Anchor::Start, &short(value));
+            pen.remark([506.0, from + 5.0], Start, &short(value));
         }
-        pen.remark([506.0, top + 5.0], Anchor::Start, &short(high));
+        pen.remark([506.0, top + 5.0], Start, &short(high));
     });
     let rows = told.values.iter().enumerate();
     let rows = rows.map(|(k, &value)| vec![x.values[k / up], y.values[k % up], value]);
-    made.data(told.name.clone(), &["across", "up", "told"], rows)
+    made.data(told.name.clone(), "across | up | told", rows)
 }
 
 /// Steps of ink.
@@ -318,17 +318,18 @@ pub fn prices(title: &str, [price, error]: [&str; 2], curves: &[Curve]) -> Figur
     };
     let height = 150.0 + 16.0 * curves.len().max(14) as f64;
     let bottom = height - 60.0;
-    let frame = Frame {
-        x: Axis::log([0.7 * least, 1.4 * most], [74.0, 420.0]),
-        y: Axis::log([0.4 * best, 2.5 * worst], [bottom, 44.0]),
-    };
+    let frame = Frame::log(
+        [0.7 * least, 1.4 * most],
+        [0.4 * best, 2.5 * worst],
+        [74.0, 420.0, bottom, 44.0],
+    );
     let made = figure("plot", height, words, |pen| {
         let (x, y) = (ticks(&frame.x, 50.0), ticks(&frame.y, 40.0));
         frame.draw(pen, &x, &y, [price, error]);
-        let lines: Vec<Vec<Point>> = curves
+        let lines = curves
             .iter()
-            .map(|(_, points)| points.iter().map(|&[x, y]| frame.at(x, y)).collect())
-            .collect();
+            .map(|(_, points)| frame.trace(points.iter().copied()));
+        let lines: Vec<Vec<Point>> = lines.collect();
         let ends: Vec<Point> = lines.iter().map(|line| line[line.len() - 1]).collect();
         let wanted: Vec<f64> = ends.iter().map(|end| end[1]).collect();
         // Half way between names pushed up from below and names pushed down from above, within the frame.
@@ -339,7 +340,7 @@ pub fn prices(title: &str, [price, error]: [&str; 2], curves: &[Curve]) -> Figur
         let mut heights = apart(&between.collect::<Vec<_>>(), 16.0, bottom);
         uncross(&ends, &mut heights);
         for (k, ((name, _), line)) in curves.iter().zip(&lines).enumerate() {
-            let role = if k % 2 == 0 { Role::Ink } else { Role::Muted };
+            let role = if k % 2 == 0 { Ink } else { Muted };
             let style = stroke(role, SECONDARY);
             let style = match k / 2 % 3 {
                 0 => style,
@@ -349,17 +350,12 @@ pub fn prices(title: &str, [price, error]: [&str; 2], curves: &[Curve]) -> Figur
             pen.line(line, style);
             pen.disc(ends[k], 2.6, role, 1.0);
             let beside = [NAMED, heights[k]];
-            pen.line(&[ends[k], beside], stroke(Role::Muted, HAIR).alpha(0.5));
-            pen.text(
-                [NAMED + 4.0, heights[k] + 5.0],
-                Anchor::Start,
-                name,
-                small(role),
-            );
+            pen.line([ends[k], beside], muted(HAIR).alpha(0.5));
+            pen.text([NAMED + 4.0, heights[k] + 5.0], Start, name, small(role));
         }
     });
     curves.into_iter().fold(made, |made, (name, points)| {
-        made.data(name, &["price", "error"], points.into_iter().map(Vec::from))
+        made.data(name, "price | error", points)
     })
 }
 

@@ -99,21 +99,42 @@ pub struct Frame {
 }
 
 impl Frame {
+    /// Both axes in proportion, their places left, right, bottom and top.
+    pub const fn linear(x: [f64; 2], y: [f64; 2], [left, right, bottom, top]: [f64; 4]) -> Self {
+        Self {
+            x: Axis::linear(x, [left, right]),
+            y: Axis::linear(y, [bottom, top]),
+        }
+    }
+
+    /// Both axes logarithmic, places as before.
+    pub const fn log(x: [f64; 2], y: [f64; 2], [left, right, bottom, top]: [f64; 4]) -> Self {
+        Self {
+            x: Axis::log(x, [left, right]),
+            y: Axis::log(y, [bottom, top]),
+        }
+    }
+
     /// The place of a pair of numbers.
     pub fn at(&self, x: f64, y: f64) -> Point {
         [self.x.at(x), self.y.at(y)]
     }
 
+    /// The places of pairs of numbers.
+    pub fn trace(&self, points: impl IntoIterator<Item = Point>) -> Vec<Point> {
+        let points = points.into_iter();
+        points.map(|[x, y]| self.at(x, y)).collect()
+    }
+
     /// A curve, as far as it lies within the frame.
-    pub fn curve(&self, pen: &mut Pen, points: impl Iterator<Item = (f64, f64)>, style: Stroke) {
+    pub fn curve(&self, pen: &mut Pen, points: impl IntoIterator<Item = Point>, style: Stroke) {
         let inside = |value: f64, [low, high]: [f64; 2]| {
             let slack = 1e-9 * (high - low);
             value >= low - slack && value <= high + slack
         };
-        let all: Vec<(f64, f64)> = points.collect();
-        for piece in all.split(|p| !inside(p.0, self.x.shown) || !inside(p.1, self.y.shown)) {
-            let drawn: Vec<Point> = piece.iter().map(|&(x, y)| self.at(x, y)).collect();
-            pen.line(&drawn, style);
+        let all: Vec<Point> = points.into_iter().collect();
+        for piece in all.split(|p| !inside(p[0], self.x.shown) || !inside(p[1], self.y.shown)) {
+            pen.line(self.trace(piece.iter().copied()), style);
         }
     }
 
@@ -126,23 +147,23 @@ impl Frame {
         [x_name, y_name]: [&str; 2],
     ) {
         let ([left, right], [bottom, top]) = (self.x.ends, self.y.ends);
-        pen.line(&[[left, top], [left, bottom], [right, bottom]], inked(AXIS));
+        pen.line([[left, top], [left, bottom], [right, bottom]], inked(AXIS));
         for (value, text) in x_ticks {
             let x = self.x.at(*value);
-            pen.line(&[[x, bottom], [x, bottom + 5.0]], inked(AXIS));
+            pen.line([[x, bottom], [x, bottom + 5.0]], inked(AXIS));
             // A power reaches higher.
             let down = if text.contains('^') { 24.0 } else { 20.0 };
-            pen.remark([x, bottom + down], Anchor::Middle, text);
+            pen.remark([x, bottom + down], Middle, text);
         }
         for (value, text) in y_ticks {
             let y = self.y.at(*value);
-            pen.line(&[[left - 5.0, y], [left, y]], inked(AXIS));
-            pen.line(&[[left, y], [right, y]], inked(HAIR).alpha(0.18));
-            pen.remark([left - 9.0, y + 5.0], Anchor::End, text);
+            pen.line([[left - 5.0, y], [left, y]], inked(AXIS));
+            pen.line([[left, y], [right, y]], inked(HAIR).alpha(0.18));
+            pen.remark([left - 9.0, y + 5.0], End, text);
         }
         for (at, anchor, name) in [
-            ([right, bottom + 40.0], Anchor::End, x_name),
-            ([left - 30.0, top - 12.0], Anchor::Start, y_name),
+            ([right, bottom + 40.0], End, x_name),
+            ([left - 30.0, top - 12.0], Start, y_name),
         ] {
             if !name.is_empty() {
                 pen.label(at, anchor, name);
@@ -167,23 +188,19 @@ impl Frame {
         let (right, bottom) = (left + 234.0, top + 140.0);
         let x = Axis::log(across, [left, right]);
         let y = Axis::log(up, [bottom, top]);
-        pen.label([left, top - 14.0], Anchor::Start, name);
-        pen.line(&[[left, top], [left, bottom], [right, bottom]], inked(AXIS));
+        pen.label([left, top - 14.0], Start, name);
+        pen.line([[left, top], [left, bottom], [right, bottom]], inked(AXIS));
         for &(value, text) in x_ticks {
             // A tick at the end must not stand out of the panel.
-            let anchor = if value == across[1] {
-                Anchor::End
-            } else {
-                Anchor::Middle
-            };
+            let anchor = if value == across[1] { End } else { Middle };
             let place = [x.at(value), bottom + 18.0];
             pen.remark(place, anchor, text);
         }
         for &(value, text) in y_ticks {
             let height = y.at(value);
-            pen.line(&[[left, height], [right, height]], inked(HAIR).alpha(0.18));
+            pen.line([[left, height], [right, height]], inked(HAIR).alpha(0.18));
             let place = [left - 6.0, height + 5.0];
-            pen.remark(place, Anchor::End, text);
+            pen.remark(place, End, text);
         }
         Self { x, y }
     }
@@ -192,9 +209,9 @@ impl Frame {
     pub fn panel_names(&self, pen: &mut Pen, last: &Self, above: f64, [x_name, y_name]: [&str; 2]) {
         let ([left, right], [_, top]) = (self.x.ends, self.y.ends);
         let bottom = last.y.ends[0];
-        let small = small(Role::Muted);
-        pen.text([left - 30.0, top - above], Anchor::Start, y_name, small);
-        pen.text([right, bottom + 38.0], Anchor::End, x_name, small);
+        let small = small(Muted);
+        pen.text([left - 30.0, top - above], Start, y_name, small);
+        pen.text([right, bottom + 38.0], End, x_name, small);
     }
 }
 

@@ -125,47 +125,33 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
         }
     };
 
-    let words = Words {
-        claim: claim.to_owned(),
-        details: format!(
-            "Sides $AR = {}$, $RB = {}$, $AB = {}$, $\\gamma = {angle}°$ at $R$. The gas pushes on each side with a force proportional to its length, \
-             at its middle; the arms about the hinge $A$ are {}, {} and {}{}. Torques \
-             ${}$, ${}$ and ${}$, {law}; the sum is ${}$.",
-            side(0),
-            side(1),
-            side(2),
-            halves(arms[0]),
-            halves(arms[1]),
-            halves(arms[2]),
-            if right {
-                ", half the side each time"
-            } else {
-                ""
-            },
-            shown[0].replace('\u{2212}', "-"),
-            shown[1].replace('\u{2212}', "-"),
-            shown[2],
-            halves(torques.iter().sum()),
-        ),
-        alt: format!(
-            "A triangle A R B with an angle of {angle} degrees at R and a hinge at A, filled with gas. Small arrows \
-             press on every side; at the middle of each side a large arrow shows the whole force. The force on AR turns the box clockwise with torque {}, that on RB {} \
-             with {}, that on AB turns it back with {}. They cancel{}.",
-            shown[0],
-            way(torques[1]),
-            shown[1],
-            shown[2],
-            if right {
-                ", so the squares over the legs make up the square over the hypotenuse"
-            } else {
-                ""
-            }
-        ),
+    let [ar, rb, ab] = [0, 1, 2].map(side);
+    let [arm_ar, arm_rb, arm_ab] = arms.map(halves);
+    let half = if right {
+        ", half the side each time"
+    } else {
+        ""
     };
+    let [first, second, third] = &shown;
+    let [one, two] = [first, second].map(|torque| torque.replace('\u{2212}', "-"));
+    let (sum, turns) = (halves(torques.iter().sum()), way(torques[1]));
+    let so = match right {
+        true => ", so the squares over the legs make up the square over the hypotenuse",
+        false => "",
+    };
+    let words = words!(
+        "{claim}",
+        "Sides $AR = {ar}$, $RB = {rb}$, $AB = {ab}$, $\\gamma = {angle}°$ at $R$. The gas pushes on each side with a force proportional to its length, \
+         at its middle; the arms about the hinge $A$ are {arm_ar}, {arm_rb} and {arm_ab}{half}. Torques \
+         ${one}$, ${two}$ and ${third}$, {law}; the sum is ${sum}$.",
+        "A triangle A R B with an angle of {angle} degrees at R and a hinge at A, filled with gas. Small arrows \
+         press on every side; at the middle of each side a large arrow shows the whole force. The force on AR turns the box clockwise with torque {first}, that on RB {turns} \
+         with {second}, that on AB turns it back with {third}. They cancel{so}."
+    );
 
     let corners @ [a, r, b] = drawn.corners();
     let made = figure("gas-box", 404.0, words, |pen| {
-        pen.fill(&[a, r, b], Role::Ink, 0.06);
+        pen.fill([a, r, b], Ink, 0.06);
 
         // Ends of each side, run along with the gas at the left.
         let around = [(a, r, sides[0]), (r, b, sides[1]), (b, a, sides[2])];
@@ -193,21 +179,18 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
         let along = (a[0] - middle[0]) * u + (a[1] - middle[1]) * v;
         let foot = [middle[0] + along * u, middle[1] + along * v];
         let feet = [between(a, r, 0.5), foot, between(b, a, 0.5)];
-        pen.line(
-            &[feet[1], between(r, b, 0.5)],
-            stroke(Role::Torque, AXIS).dotted(),
-        );
+        pen.line([feet[1], between(r, b, 0.5)], stroke(Torque, AXIS).dotted());
         for foot in feet {
-            pen.line(&[a, foot], stroke(Role::Torque, 8.0).alpha(0.35));
+            pen.line([a, foot], stroke(Torque, 8.0).alpha(0.35));
         }
-        pen.outline(&[a, r, b], inked(DATA));
+        pen.outline([a, r, b], inked(DATA));
         if right {
             let square = [
                 [r[0] - 13.0, r[1]],
                 [r[0] - 13.0, r[1] - 13.0],
                 [r[0], r[1] - 13.0],
             ];
-            pen.line(&square, inked(AXIS));
+            pen.line(square, inked(AXIS));
         } else {
             let to = PI - values.of(&ANGLE).to_radians();
             pen.arc(r, 20.0, PI, to, inked(AXIS));
@@ -225,48 +208,43 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
             let sign = if torques[k] > 0.0 { "+" } else { "" };
             let text = format!("{sign}{}", shown[k]);
             let ([dx, dy], anchor) = match outward {
-                [_, down] if down > 0.75 => ([0.0, 22.0], Anchor::Middle),
-                [_, down] if down < -0.75 => ([0.0, -10.0], Anchor::Middle),
-                [side, _] if side < 0.0 => ([-10.0, 5.0], Anchor::End),
-                _ => ([10.0, 5.0], Anchor::Start),
+                [_, down] if down > 0.75 => ([0.0, 22.0], Middle),
+                [_, down] if down < -0.75 => ([0.0, -10.0], Middle),
+                [side, _] if side < 0.0 => ([-10.0, 5.0], End),
+                _ => ([10.0, 5.0], Start),
             };
             let at = [tip[0] + dx, tip[1] + dy];
-            pen.text(at, anchor, &text, sized(Role::Torque, 20.0));
+            pen.text(at, anchor, &text, sized(Torque, 20.0));
         }
         // The hinge, and which way each torque turns.
-        pen.disc(a, 5.0, Role::Ink, 1.0);
+        pen.dot(a, 5.0);
         pen.ring(a, 9.5, inked(SECONDARY));
         // Each corner's letter stands away from the middle of the box.
         let middle = between(a, between(r, b, 0.5), 2.0 / 3.0);
         for (corner, name) in corners.into_iter().zip(["*A*", "*R*", "*B*"]) {
-            let away = (corner[0] - middle[0]).hypot(corner[1] - middle[1]);
+            let away = distance(corner, middle);
             let [x, y] = between(corner, middle, -21.0 / away);
-            pen.label([x, y + 6.0], Anchor::Middle, name);
+            pen.label([x, y + 6.0], Middle, name);
         }
         let sign = |k: usize| match shown[k].strip_prefix('\u{2212}') {
             Some(rest) => format!("\u{2212} {rest}"),
             None => format!("+ {}", shown[k]),
         };
         let sum = format!("{} {} {} = 0", shown[0], sign(1), sign(2));
-        pen.text(
-            [30.0, 32.0],
-            Anchor::Start,
-            "torques about *A*",
-            label(Role::Torque),
-        );
-        pen.text([30.0, 58.0], Anchor::Start, &sum, sized(Role::Torque, 18.0));
+        pen.text([30.0, 32.0], Start, "torques about *A*", label(Torque));
+        pen.text([30.0, 58.0], Start, &sum, sized(Torque, 18.0));
     });
-    let columns = ["side", "arm", "torque"];
-    let rows = |k: usize| [vec![sides[k], arms[k], torques[k]]];
+    let columns = "side | arm | torque";
+    let rows = |k: usize| [[sides[k], arms[k], torques[k]]];
     let made = made
-        .data("AR", &columns, rows(0))
-        .data("RB", &columns, rows(1));
-    Ok(made.data("AB", &columns, rows(2)))
+        .data("AR", columns, rows(0))
+        .data("RB", columns, rows(1));
+    Ok(made.data("AB", columns, rows(2)))
 }
 
 /// The unit vector out of the box across a side that is run along with the gas at the left.
 fn outward(from: Point, to: Point) -> Point {
-    let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+    let length = distance(to, from);
     [(from[1] - to[1]) / length, (to[0] - from[0]) / length]
 }
 

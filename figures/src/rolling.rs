@@ -73,31 +73,20 @@ pub fn billiard(values: &Values) -> Result<Figure> {
         true => "a billiard ball".to_owned(),
         false => format!("a ball of inertia factor {}", short(kappa, 3)),
     };
-    let words = Words {
-        claim: format!(
-            "Hit at {} per cent of its height, {which} rolls at once.",
-            short(50.0 * sweet, 1)
-        ),
-        details: format!(
-            "Level cues at heights $H/R$ of {} above the table, $\\kappa = I/MR^2 = {}$. The arrows at the right are the \
-             velocity of the point of contact just after the stroke, {} of the ball's velocity $V'$: a straight line in \
-             $H$, zero at $H = (1 + \\kappa)R = {}\\,R$. The blue sectors show how far the ball turns while it advances by $R$: by one radian \
-             if it rolls.",
-            listed(0, 2),
-            short(kappa, 3),
-            listed(1, 2),
-            short(sweet, 3),
-        ),
-        alt: format!(
-            "A ball on a table and level cues at heights of {} radii. To the right, at the same heights, arrows for \
-             the slip of the contact point: {} times the ball's speed. Their tips lie on a straight line which \
-             crosses zero at {} radii. Hit lower, the ball skids with too little spin or backspin; higher, with too \
-             much.",
-            listed(0, 2),
-            listed(1, 2),
-            short(sweet, 3),
-        ),
-    };
+    let [heights, slips] = [0, 1].map(|k| listed(k, 2));
+    let (factor, height) = (short(kappa, 3), short(sweet, 3));
+    let percent = short(50.0 * sweet, 1);
+    let words = words!(
+        "Hit at {percent} per cent of its height, {which} rolls at once.",
+        "Level cues at heights $H/R$ of {heights} above the table, $\\kappa = I/MR^2 = {factor}$. The arrows at the right are the \
+         velocity of the point of contact just after the stroke, {slips} of the ball's velocity $V'$: a straight line in \
+         $H$, zero at $H = (1 + \\kappa)R = {height}\\,R$. The blue sectors show how far the ball turns while it advances by $R$: by one radian \
+         if it rolls.",
+        "A ball on a table and level cues at heights of {heights} radii. To the right, at the same heights, arrows for \
+         the slip of the contact point: {slips} times the ball's speed. Their tips lie on a straight line which \
+         crosses zero at {height} radii. Hit lower, the ball skids with too little spin or backspin; higher, with too \
+         much."
+    );
 
     let center = [CONTACT[0], level(1.0)];
     let (low, high) = (shots[0], shots[shots.len() - 1]);
@@ -107,20 +96,20 @@ pub fn billiard(values: &Values) -> Result<Figure> {
         .min(62.0 / (-high[1]).max(0.1));
     let tip = |shot: &[f64; 3]| [ZERO + speed * shot[1], level(shot[0])];
     let made = figure("billiard", 362.0, words, |pen| {
-        pen.line(&[[10.0, CONTACT[1]], [590.0, CONTACT[1]]], inked(SECONDARY));
-        pen.disc(center, RADIUS, Role::Shade, 0.75);
+        pen.line([[10.0, CONTACT[1]], [590.0, CONTACT[1]]], inked(SECONDARY));
+        pen.disc(center, RADIUS, Shade, 0.75);
         pen.ring(center, RADIUS, inked(DATA));
         // The height of pure rolling goes across.
         pen.line(
-            &[[BUTT, level(sweet)], [590.0, level(sweet)]],
+            [[BUTT, level(sweet)], [590.0, level(sweet)]],
             inked(AXIS).dotted(),
         );
-        pen.disc(center, 2.5, Role::Ink, 1.0);
-        pen.line(&[center, CONTACT], inked(AXIS).alpha(0.6));
+        pen.dot(center, 2.5);
+        pen.line([center, CONTACT], inked(AXIS).alpha(0.6));
         let beside = [center[0] + 8.0, center[1] + 0.55 * RADIUS];
-        pen.label(beside, Anchor::Start, "*R*");
-        pen.line(&[[ZERO, 48.0], [ZERO, CONTACT[1]]], inked(AXIS));
-        pen.line(&[tip(&low), tip(&high)], inked(AXIS).dashed());
+        pen.label(beside, Start, "*R*");
+        pen.line([[ZERO, 48.0], [ZERO, CONTACT[1]]], inked(AXIS));
+        pen.line([tip(&low), tip(&high)], inked(AXIS).dashed());
 
         for shot in &shots {
             let [height, slip, rim_speed] = *shot;
@@ -128,12 +117,12 @@ pub fn billiard(values: &Values) -> Result<Figure> {
             let touch = CONTACT[0] - RADIUS * (1.0 - (height - 1.0).powi(2)).max(0.0).sqrt();
             let rolls = slip.abs() < 1e-9;
             let (width, lettering) = match rolls {
-                true => (2.8, label(Role::Ink).strong()),
-                false => (SECONDARY, small(Role::Ink)),
+                true => (2.8, label(Ink).strong()),
+                false => (SECONDARY, small(Ink)),
             };
             pen.arrow([BUTT, y], [touch - 1.0, y], inked(width));
             let name = short(height, 2);
-            pen.text([BUTT - 6.0, y + 5.0], Anchor::End, &name, lettering);
+            pen.text([BUTT - 6.0, y + 5.0], End, &name, lettering);
 
             let dial = [DIAL, y];
             let hand = FRAC_PI_2 - rim_speed;
@@ -141,47 +130,47 @@ pub fn billiard(values: &Values) -> Result<Figure> {
             if rim_speed != 0.0 {
                 let mut sector = arc(dial, 9.8, FRAC_PI_2, hand);
                 sector.push(dial);
-                pen.fill(&sector, Role::Omega, 0.25);
+                pen.fill(&sector, Omega, 0.25);
             }
             let up = [dial, polar(dial, 9.8, FRAC_PI_2)];
-            pen.line(&up, inked(AXIS));
-            pen.line(&[dial, polar(dial, 9.8, hand)], stroke(Role::Omega, DATA));
+            pen.line(up, inked(AXIS));
+            pen.line([dial, polar(dial, 9.8, hand)], stroke(Omega, DATA));
             if rolls {
-                pen.disc(tip(shot), 5.5, Role::Ink, 1.0);
+                pen.dot(tip(shot), 5.5);
             } else {
                 pen.arrow([ZERO, y], tip(shot), inked(DATA));
             }
         }
-        pen.label([10.0, 30.0], Anchor::Start, "*H*/*R*");
-        pen.text([DIAL, 30.0], Anchor::Middle, "spin", label(Role::Omega));
-        pen.label([ZERO, 30.0], Anchor::Middle, "slip / *V*\u{2032}");
+        pen.label([10.0, 30.0], Start, "*H*/*R*");
+        pen.text([DIAL, 30.0], Middle, "spin", label(Omega));
+        pen.label([ZERO, 30.0], Middle, "slip / *V*\u{2032}");
         // Arrows go to the right below the height of rolling, to the left above it: words stand on the other side.
         let remark = |x: f64, y: f64, anchor| ([x, y], anchor);
         let slow = level(0.5 * (1.0 + sweet));
         let back = level(0.5);
         for ((at, anchor), text) in [
             (
-                remark(ZERO + 14.0, level(2.0) + 2.0, Anchor::Start),
+                remark(ZERO + 14.0, level(2.0) + 2.0, Start),
                 "turns too fast",
             ),
-            (remark(ZERO - 6.0, slow - 3.0, Anchor::End), "turns"),
-            (remark(ZERO - 6.0, slow + 13.0, Anchor::End), "too slowly"),
-            (remark(ZERO - 6.0, back - 3.0, Anchor::End), "turns"),
-            (remark(ZERO - 6.0, back + 13.0, Anchor::End), "backwards"),
+            (remark(ZERO - 6.0, slow - 3.0, End), "turns"),
+            (remark(ZERO - 6.0, slow + 13.0, End), "too slowly"),
+            (remark(ZERO - 6.0, back - 3.0, End), "turns"),
+            (remark(ZERO - 6.0, back + 13.0, End), "backwards"),
         ] {
             pen.note(at, anchor, text);
         }
         let rolls = [ZERO + 14.0, level(sweet) - 6.0];
-        pen.text(rolls, Anchor::Start, "rolls", label(Role::Ink).strong());
+        pen.text(rolls, Start, "rolls", label(Ink).strong());
         let [left, right] = [high[1].min(-1.0), low[1].max(1.0)];
         let slips = Axis::linear([left, right], [ZERO + speed * left, ZERO + speed * right]);
         for (slip, text) in slips.ticks(40.0) {
             let x = slips.at(slip);
             let mark = [[x, CONTACT[1]], [x, CONTACT[1] + 5.0]];
-            pen.line(&mark, inked(AXIS));
-            pen.note([x, CONTACT[1] + 23.0], Anchor::Middle, &text);
+            pen.line(mark, inked(AXIS));
+            pen.note([x, CONTACT[1] + 23.0], Middle, &text);
         }
     });
-    let columns = ["height of the cue (R)", "slip (V')", "rim speed (V')"];
-    Ok(made.data("ball", &columns, shots.iter().map(|shot| shot.to_vec())))
+    let columns = "height of the cue (R) | slip (V') | rim speed (V')";
+    Ok(made.data("ball", columns, shots))
 }

@@ -61,34 +61,25 @@ pub fn prices() -> Result<Figure> {
     let stays = cells.iter().filter(|cell| cell.evaluations == 0).count();
     let height = TOP + ROW * cells.len() as f64 + GAP * kinds as f64 + 14.0;
     let machine = PRICES.lines().next().unwrap_or_default();
-    let words = Words {
-        claim: "An effect is paid for only where it is called for, and most of them never need an integrator.".to_owned(),
-        details: format!(
-            "Every kind of scene with each of its effects: the time to follow one second to $10^{{-9}}$, reading the file included, without the \
-             effect (ring) and with it (disc), on a logarithmic scale. At the margin the time with it, and how it is found: one closed form \
-             for all times, closed forms from event to event, or so many evaluations of the right-hand side. {stays} of {} effects \
-             never call for an evaluation. No ring: the scene cannot do without the effect. Measured once, least of repeated runs: {}.",
-            cells.len(),
-            machine.trim_start_matches(['#', ' ']),
-        ),
-        alt: format!(
-            "A table in {kinds} blocks, one a kind of scene, with a line for each of its effects. On each line a ring shows the time without \
-             the effect and a disc the time with it. For {stays} of {} lines the disc stays within some hundredths of a millisecond. For tops \
-             gravity keeps it there, and every kind of friction moves it to the right by a decade and more.",
-            cells.len()
-        ),
-    };
+    let (count, measured) = (cells.len(), machine.trim_start_matches(['#', ' ']));
+    let words = words!(
+        "An effect is paid for only where it is called for, and most of them never need an integrator.",
+        "Every kind of scene with each of its effects: the time to follow one second to $10^{{-9}}$, reading the file included, without the \
+         effect (ring) and with it (disc), on a logarithmic scale. At the margin the time with it, and how it is found: one closed form \
+         for all times, closed forms from event to event, or so many evaluations of the right-hand side. {stays} of {count} effects \
+         never call for an evaluation. No ring: the scene cannot do without the effect. Measured once, least of repeated runs: {measured}.",
+        "A table in {kinds} blocks, one a kind of scene, with a line for each of its effects. On each line a ring shows the time without \
+         the effect and a disc the time with it. For {stays} of {count} lines the disc stays within some hundredths of a millisecond. For tops \
+         gravity keeps it there, and every kind of friction moves it to the right by a decade and more."
+    );
     Ok(figure("scene-prices", height, words, |pen| {
         head(pen, height);
         let mut y = TOP;
         for block in cells.chunk_by(|a, b| a.kind == b.kind) {
             y += GAP;
-            pen.line(
-                &[[8.0, y - 5.0], [592.0, y - 5.0]],
-                stroke(Role::Muted, HAIR),
-            );
+            pen.line([[8.0, y - 5.0], [592.0, y - 5.0]], muted(HAIR));
             if let Some(cell) = block.first() {
-                pen.label([8.0, y + 14.0], Anchor::Start, cell.kind);
+                pen.label([8.0, y + 14.0], Start, cell.kind);
             }
             for cell in block {
                 row(pen, cell, y + 9.0);
@@ -101,32 +92,32 @@ pub fn prices() -> Result<Figure> {
 fn head(pen: &mut Pen, height: f64) {
     for (milliseconds, text) in DECADES {
         let x = across(milliseconds);
-        pen.remark([x, 40.0], Anchor::Middle, text);
+        pen.remark([x, 40.0], Middle, text);
         pen.line(
-            &[[x, 50.0], [x, height - 12.0]],
-            stroke(Role::Muted, HAIR).alpha(0.5).dotted(),
+            [[x, 50.0], [x, height - 12.0]],
+            muted(HAIR).alpha(0.5).dotted(),
         );
     }
     for (x, anchor, text) in [
-        (0.5 * (AXIS[0] + AXIS[1]), Anchor::Middle, "ms a second"),
-        (MARGIN[0], Anchor::End, "ms"),
-        (MARGIN[1], Anchor::End, "evaluations"),
+        (0.5 * (AXIS[0] + AXIS[1]), Middle, "ms a second"),
+        (MARGIN[0], End, "ms"),
+        (MARGIN[1], End, "evaluations"),
     ] {
         pen.note([x, 18.0], anchor, text);
     }
 }
 
 fn row(pen: &mut Pen, cell: &Cell, y: f64) {
-    pen.note([108.0, y + 5.0], Anchor::Start, &cell.effect);
+    pen.note([108.0, y + 5.0], Start, &cell.effect);
     let with = across(cell.with);
     if let Some(without) = cell.without.map(across) {
         let step = if with < without { -6.0 } else { 6.0 };
         if (with - without).abs() > 8.0 {
-            pen.line(&[[without + step, y], [with, y]], inked(SECONDARY));
+            pen.line([[without + step, y], [with, y]], inked(SECONDARY));
         }
-        pen.ring([without, y], 6.0, stroke(Role::Muted, SECONDARY));
+        pen.ring([without, y], 6.0, muted(SECONDARY));
     }
-    pen.disc([with, y], 3.6, Role::Ink, 1.0);
+    pen.dot([with, y], 3.6);
     let how = match (cell.solver, cell.evaluations) {
         ("exact", _) => "closed form".to_owned(),
         (solver, 0) => solver.to_owned(),
@@ -134,7 +125,7 @@ fn row(pen: &mut Pen, cell: &Cell, y: f64) {
     };
     let time = format!("{:.*}", if cell.with < 1.0 { 2 } else { 1 }, cell.with);
     for (x, text) in MARGIN.into_iter().zip([time, how]) {
-        pen.note([x, y + 5.0], Anchor::End, &text);
+        pen.note([x, y + 5.0], End, &text);
     }
 }
 

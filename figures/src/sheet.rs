@@ -68,24 +68,6 @@ pub fn speeds(values: &Values) -> Result<Figure> {
             number(1e3 * event.time, 0)
         )
     });
-    let words = Words {
-        claim,
-        details: format!(
-            "A sheet jerked away at {} m/s, friction $\\mu = {}$ on it and {} on the table, $I = {}\\,MR^2$. On the sheet friction drives the ball forward and spins it backward;{} off it, after {} ms, the table's friction does \
-             the opposite, in the same proportion. Rim speed and velocity stay in the ratio −{} to 1 throughout, so both are zero after {} ms, {} mm from the start. \
-             Below: the slip of the contact point over whatever it touches.",
-            short(values.of(&PULL), 2),
-            short(values.of(&ON_SHEET), 2),
-            short(values.of(&ON_TABLE), 2),
-            short(kappa, 3),
-            rolling,
-            number(1e3 * leaves, 1),
-            short(1.0 / kappa, 2),
-            number(1e3 * stops, 0),
-            number(1e3 * place, 1),
-        ),
-        alt: String::new(),
-    };
     let until = 1.16 * stops;
     // What happens, and the moments next to a jump of the slip.
     let mut corners = vec![0.0, JERK.min(leaves), leaves * (1.0 - 1e-12), until];
@@ -94,17 +76,21 @@ pub fn speeds(values: &Values) -> Result<Figure> {
     let slips: Vec<f64> = corners.iter().map(|&t| course.at(t).slip).collect();
     let least = slips.iter().copied().fold(0.0, f64::min);
     let most = slips.iter().copied().fold(0.0, f64::max);
-    let words = Words {
-        alt: format!(
-            "Two graphs against time. Above: velocity rises in a straight line to {} metres a second while the rim speed falls to {}; when the sheet has gone, both return in straight \
-             lines to zero at the same moment. Below: the slip goes down to {}, jumps to {} as the sheet leaves, and ends at zero at that moment.",
-            number(then.velocity, 2),
-            number(then.rim_speed, 2),
-            number(least, 1),
-            number(most, 1),
-        ),
-        ..words
-    };
+    let [pull, on_sheet, on_table] =
+        [PULL, ON_SHEET, ON_TABLE].map(|one| short(values.of(&one), 2));
+    let (inertia, ratio) = (short(kappa, 3), short(1.0 / kappa, 2));
+    let [gone, way] = numbers([1e3 * leaves, 1e3 * place], 1);
+    let end = number(1e3 * stops, 0);
+    let [velocity, rim] = numbers([then.velocity, then.rim_speed], 2);
+    let [lowest, highest] = numbers([least, most], 1);
+    let words = words!(
+        "{claim}",
+        "A sheet jerked away at {pull} m/s, friction $\\mu = {on_sheet}$ on it and {on_table} on the table, $I = {inertia}\\,MR^2$. On the sheet friction drives the ball forward and spins it backward;{rolling} off it, after {gone} ms, the table's friction does \
+         the opposite, in the same proportion. Rim speed and velocity stay in the ratio −{ratio} to 1 throughout, so both are zero after {end} ms, {way} mm from the start. \
+         Below: the slip of the contact point over whatever it touches.",
+        "Two graphs against time. Above: velocity rises in a straight line to {velocity} metres a second while the rim speed falls to {rim}; when the sheet has gone, both return in straight \
+         lines to zero at the same moment. Below: the slip goes down to {lowest}, jumps to {highest} as the sheet leaves, and ends at zero at that moment."
+    );
     let time = Axis::linear([0.0, until], [66.0, 580.0]);
     let (fastest, slowest) = (then.velocity, then.rim_speed);
     let high = Axis::linear([slowest, fastest], [210.0, 52.0]);
@@ -119,41 +105,41 @@ pub fn speeds(values: &Values) -> Result<Figure> {
             [edge, bottom],
             [x(0.0), bottom],
         ];
-        pen.fill(&shade, Role::Ink, 0.06);
+        pen.fill(shade, Ink, 0.06);
         // Beside each other if both fit, else one above the other.
         let (on, off) = ("on the sheet", "on the table");
         if edge - x(0.0) > 100.0 {
-            pen.note([x(0.0) + 8.0, 32.0], Anchor::Start, on);
-            pen.note([edge + 10.0, 32.0], Anchor::Start, off);
+            pen.note([x(0.0) + 8.0, 32.0], Start, on);
+            pen.note([edge + 10.0, 32.0], Start, off);
         } else {
             let text = format!("grey: {on}; then {off}");
-            pen.note([edge + 10.0, 32.0], Anchor::Start, &text);
+            pen.note([edge + 10.0, 32.0], Start, &text);
         }
         for y in [upper(0.0), lower(0.0)] {
-            pen.line(&[[x(0.0), y], [x(until), y]], inked(AXIS));
+            pen.line([[x(0.0), y], [x(until), y]], inked(AXIS));
         }
-        pen.line(&[[x(0.0), 14.0], [x(0.0), bottom]], inked(AXIS));
+        pen.line([[x(0.0), 14.0], [x(0.0), bottom]], inked(AXIS));
         pen.line(
-            &[[x(stops), upper(0.0) - 20.0], [x(stops), bottom]],
+            [[x(stops), upper(0.0) - 20.0], [x(stops), bottom]],
             inked(HAIR).dashed(),
         );
         for axis in [&high, &low] {
             for (value, text) in axis.ticks(26.0) {
                 let y = axis.at(value);
-                pen.line(&[[x(0.0) - 4.0, y], [x(0.0), y]], inked(AXIS));
-                pen.note([x(0.0) - 8.0, y + 5.0], Anchor::End, &text);
+                pen.line([[x(0.0) - 4.0, y], [x(0.0), y]], inked(AXIS));
+                pen.note([x(0.0) - 8.0, y + 5.0], End, &text);
             }
         }
-        pen.note([8.0, 24.0], Anchor::Start, "m/s");
+        pen.note([8.0, 24.0], Start, "m/s");
         let milliseconds = Axis::linear([0.0, 1e3 * until], time.ends);
         for (t, text) in milliseconds.ticks(80.0).into_iter().skip(1) {
             let x = milliseconds.at(t);
-            pen.line(&[[x, bottom - 3.0], [x, bottom + 3.0]], inked(AXIS));
+            pen.line([[x, bottom - 3.0], [x, bottom + 3.0]], inked(AXIS));
             if x < 535.0 {
-                pen.note([x, bottom + 20.0], Anchor::Middle, &text);
+                pen.note([x, bottom + 20.0], Middle, &text);
             }
         }
-        pen.note([x(until), bottom + 20.0], Anchor::End, "ms");
+        pen.note([x(until), bottom + 20.0], End, "ms");
         let velocity: Vec<_> = corners
             .iter()
             .map(|&t| [x(t), upper(course.at(t).velocity)])
@@ -163,12 +149,12 @@ pub fn speeds(values: &Values) -> Result<Figure> {
             .map(|&t| [x(t), upper(course.at(t).rim_speed)])
             .collect();
         pen.line(&velocity, inked(2.6));
-        pen.line(&rim, stroke(Role::Omega, 2.6));
+        pen.line(&rim, stroke(Omega, 2.6));
         // Beside the longer of the two slopes.
         let after = stops - leaves > leaves;
         let (from, to, anchor) = match after {
-            true => (leaves, stops, Anchor::Start),
-            false => (leaves, rolls.map_or(0.0, |event| event.time), Anchor::End),
+            true => (leaves, stops, Start),
+            false => (leaves, rolls.map_or(0.0, |event| event.time), End),
         };
         let side = if after { 8.0 } else { -8.0 };
         let beside = |v: fn(&Moment) -> f64| {
@@ -181,38 +167,28 @@ pub fn speeds(values: &Values) -> Result<Figure> {
             [at_rim[0] + side, at_rim[1] + 16.0],
             anchor,
             "*R*\u{03a9}",
-            label(Role::Omega),
+            label(Omega),
         );
-        pen.note(
-            [x(stops) + 6.0, upper(0.0) + 20.0],
-            Anchor::Start,
-            "both zero",
-        );
+        pen.note([x(stops) + 6.0, upper(0.0) + 20.0], Start, "both zero");
         let slip: Vec<_> = corners
             .iter()
             .zip(&slips)
             .map(|(&t, &u)| [x(t), lower(u)])
             .collect();
         pen.line(&slip, inked(DATA));
-        pen.label([edge + 10.0, lower(0.0) + 24.0], Anchor::Start, "slip");
+        pen.label([edge + 10.0, lower(0.0) + 24.0], Start, "slip");
         pen.line(
-            &[[x(0.0), 232.0], [x(until), 232.0]],
+            [[x(0.0), 232.0], [x(until), 232.0]],
             inked(SECONDARY).alpha(0.15),
         );
     });
     let rows = corners.iter().map(|&t| {
         let m = course.at(t);
-        vec![t, m.velocity, m.rim_speed, m.slip, m.position]
+        [t, m.velocity, m.rim_speed, m.slip, m.position]
     });
-    let columns = [
-        "time (s)",
-        "velocity (m/s)",
-        "rim speed (m/s)",
-        "slip (m/s)",
-        "place (m)",
-    ];
+    let columns = "time (s) | velocity (m/s) | rim speed (m/s) | slip (m/s) | place (m)";
     Ok(made
-        .data("ball", &columns, rows)
+        .data("ball", columns, rows)
         .value("way", number(1e3 * place, 0)))
 }
 
@@ -231,21 +207,18 @@ const FIRST: f64 = 352.0;
 pub fn animated() -> Result<Figure> {
     let course = withdrawn(&Values::default(), 0.4)?;
     let place = course.at(LASTS).position;
-    let words = Words {
-        claim: "The sheet goes, the ball moves a little, and stops dead.".to_owned(),
-        details: format!(
-            "A ball of 2 cm radius on a sheet that is jerked to the right at 3 m/s, twenty times slower than life. While the sheet is under it, it is dragged along and spun backward; \
-             the table undoes both at once. It ends {} mm from where it began (the mark). Point at the picture to hold it.",
-            number(1e3 * place, 1)
-        ),
-        alt: "A ball with a clock hand on a sheet of paper. The sheet slides out to the right; the ball creeps right while turning backward, the sheet's edge passes, and the ball \
-              comes to rest, neither moving nor turning. Without motion: the ball as the sheet's edge comes."
-            .to_owned(),
-    };
+    let millimetres = number(1e3 * place, 1);
+    let words = words!(
+        "The sheet goes, the ball moves a little, and stops dead.",
+        "A ball of 2 cm radius on a sheet that is jerked to the right at 3 m/s, twenty times slower than life. While the sheet is under it, it is dragged along and spun backward; \
+         the table undoes both at once. It ends {millimetres} mm from where it began (the mark). Point at the picture to hold it.",
+        "A ball with a clock hand on a sheet of paper. The sheet slides out to the right; the ball creeps right while turning backward, the sheet's edge passes, and the ball \
+         comes to rest, neither moving nor turning. Without motion: the ball as the sheet's edge comes."
+    );
     let still = figure(NAME, 160.0, words, |pen| {
-        pen.line(&[[8.0, TABLE], [592.0, TABLE]], inked(SECONDARY));
-        pen.line(&[[FIRST, TABLE], [FIRST, TABLE + 18.0]], inked(AXIS));
-        pen.note([FIRST, TABLE + 36.0], Anchor::Middle, "began here");
+        pen.line([[8.0, TABLE], [592.0, TABLE]], inked(SECONDARY));
+        pen.line([[FIRST, TABLE], [FIRST, TABLE + 18.0]], inked(AXIS));
+        pen.note([FIRST, TABLE + 36.0], Middle, "began here");
     });
     let frame = |n: usize| {
         let t = LASTS * n as f64 / PICTURES as f64;

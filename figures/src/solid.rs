@@ -1,8 +1,12 @@
 //! Bodies in the plane of the paper: orthographic projection, and what hides what.
 
 use nalgebra::Vector3;
+use spinning_bodies::frame::{Attitude, BodyVector};
 
 use crate::style::*;
+
+/// A point or a vector: m along the axes of a body or of space, z upward; or rad/s, or kg m²/s.
+pub type Vector = Vector3<f64>;
 
 /// Strength of lines that lie behind or inside a body.
 pub const HIDDEN: f64 = 0.26;
@@ -11,11 +15,11 @@ pub const HIDDEN: f64 = 0.26;
 #[derive(Debug, Clone, Copy)]
 pub struct View {
     /// Unit vector to the right of the paper.
-    pub right: Vector3<f64>,
+    pub right: Vector,
     /// Unit vector upward on the paper.
-    pub up: Vector3<f64>,
+    pub up: Vector,
     /// Unit vector towards the eye.
-    pub toward: Vector3<f64>,
+    pub toward: Vector,
     center: Point,
     scale: f64,
 }
@@ -26,9 +30,9 @@ impl View {
         let (sa, ca) = azimuth.sin_cos();
         let (se, ce) = elevation.sin_cos();
         Self {
-            right: Vector3::new(-sa, ca, 0.0),
-            up: Vector3::new(-se * ca, -se * sa, ce),
-            toward: Vector3::new(ce * ca, ce * sa, se),
+            right: Vector::new(-sa, ca, 0.0),
+            up: Vector::new(-se * ca, -se * sa, ce),
+            toward: Vector::new(ce * ca, ce * sa, se),
             center,
             scale,
         }
@@ -38,7 +42,7 @@ impl View {
     /// not more than `most` units to one, in its middle.
     pub fn fitted(
         [azimuth, elevation]: [f64; 2],
-        points: &[Vector3<f64>],
+        points: &[Vector],
         [left, top, right, bottom]: [f64; 4],
         most: f64,
     ) -> Self {
@@ -63,7 +67,7 @@ impl View {
     }
 
     /// The same with this point of space in this place of the paper.
-    pub fn centered_on(mut self, point: &Vector3<f64>, place: Point) -> Self {
+    pub fn centered_on(mut self, point: &Vector, place: Point) -> Self {
         let [x, y] = self.project(point);
         self.center[0] += place[0] - x;
         self.center[1] += place[1] - y;
@@ -76,7 +80,7 @@ impl View {
     }
 
     /// Where a point of space is drawn.
-    pub fn project(&self, point: &Vector3<f64>) -> Point {
+    pub fn project(&self, point: &Vector) -> Point {
         [
             self.center[0] + self.scale * self.right.dot(point),
             self.center[1] - self.scale * self.up.dot(point),
@@ -84,15 +88,15 @@ impl View {
     }
 
     /// The points of a curve, drawn.
-    pub fn trace(&self, points: &[Vector3<f64>]) -> Vec<Point> {
+    pub fn trace(&self, points: &[Vector]) -> Vec<Point> {
         points.iter().map(|p| self.project(p)).collect()
     }
 
     /// The curve cut where it goes into hiding: visible pieces, then hidden ones.
     pub fn split(
         &self,
-        points: &[Vector3<f64>],
-        visible: impl Fn(&Vector3<f64>) -> bool,
+        points: &[Vector],
+        visible: impl Fn(&Vector) -> bool,
     ) -> [Vec<Vec<Point>>; 2] {
         let mut pieces = [Vec::new(), Vec::new()];
         let mut piece: Vec<Point> = Vec::new();
@@ -115,6 +119,16 @@ impl View {
         }
         pieces
     }
+
+    /// Whether a point of a sphere about the origin is on this side of it.
+    pub fn faces(&self, point: &Vector) -> bool {
+        point.dot(&self.toward) > 0.0
+    }
+
+    /// The pieces of a curve on a sphere about the origin that are in front, and those behind.
+    pub fn halves(&self, curve: &[Vector]) -> [Vec<Vec<Point>>; 2] {
+        self.split(curve, |p| self.faces(p))
+    }
 }
 
 /// Leaves of a straight piece only its ends.
@@ -123,26 +137,21 @@ fn straighten(piece: &mut Vec<Point>) {
         return;
     };
     let off = |p: &Point| (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
-    let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+    let length = distance(b, a);
     if length > 1.0 && piece.iter().all(|p| off(p).abs() < 1e-6 * length) {
         *piece = vec![a, b];
     }
 }
 
 /// `steps + 1` points from `a` to `b`.
-pub fn segment(a: Vector3<f64>, b: Vector3<f64>, steps: usize) -> Vec<Vector3<f64>> {
+pub fn segment(a: Vector, b: Vector, steps: usize) -> Vec<Vector> {
     (0..=steps)
         .map(|k| a + (b - a) * (k as f64 / steps as f64))
         .collect()
 }
 
 /// The closed ellipse with conjugate half axes `u` and `v`.
-pub fn ellipse(
-    center: Vector3<f64>,
-    u: Vector3<f64>,
-    v: Vector3<f64>,
-    steps: usize,
-) -> Vec<Vector3<f64>> {
+pub fn ellipse(center: Vector, u: Vector, v: Vector, steps: usize) -> Vec<Vector> {
     (0..=steps)
         .map(|k| {
             let (s, c) = (core::f64::consts::TAU * k as f64 / steps as f64).sin_cos();
@@ -151,8 +160,33 @@ pub fn ellipse(
         .collect()
 }
 
+/// A place in a body, in space.
+pub fn turned(attitude: &Attitude, place: Vector) -> Vector {
+    let place = BodyVector::from_components(place);
+    attitude.to_space(place).components()
+}
+
+/// The axes of a body, in space.
+pub fn axes(attitude: &Attitude) -> [Vector; 3] {
+    [Vector::x(), Vector::y(), Vector::z()].map(|axis| turned(attitude, axis))
+}
+
+/// A level circle so high about the vertical through the origin.
+pub fn latitude(height: f64, radius: f64, steps: usize) -> Vec<Vector> {
+    let [x, y, z] = [Vector::x(), Vector::y(), Vector::z()];
+    ellipse(z * height, x * radius, y * radius, steps)
+}
+
+/// Where an ellipsoid of these half axes, its own, is seen edge on.
+pub fn rim(semi: &Vector, toward: &Vector, steps: usize) -> Vec<Vector> {
+    let n = toward.component_div(semi).normalize();
+    let u = n.cross(&Vector::z()).normalize();
+    let sides = [u, n.cross(&u)].map(|side| side.component_mul(semi));
+    ellipse(Vector::zeros(), sides[0], sides[1], steps)
+}
+
 /// Whether the line of sight from `point` to the eye meets the box with these half edges.
-pub fn box_hides(half: &Vector3<f64>, point: &Vector3<f64>, toward: &Vector3<f64>) -> bool {
+pub fn box_hides(half: &Vector, point: &Vector, toward: &Vector) -> bool {
     let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
     for k in 0..3 {
         let (a, b) = (
@@ -166,7 +200,7 @@ pub fn box_hides(half: &Vector3<f64>, point: &Vector3<f64>, toward: &Vector3<f64
 }
 
 /// Whether the line of sight from `point` to the eye meets the ellipsoid with these half axes.
-pub fn ellipsoid_hides(half: &Vector3<f64>, point: &Vector3<f64>, toward: &Vector3<f64>) -> bool {
+pub fn ellipsoid_hides(half: &Vector, point: &Vector, toward: &Vector) -> bool {
     let (p, d) = (point.component_div(half), toward.component_div(half));
     let (a, b, c) = (d.dot(&d), p.dot(&d), p.dot(&p) - 1.0);
     let discriminant = b * b - a * c;
@@ -197,14 +231,14 @@ pub fn hull(points: &[Point]) -> Vec<Point> {
 }
 
 /// A body with flat faces, corners anticlockwise as seen from outside: faces towards the eye are shaded by their slope.
-pub fn polyhedron(pen: &mut Pen, view: &View, faces: &[Vec<Vector3<f64>>]) {
-    let light = Vector3::new(0.25, -0.55, 0.8);
+pub fn polyhedron(pen: &mut Pen, view: &View, faces: &[Vec<Vector>]) {
+    let light = Vector::new(0.25, -0.55, 0.8);
     for face in faces {
         let normal = (face[1] - face[0]).cross(&(face[2] - face[0])).normalize();
         let outline = view.trace(face);
-        if normal.dot(&view.toward) > 0.0 {
+        if view.faces(&normal) {
             let shade = 0.03 + 0.17 * (1.0 - normal.dot(&light)) / 2.0;
-            pen.fill(&outline, Role::Ink, shade);
+            pen.fill(&outline, Ink, shade);
             pen.outline(&outline, inked(SECONDARY));
         } else {
             pen.outline(&outline, inked(HAIR).alpha(HIDDEN));

@@ -45,19 +45,19 @@ fn tugged(pen: &mut Pen, spool: &Spool, ratio: f64, x: f64, angle: f64) -> Resul
     let touch = [x - r * sin, center[1] + r * cos];
     let along = |from: Point, way: f64| [from[0] - way * cos, from[1] - way * sin];
     let foot = [x - spool.foot_of_the_line(angle)? / 0.05 * RADIUS, GROUND];
-    pen.disc(center, RADIUS, Role::Shade, 0.6);
+    pen.disc(center, RADIUS, Shade, 0.6);
     pen.ring(center, RADIUS, inked(DATA));
     pen.ring(center, r, inked(SECONDARY));
     let shown = (foot[0] - x).abs() < 105.0;
     let end = if shown { foot } else { along(touch, -98.0) };
-    pen.line(&[touch, end], inked(AXIS).dotted());
+    pen.line([touch, end], inked(AXIS).dotted());
     pen.arrow(touch, along(touch, 98.0), inked(2.6));
-    pen.disc(center, 2.2, Role::Ink, 1.0);
-    pen.disc(contact, 5.0, Role::Torque, 1.0);
+    pen.dot(center, 2.2);
+    pen.disc(contact, 5.0, Torque, 1.0);
     let tip = along(touch, 98.0);
     pen.note(
         [(tip[0] - 2.0).max(24.0), tip[1] - 9.0],
-        Anchor::Middle,
+        Middle,
         &degrees(angle),
     );
     let below = GROUND + 26.0;
@@ -68,7 +68,7 @@ fn tugged(pen: &mut Pen, spool: &Spool, ratio: f64, x: f64, angle: f64) -> Resul
         Way::PaysOut => (-30.0, 30.0),
     };
     pen.arrow([x + from, below], [x + to, below], inked(2.8));
-    pen.note([x, below + 24.0], Anchor::Middle, told(way));
+    pen.note([x, below + 24.0], Middle, told(way));
     Ok(())
 }
 
@@ -117,31 +117,21 @@ pub fn three_tugs(values: &Values) -> Result<Figure> {
             told(steep)
         ),
     };
-    let words = Words {
-        claim,
-        details: format!(
-            "Axle {} of the discs, string leaving from below, tug to the left at {}, {} and {} (the tutorial's pictures f, e \
-             and g). Dotted: the line of force, prolonged. Purple: the point of contact, about which friction has no moment. The arrow below: \
-             the way the spool rolls.",
-            number(values.of(&AXLE), 2),
-            named[0],
-            named[1],
-            named[2],
-        ),
-        alt: format!(
-            "Three spools tugged to the left, and for each the prolonged line of force. At {} the spool {}. At {} the line passes through the point \
-             of contact, and the spool does not roll. At {} it {}. The line that meets the ground on the far side winds the string up, the one that \
-             meets it on the tug's side pays it out.",
-            named[0],
-            told(low),
-            named[1],
-            named[2],
-            told(steep)
-        ),
-    };
+    let axle = number(values.of(&AXLE), 2);
+    let [first, second, third] = &named;
+    let [low, steep] = [low, steep].map(told);
+    let words = words!(
+        "{claim}",
+        "Axle {axle} of the discs, string leaving from below, tug to the left at {first}, {second} and {third} (the tutorial's pictures f, e \
+         and g). Dotted: the line of force, prolonged. Purple: the point of contact, about which friction has no moment. The arrow below: \
+         the way the spool rolls.",
+        "Three spools tugged to the left, and for each the prolonged line of force. At {first} the spool {low}. At {second} the line passes through the point \
+         of contact, and the spool does not roll. At {third} it {steep}. The line that meets the ground on the far side winds the string up, the one that \
+         meets it on the tug's side pays it out."
+    );
     let mut drawn = Ok(());
     let made = figure("spool", 276.0, words, |pen| {
-        pen.line(&[[8.0, GROUND], [592.0, GROUND]], inked(SECONDARY));
+        pen.line([[8.0, GROUND], [592.0, GROUND]], inked(SECONDARY));
         drawn = [124.0, 322.0, 494.0]
             .into_iter()
             .zip(angles)
@@ -150,11 +140,11 @@ pub fn three_tugs(values: &Values) -> Result<Figure> {
     drawn?;
     let rows = angles
         .into_iter()
-        .map(|angle| Ok(vec![angle.to_degrees(), spool.foot_of_the_line(angle)?]))
+        .map(|angle| Ok([angle.to_degrees(), spool.foot_of_the_line(angle)?]))
         .collect::<Result<Vec<_>>>()?;
     // A level tug has no foot.
     let rows = rows.into_iter().filter(|row| row[1].is_finite());
-    Ok(made.data("tug", &["angle (°)", "foot of the line (m)"], rows))
+    Ok(made.data("tug", "angle (°) | foot of the line (m)", rows))
 }
 
 /// The hub of the dial, its inner radius, and the longest ray, units.
@@ -184,86 +174,66 @@ pub fn dial(values: &Values) -> Result<Figure> {
         .collect::<Result<Vec<_>>>()?;
     let level = at(0.0)?;
     let back = at(PI)?;
-    let words = Words {
-        claim: format!(
-            "The spool comes for every tug lower than {degrees} degrees, runs away from a steeper one, and follows a hand beyond the vertical."
-        ),
-        details: format!(
-            "Acceleration of a spool with $r/R = {}$, $M = 200$ g, $I = \\frac12MR^2$, tugged gently to the left with {tension} N, and steeper and steeper \
-             until the hand is on the right. Each ray points along the tug and is as long as the acceleration is large. Black: the spool rolls to the left and \
-             winds string up, {} m/s² at most. Grey: it rolls to the right and pays string out, up to {} m/s² when the string is pulled back over the axle.",
-            number(values.of(&AXLE), 2),
-            number(level, 1),
-            number(-back, 1),
-        ),
-        alt: format!(
-            "A half dial of rays over a spool, one every five degrees, counted from the left. Black rays on the left shrink from {} at 0 degrees to nothing at {degrees} \
-             degrees; grey rays grow from there over {} at 90 degrees, where the spool runs away from the hand, to {} at 180 degrees, where it follows the hand.",
-            number(level, 1),
-            number(-at(PI / 2.0)?, 1),
-            number(-back, 1),
-        ),
-    };
+    let axle = number(values.of(&AXLE), 2);
+    let [most, away, after] = numbers([level, -at(PI / 2.0)?, -back], 1);
+    let words = words!(
+        "The spool comes for every tug lower than {degrees} degrees, runs away from a steeper one, and follows a hand beyond the vertical.",
+        "Acceleration of a spool with $r/R = {axle}$, $M = 200$ g, $I = \\frac12MR^2$, tugged gently to the left with {tension} N, and steeper and steeper \
+         until the hand is on the right. Each ray points along the tug and is as long as the acceleration is large. Black: the spool rolls to the left and \
+         winds string up, {most} m/s² at most. Grey: it rolls to the right and pays string out, up to {after} m/s² when the string is pulled back over the axle.",
+        "A half dial of rays over a spool, one every five degrees, counted from the left. Black rays on the left shrink from {most} at 0 degrees to nothing at {degrees} \
+         degrees; grey rays grow from there over {away} at 90 degrees, where the spool runs away from the hand, to {after} at 180 degrees, where it follows the hand."
+    );
     let unit = LONGEST / back.abs();
     let made = figure("spool-dial", 330.0, words, |pen| {
-        pen.disc(HUB, 44.0, Role::Shade, 0.6);
+        pen.disc(HUB, 44.0, Shade, 0.6);
         pen.ring(HUB, 44.0, inked(DATA));
         pen.ring(HUB, 44.0 * values.of(&AXLE), inked(SECONDARY));
         pen.line(
-            &[[20.0, HUB[1] + 44.0], [580.0, HUB[1] + 44.0]],
+            [[20.0, HUB[1] + 44.0], [580.0, HUB[1] + 44.0]],
             inked(SECONDARY),
         );
         pen.arc(HUB, INNER, 0.0, PI, inked(HAIR));
         for &(angle, a) in &rays {
             let ray = [place(INNER, angle), place(INNER + unit * a.abs(), angle)];
-            let role = if a > 0.0 { Role::Ink } else { Role::Muted };
-            pen.line(&ray, stroke(role, DATA));
+            let role = if a > 0.0 { Ink } else { Muted };
+            pen.line(ray, stroke(role, DATA));
         }
         let outside = place(INNER + 62.0, critical);
         pen.line(
-            &[place(44.0, critical), outside],
-            stroke(Role::Torque, 1.4).dotted(),
+            [place(44.0, critical), outside],
+            stroke(Torque, 1.4).dotted(),
         );
         let name = place(INNER + 72.0, critical);
         pen.text(
             [name[0] + 4.0, name[1] - 16.0],
-            Anchor::End,
+            End,
             "cos θ = *r*/*R*",
-            label(Role::Torque),
+            label(Torque),
         );
         pen.text(
             [name[0] + 4.0, name[1] + 2.0],
-            Anchor::End,
+            End,
             &format!("θ = {degrees}°"),
-            small(Role::Torque),
+            small(Torque),
         );
         // The words stand clear of the rays, however long these are.
         let tip = |k: usize| INNER + unit * rays[k].1.abs();
         let half = ((critical / PI * 18.0).round() as usize).min(18);
         let beside = place(tip(half) + 14.0, rays[half].0);
-        pen.label(beside, Anchor::End, "comes");
+        pen.label(beside, End, "comes");
         let [x, y] = place(tip(18) + 34.0, PI / 2.0);
-        pen.text(
-            [x + 4.0, y.min(76.0)],
-            Anchor::Middle,
-            "runs away",
-            label(Role::Muted),
-        );
-        pen.text(
-            [516.0, 104.0],
-            Anchor::Middle,
-            "follows",
-            label(Role::Muted),
-        );
+        pen.text([x + 4.0, y.min(76.0)], Middle, "runs away", label(Muted));
+        pen.text([516.0, 104.0], Middle, "follows", label(Muted));
         let level = [HUB[0] - tip(0) - 8.0, HUB[1] + 6.0];
-        pen.note(level, Anchor::End, "0°");
+        pen.note(level, End, "0°");
         // Beside the vertical the dotted line takes its place.
         if critical < 1.35 {
             let [x, y] = place(tip(18) + 8.0, PI / 2.0);
-            pen.note([x + 4.0, y], Anchor::End, "90°");
+            pen.note([x + 4.0, y], End, "90°");
         }
-        pen.note([580.0, HUB[1] + 24.0], Anchor::End, "180°");
+        pen.note([580.0, HUB[1] + 24.0], End, "180°");
     });
-    let rows = rays.iter().map(|&(angle, a)| vec![angle.to_degrees(), a]);
-    Ok(made.data("spool", &["angle (°)", "acceleration (m/s²)"], rows))
+    let rows = rays.iter().map(|&(angle, a)| [angle.to_degrees(), a]);
+    Ok(made.data("spool", "angle (°) | acceleration (m/s²)", rows))
 }

@@ -3,10 +3,13 @@
 //! Coordinates are units of the design, 600 wide, y downwards. A backend wants whole numbers, so the canvas is ten times as large
 //! and its view box is scaled back; the finisher does the rest.
 
+use core::borrow::Borrow;
+
 use plotters_backend::BackendCoord;
 
 use crate::Figure;
-pub use crate::canvas::{Anchor, Role};
+pub use crate::canvas::Anchor::{self, End, Middle, Start};
+pub use crate::canvas::Role::{self, AngularMomentum, Ink, Muted, Omega, Paper, Shade, Torque};
 use crate::canvas::{Mark, Paint};
 
 /// Width of every figure, units.
@@ -64,6 +67,11 @@ pub const fn stroke(role: Role, width: f64) -> Stroke {
 /// A solid line of ink.
 pub const fn inked(width: f64) -> Stroke {
     stroke(Role::Ink, width)
+}
+
+/// A stroke of ink that steps back.
+pub const fn muted(width: f64) -> Stroke {
+    stroke(Role::Muted, width)
 }
 
 impl Stroke {
@@ -145,6 +153,18 @@ pub struct Words {
     pub alt: String,
 }
 
+/// The words of a figure: claim, details and alternative text, each a format string that names the numbers in it.
+macro_rules! words {
+    ($claim:literal, $details:literal, $alt:literal) => {
+        $crate::style::Words {
+            claim: format!($claim),
+            details: format!($details),
+            alt: format!($alt),
+        }
+    };
+}
+pub(crate) use words;
+
 /// Draws on a canvas `height` units high: the figure called `name`.
 pub fn figure(
     name: &'static str,
@@ -183,8 +203,9 @@ fn canvas(point: Point) -> BackendCoord {
 }
 
 /// The points on the canvas, without repetitions.
-fn trace(points: &[Point]) -> Vec<BackendCoord> {
-    let mut trace: Vec<BackendCoord> = points.iter().map(|&p| canvas(p)).collect();
+fn trace(points: impl IntoIterator<Item: Borrow<Point>>) -> Vec<BackendCoord> {
+    let points = points.into_iter();
+    let mut trace: Vec<BackendCoord> = points.map(|p| canvas(*p.borrow())).collect();
     trace.dedup();
     trace
 }
@@ -211,7 +232,7 @@ impl Pen {
     }
 
     /// A line through the points.
-    pub fn line(&mut self, points: &[Point], stroke: Stroke) {
+    pub fn line(&mut self, points: impl IntoIterator<Item: Borrow<Point>>, stroke: Stroke) {
         let points = trace(points);
         if points.len() > 1 {
             self.stroked(stroke, Mark::Path(points, stroke.paint()));
@@ -226,14 +247,14 @@ impl Pen {
     }
 
     /// A line through the points and back to the first.
-    pub fn outline(&mut self, points: &[Point], stroke: Stroke) {
-        let mut closed = points.to_vec();
-        closed.extend(points.first());
-        self.line(&closed, stroke);
+    pub fn outline(&mut self, points: impl IntoIterator<Item: Borrow<Point>>, stroke: Stroke) {
+        let mut closed: Vec<Point> = points.into_iter().map(|p| *p.borrow()).collect();
+        closed.extend(closed.first().copied());
+        self.line(closed, stroke);
     }
 
     /// A filled polygon.
-    pub fn fill(&mut self, points: &[Point], role: Role, alpha: f64) {
+    pub fn fill(&mut self, points: impl IntoIterator<Item: Borrow<Point>>, role: Role, alpha: f64) {
         self.filled(|paint| Mark::Polygon(trace(points), paint), role, alpha);
     }
 
@@ -257,6 +278,11 @@ impl Pen {
         self.filled(disc, role, alpha);
     }
 
+    /// A disc of ink.
+    pub fn dot(&mut self, center: Point, radius: f64) {
+        self.disc(center, radius, Role::Ink, 1.0);
+    }
+
     /// A circle.
     pub fn ring(&mut self, center: Point, radius: f64, stroke: Stroke) {
         let ring = Mark::Circle {
@@ -270,16 +296,16 @@ impl Pen {
 
     /// An arc, angles in radians counterclockwise from the right as the reader sees it.
     pub fn arc(&mut self, center: Point, radius: f64, from: f64, to: f64, stroke: Stroke) {
-        self.line(&arc(center, radius, from, to), stroke);
+        self.line(arc(center, radius, from, to), stroke);
     }
 
     /// An arrow: shaft and head, the tip exactly at `to`. Nothing if it has no length.
     pub fn arrow(&mut self, from: Point, to: Point, stroke: Stroke) {
-        let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+        let length = distance(to, from);
         if length > 0.0 {
             let (reach, _) = head_size(stroke.width, length);
             let neck = between(to, from, 0.7 * reach / length);
-            self.line(&[from, neck], stroke);
+            self.line([from, neck], stroke);
             self.head(from, to, stroke);
         }
     }
@@ -301,7 +327,7 @@ impl Pen {
 
     /// The head of an arrow that comes from `from`, its tip at `to`.
     fn head(&mut self, from: Point, to: Point, stroke: Stroke) {
-        let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+        let length = distance(to, from);
         let (along, across) = (
             [(to[0] - from[0]) / length, (to[1] - from[1]) / length],
             [(from[1] - to[1]) / length, (to[0] - from[0]) / length],
@@ -319,7 +345,7 @@ impl Pen {
             at(0.72 * reach, 0.0),
             at(reach, -half),
         ];
-        self.fill(&barb, stroke.role, stroke.alpha);
+        self.fill(barb, stroke.role, stroke.alpha);
     }
 
     /// A label in ink, as [`Pen::text`] writes it.
@@ -431,7 +457,7 @@ impl Pen {
             self.text([at[0] + x, at[1] + y], anchor, body, lettering);
         }
         let bar = [[at[0] - half, at[1]], [at[0] + half, at[1]]];
-        self.line(&bar, stroke(lettering.role, AXIS));
+        self.line(bar, stroke(lettering.role, AXIS));
         let after = [at[0] + half + 0.22 * size, at[1] + 0.36 * size];
         self.text(after, Anchor::Start, parts.after, lettering);
     }
@@ -486,9 +512,14 @@ pub fn arc(center: Point, radius: f64, from: f64, to: f64) -> Vec<Point> {
         .collect()
 }
 
+/// How far two points are apart.
+pub fn distance(a: Point, b: Point) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
 /// The one of these points that is nearest.
 pub fn nearest(to: Point, points: impl IntoIterator<Item = Point>) -> Option<Point> {
-    let off = |p: &Point| (p[0] - to[0]).hypot(p[1] - to[1]);
+    let off = |p: &Point| distance(*p, to);
     let points = points.into_iter();
     points.min_by(|a, b| off(a).total_cmp(&off(b)))
 }
@@ -537,6 +568,16 @@ pub fn short(value: f64, digits: usize) -> String {
     }
 }
 
+/// Several numbers with so many decimals each.
+pub fn numbers<const N: usize>(values: [f64; N], digits: usize) -> [String; N] {
+    values.map(|value| number(value, digits))
+}
+
+/// Several numbers with at most `digits` decimals each: zeros at their ends go.
+pub fn shorts<const N: usize>(values: [f64; N], digits: usize) -> [String; N] {
+    values.map(|value| short(value, digits))
+}
+
 /// A small number as LaTeX, its first figure with at most `digits` decimals.
 pub fn scientific(value: f64, digits: usize) -> String {
     let exponent = value.log10().floor();
@@ -565,7 +606,7 @@ pub fn wrapped(text: &str, letters: usize) -> Vec<String> {
 pub fn along(line: &[Point], step: f64) -> Vec<Point> {
     let piece = |pair: &[Point]| {
         let (a, b) = (pair[0], pair[1]);
-        let steps = ((b[0] - a[0]).hypot(b[1] - a[1]) / step).ceil().max(1.0);
+        let steps = (distance(b, a) / step).ceil().max(1.0);
         (0..=steps as usize).map(move |k| between(a, b, k as f64 / steps))
     };
     line.windows(2).flat_map(piece).collect()

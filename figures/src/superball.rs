@@ -187,30 +187,21 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
         ),
     };
     let plain = |text: &str| text.replace('\u{2212}', "-");
-    let words = Words {
-        claim: format!("{which} {after}."),
-        details: format!(
-            "Ball with $I = {}\\,MR^2$, thrown with speed $V$ and {about_spin}. After floor, table and floor its velocity is ${}$, \
-             ${}$ and ${}$ of $V$, its rim speed $R\\Omega$ is ${}$, ${}$ and ${}$ of $V$. It meets the table at \
-             ${}$ and the floor again at ${}$ of the way it would have made in one flight. Flashes at equal times, {FLASHES} a flight; the blue hand is fixed to the ball. Dashed: a ball with all its mass in the middle, which takes \
-             no spin.",
-            inline(kappa, fraction_of(kappa)),
-            plain(&v1),
-            plain(&v2),
-            plain(&v3),
-            plain(&s1),
-            plain(&s2),
-            plain(&s3),
-            plain(&x1),
-            plain(&x2),
-        ),
-        alt: format!(
-            "A table seen from the side. A ball flies in from the upper left and bounces on the floor, on the underside of \
-             the table and on the floor again; it {after}. The legs of the path are \
-             labelled with the velocities {v1}, {v2} and {v3} of V, and a clock hand on the ball shows how it turns. \
-             A dashed ghost without spin zigzags straight on under the table."
-        ),
-    };
+    let inertia = inline(kappa, fraction_of(kappa));
+    let [p1, p2, p3] = [&v1, &v2, &v3].map(|text| plain(text));
+    let [s1, s2, s3] = [s1, s2, s3].map(|text| plain(&text));
+    let [x1, x2] = [x1, x2].map(|text| plain(&text));
+    let words = words!(
+        "{which} {after}.",
+        "Ball with $I = {inertia}\\,MR^2$, thrown with speed $V$ and {about_spin}. After floor, table and floor its velocity is ${p1}$, \
+         ${p2}$ and ${p3}$ of $V$, its rim speed $R\\Omega$ is ${s1}$, ${s2}$ and ${s3}$ of $V$. It meets the table at \
+         ${x1}$ and the floor again at ${x2}$ of the way it would have made in one flight. Flashes at equal times, {FLASHES} a flight; the blue hand is fixed to the ball. Dashed: a ball with all its mass in the middle, which takes \
+         no spin.",
+        "A table seen from the side. A ball flies in from the upper left and bounces on the floor, on the underside of \
+         the table and on the floor again; it {after}. The legs of the path are \
+         labelled with the velocities {v1}, {v2} and {v3} of V, and a clock hand on the ball shows how it turns. \
+         A dashed ghost without spin zigzags straight on under the table."
+    );
 
     let made = figure("superball", 414.0, words, |pen| {
         room(pen);
@@ -218,10 +209,10 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
 
         // In: small dots at the flashes.
         let arrive = [place(-1.36, 1.36), place(0.0, 0.0)];
-        pen.line(&arrive, inked(SECONDARY));
+        pen.line(arrive, inked(SECONDARY));
         for k in 1..=8 {
             let t = f64::from(k) / FLASHES;
-            pen.disc(place(-t, t), 2.2, Role::Ink, 1.0);
+            pen.dot(place(-t, t), 2.2);
         }
         pen.arrow(place(-1.265, 1.265), place(-1.145, 1.145), inked(DATA));
 
@@ -247,7 +238,7 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
             pen.ring(corner, RADIUS, inked(HAIR).alpha(0.45));
         }
         for &(center, _, _) in &flashes {
-            pen.disc(center, RADIUS, Role::Ink, 0.055);
+            pen.disc(center, RADIUS, Ink, 0.055);
         }
         pen.line(&path, inked(SECONDARY));
         for &(center, angle, swept) in &flashes {
@@ -255,14 +246,11 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
             if swept != 0.0 {
                 let mut sector = arc(center, 0.78 * RADIUS, hand + swept, hand);
                 sector.push(center);
-                pen.fill(&sector, Role::Omega, 0.22);
+                pen.fill(&sector, Omega, 0.22);
             }
             pen.ring(center, RADIUS, inked(AXIS).alpha(0.75));
-            pen.line(
-                &[center, polar(center, RADIUS, hand)],
-                stroke(Role::Omega, DATA),
-            );
-            pen.disc(center, 1.6, Role::Omega, 1.0);
+            pen.line([center, polar(center, RADIUS, hand)], stroke(Omega, DATA));
+            pen.disc(center, 1.6, Omega, 1.0);
         }
         let last = path.len() - 1;
         let tip = between(path[last - 1], path[last], 0.93);
@@ -283,7 +271,7 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
             taken.extend(arc(center, RADIUS, 0.0, 6.3));
         }
         let at = place(-1.13, 1.19);
-        pen.label([at[0] + 8.0, at[1]], Anchor::Start, "*V*");
+        pen.label([at[0] + 8.0, at[1]], Start, "*V*");
         for (k, leg) in legs.iter().enumerate() {
             let text = told(k, |m| m.velocity, |m| m.velocity);
             velocity_label(pen, leg, &text, &mut taken);
@@ -293,8 +281,8 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
             |k| [50.0, 65.0, 80.0, 100.0, -50.0, -70.0].map(|far| [on(k)[0] + far, on(k)[1] + 4.0]);
         let beside = (0..50).flat_map(right);
         let [x, y] = roomiest(beside, [28.0, 17.0], &taken);
-        pen.remark([x, y - 4.0], Anchor::Middle, "without");
-        pen.remark([x, y + 13.0], Anchor::Middle, "spin");
+        pen.remark([x, y - 4.0], Middle, "without");
+        pen.remark([x, y + 13.0], Middle, "spin");
     });
     let names = [
         "after the floor",
@@ -304,10 +292,10 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
     let mut made = made;
     let mut from = 0.0;
     for (name, motion) in names.into_iter().zip(motions) {
-        let row = vec![from, motion.velocity, motion.rim_speed];
+        let row = [from, motion.velocity, motion.rim_speed];
         made = made.data(
             name,
-            &["place (flights)", "velocity (V)", "rim speed (V)"],
+            "place (flights) | velocity (V) | rim speed (V)",
             [row],
         );
         from += motion.velocity;
@@ -349,11 +337,11 @@ fn velocity_label(pen: &mut Pen, leg: &Leg, text: &str, taken: &mut Vec<Point>) 
                 under,
                 after: "*V*",
             };
-            pen.fraction(at, parts, label(Role::Ink));
+            pen.fraction(at, parts, label(Ink));
         }
         None => {
             let text = format!("{text} *V*");
-            pen.label([at[0], at[1] + 5.0], Anchor::Middle, &text);
+            pen.label([at[0], at[1] + 5.0], Middle, &text);
         }
     }
 }
@@ -367,16 +355,16 @@ fn room(pen: &mut Pen) {
         [590.0, CEILING],
         [edge, CEILING],
     ];
-    pen.fill(&slab, Role::Ink, 0.16);
+    pen.fill(slab, Ink, 0.16);
     let leg = [
         [560.0, CEILING],
         [572.0, CEILING],
         [569.0, FLOOR],
         [563.0, FLOOR],
     ];
-    pen.fill(&leg, Role::Ink, 0.09);
-    pen.outline(&slab, inked(AXIS));
-    pen.line(&[[10.0, FLOOR], [590.0, FLOOR]], inked(SECONDARY));
+    pen.fill(leg, Ink, 0.09);
+    pen.outline(slab, inked(AXIS));
+    pen.line([[10.0, FLOOR], [590.0, FLOOR]], inked(SECONDARY));
 }
 
 /// The ball that takes no spin, and its path.
@@ -391,9 +379,9 @@ fn ghost_ball(pen: &mut Pen, bounces: &[f64]) -> Vec<Point> {
     // It leaves the picture on its second flight.
     let last = path.len() - 1;
     path[last] = between(path[last - 1], path[last], 0.56);
-    pen.line(&path, stroke(Role::Muted, SECONDARY).dashed());
+    pen.line(&path, muted(SECONDARY).dashed());
     for &corner in &path[1..last] {
-        pen.ring(corner, RADIUS, stroke(Role::Muted, HAIR));
+        pen.ring(corner, RADIUS, muted(HAIR));
     }
     path
 }

@@ -11,7 +11,7 @@ use spinning_bodies::integrators::{Effort, Method};
 
 use super::{named_line, problem};
 use crate::Figure;
-use crate::plot::{Axis, Frame, powers};
+use crate::plot::{Frame, powers};
 use crate::style::*;
 
 /// A sixteenth of a second, about a thirtieth of a turn.
@@ -63,7 +63,7 @@ pub fn energy_drift() -> Result<Figure> {
                     .states[0];
                 Ok(())
             })?,
-            stroke(Role::Muted, DATA),
+            muted(DATA),
             "rk4",
         ),
         (by_steps(&rotations)?, inked(DATA).dashed(), "rotations-2"),
@@ -73,22 +73,16 @@ pub fn energy_drift() -> Result<Figure> {
         .iter()
         .filter_map(|(line, ..)| line.last().map(|p| p[1]))
         .collect();
-    let frame = Frame {
-        x: Axis::log([2e3, 1e7], [64.0, 584.0]),
-        y: Axis::log([1e-16, 1e-2], [332.0, 32.0]),
-    };
+    let frame = Frame::log([2e3, 1e7], [1e-16, 1e-2], [64.0, 584.0, 332.0, 32.0]);
     let told = |k: usize| format!("${}$", scientific(last[k], 1));
-    let words = Words {
-        claim: "Ten million steps: rk4 leaks energy without end, rotations borrow it and give it back, the discrete top keeps it.".to_owned(),
-        details: format!(
-            "Relative error of the energy of a free body, the largest so far, against the number of steps, 32 a turn. After $10^7$ of them: rk4 {}, \
-             rotations of order 2 {}, Moser and Veselov's discrete top {}, a random walk of rounding.",
-            told(0), told(1), told(2)
-        ),
-        alt: "Largest relative error of the energy against the number of steps, two thousand to ten million, on logarithmic axes. The line of rk4 rises \
-              in proportion to the number of steps. That of rotations of order 2 is level, and rk4 crosses it after some two hundred thousand steps. That of the discrete top stays below 1e-12."
-            .to_owned(),
-    };
+    let [rk4, rotations, discrete] = [0, 1, 2].map(told);
+    let words = words!(
+        "Ten million steps: rk4 leaks energy without end, rotations borrow it and give it back, the discrete top keeps it.",
+        "Relative error of the energy of a free body, the largest so far, against the number of steps, 32 a turn. After $10^7$ of them: rk4 {rk4}, \
+         rotations of order 2 {rotations}, Moser and Veselov's discrete top {discrete}, a random walk of rounding.",
+        "Largest relative error of the energy against the number of steps, two thousand to ten million, on logarithmic axes. The line of rk4 rises \
+         in proportion to the number of steps. That of rotations of order 2 is level, and rk4 crosses it after some two hundred thousand steps. That of the discrete top stays below 1e-12."
+    );
     Ok(figure("accuracy-drift", 384.0, words, |pen| {
         frame.draw(
             pen,
@@ -104,7 +98,7 @@ pub fn energy_drift() -> Result<Figure> {
             if let Some(end) = places.last() {
                 let beside = if k == 1 { 22.0 } else { -10.0 };
                 let at = [end[0] - 6.0, end[1] + beside];
-                named_line(pen, at, Anchor::End, name, style.role());
+                named_line(pen, at, End, name, style.role());
             }
         }
     }))

@@ -7,7 +7,7 @@ use spinning_bodies::integrators::geometric::Phase;
 
 use super::{named_line, problem};
 use crate::Figure;
-use crate::plot::{Axis, Frame, beaded, marks, powers};
+use crate::plot::{Frame, beaded, marks, powers};
 use crate::style::*;
 
 /// How hard a method works.
@@ -30,14 +30,14 @@ const LINES: [Line; 4] = [
         method: "rk4",
         hardness: Hardness::StepsATurn(32.0),
         most: 4,
-        style: stroke(Role::Muted, DATA).dotted(),
+        style: muted(DATA).dotted(),
         aside: [-8.0, -12.0],
     },
     Line {
         method: "dop853",
         hardness: Hardness::Tolerance(1e-11),
         most: 4,
-        style: stroke(Role::Muted, DATA),
+        style: muted(DATA),
         aside: [10.0, 5.0],
     },
     Line {
@@ -86,10 +86,7 @@ fn apart(a: &Phase, b: &Phase) -> Result<f64> {
 
 /// Error after 1, 10, … a million turns, at the same effort throughout.
 pub fn growth() -> Result<Figure> {
-    let frame = Frame {
-        x: Axis::log([0.8, 2e6], [64.0, 584.0]),
-        y: Axis::log([1e-17, 10.0], [372.0, 32.0]),
-    };
+    let frame = Frame::log([0.8, 2e6], [1e-17, 10.0], [64.0, 584.0, 372.0, 32.0]);
     let all = candidates(&problem("free-top/1")?)?;
     let by_name = |name: &str| all.iter().find(|candidate| candidate.name() == name);
     let mut lines = Vec::new();
@@ -106,21 +103,17 @@ pub fn growth() -> Result<Figure> {
                 number((last / before).log10(), 1)
             ));
         }
-        let places = errors.iter().map(|&[t, e]| frame.at(t, e));
-        lines.push((line, places.collect::<Vec<Point>>()));
+        lines.push((line, frame.trace(errors)));
     }
     let exact = exact_errors()?;
-    let words = Words {
-        claim: "In the long run a general method loses two digits a decade of time, a geometric one loses one, and the closed form none.".to_owned(),
-        details: format!(
-            "The same free body, the same effort throughout: 32 steps a turn for rk4, tolerance $10^{{-11}}$ for dop853, 8 steps a turn for rotations of order 4, 16 for \
-             Moser and Veselov’s discrete top of order 10. Digits lost in the last decade: {}.",
-            told.join(", ")
-        ),
-        alt: "Error in the attitude against the number of turns, 1 to a million, on logarithmic axes. The lines of rk4 and dop853 become ever steeper, up to nearly two decades \
-              of error a decade of turns. Those of the two geometric methods keep to one decade a decade and reach a million turns. The closed form stays level near 1e-16."
-            .to_owned(),
-    };
+    let told = told.join(", ");
+    let words = words!(
+        "In the long run a general method loses two digits a decade of time, a geometric one loses one, and the closed form none.",
+        "The same free body, the same effort throughout: 32 steps a turn for rk4, tolerance $10^{{-11}}$ for dop853, 8 steps a turn for rotations of order 4, 16 for \
+         Moser and Veselov’s discrete top of order 10. Digits lost in the last decade: {told}.",
+        "Error in the attitude against the number of turns, 1 to a million, on logarithmic axes. The lines of rk4 and dop853 become ever steeper, up to nearly two decades \
+         of error a decade of turns. Those of the two geometric methods keep to one decade a decade and reach a million turns. The closed form stays level near 1e-16."
+    );
     Ok(figure("accuracy-growth", 424.0, words, |pen| {
         frame.draw(
             pen,
@@ -132,24 +125,14 @@ pub fn growth() -> Result<Figure> {
             beaded(pen, places, line.style);
             if let Some(point) = places.last() {
                 let at = [point[0] + line.aside[0], point[1] + line.aside[1]];
-                let anchor = if line.aside[0] > 0.0 {
-                    Anchor::Start
-                } else {
-                    Anchor::End
-                };
+                let anchor = if line.aside[0] > 0.0 { Start } else { End };
                 named_line(pen, at, anchor, line.method, line.style.role());
             }
         }
-        let places: Vec<Point> = exact.iter().map(|&[t, e]| frame.at(t, e)).collect();
+        let places = frame.trace(exact);
         beaded(pen, &places, inked(1.5 * DATA));
         if let Some(point) = places.last() {
-            named_line(
-                pen,
-                [point[0], point[1] - 12.0],
-                Anchor::End,
-                "closed form",
-                Role::Ink,
-            );
+            named_line(pen, [point[0], point[1] - 12.0], End, "closed form", Ink);
         }
     }))
 }

@@ -34,25 +34,21 @@ pub fn map() -> Result<Figure> {
             Some((*motion, crossover(&rows, motion, lengths, NINE)?))
         })
         .collect();
-    let words = Words {
-        claim: "For a single turn take steps, for more the closed form.".to_owned(),
-        details: format!(
-            "Eight motions, the accuracy of the attitude upward in digits (error in radians), the length of the run to the right. In each field stands the method that \
-             gets there in the least time; exact, on grey, is the closed form, its preparation included: {exact} of {} fields. The heavy line is where it overtakes whatever steps.",
-            all().count()
-        ),
-        alt: format!(
-            "Eight tables of three columns, 1, 10 and 1000 turns, and four rows, 3 to 12 digits. For the four free and symmetric tops all fields of 10 and 1000 turns are exact, and \
-             most of those of one turn are geometric methods. Kovalevskaya's two are exact at 1000 turns, but for twelve digits of the upright one, and for twelve digits at 10. Where there is no closed form, dormand-prince-8 wins most fields. Exact wins {exact} of all."
-        ),
-    };
+    let count = all().count();
+    let words = words!(
+        "For a single turn take steps, for more the closed form.",
+        "Eight motions, the accuracy of the attitude upward in digits (error in radians), the length of the run to the right. In each field stands the method that \
+         gets there in the least time; exact, on grey, is the closed form, its preparation included: {exact} of {count} fields. The heavy line is where it overtakes whatever steps.",
+        "Eight tables of three columns, 1, 10 and 1000 turns, and four rows, 3 to 12 digits. For the four free and symmetric tops all fields of 10 and 1000 turns are exact, and \
+         most of those of one turn are geometric methods. Kovalevskaya's two are exact at 1000 turns, but for twelve digits of the upright one, and for twelve digits at 10. Where there is no closed form, dormand-prince-8 wins most fields. Exact wins {exact} of all."
+    );
     let mut drawn = figure("accuracy-map", 872.0, words, |pen| {
         for (k, (name, lengths, fields)) in winners.iter().enumerate() {
             let corner = [34.0 + 298.0 * (k % 2) as f64, 60.0 + 206.0 * (k / 2) as f64];
             panel(pen, corner, name, (lengths, fields));
             if k < 2 {
                 let place = [corner[0] - 30.0, corner[1] - 36.0];
-                pen.remark(place, Anchor::Start, "digits");
+                pen.remark(place, Start, "digits");
             }
         }
     });
@@ -76,12 +72,12 @@ fn panel(
             top + FIELD[1] * (4 - row) as f64,
         ]
     };
-    pen.label([left, top - 12.0], Anchor::Start, name);
+    pen.label([left, top - 12.0], Start, name);
     for (column, turns) in lengths.iter().enumerate() {
         let [x, y] = at(column, 0);
         let unit = if *turns == 1 { "turn" } else { "turns" };
         let text = format!("{turns} {unit}");
-        pen.remark([x + 0.5 * FIELD[0], y + 18.0], Anchor::Middle, &text);
+        pen.remark([x + 0.5 * FIELD[0], y + 18.0], Middle, &text);
         for (row, winner) in fields[column].iter().enumerate() {
             let corners = [
                 at(column, row),
@@ -90,9 +86,9 @@ fn panel(
                 at(column, row + 1),
             ];
             if *winner == EXACT {
-                pen.fill(&corners, Role::Ink, 0.12);
+                pen.fill(corners, Ink, 0.12);
             }
-            pen.outline(&corners, inked(HAIR).alpha(0.4));
+            pen.outline(corners, inked(HAIR).alpha(0.4));
             let middle = [x + 0.5 * FIELD[0], y - FIELD[1] * (row as f64 + 0.5)];
             written(pen, middle, winner);
         }
@@ -103,36 +99,31 @@ fn panel(
         for row in 0..4 {
             let here = fields[column][row];
             if column < 2 && differ(here, fields[column + 1][row]) {
-                pen.line(&[at(column + 1, row), at(column + 1, row + 1)], inked(DATA));
+                pen.line([at(column + 1, row), at(column + 1, row + 1)], inked(DATA));
             }
             if row < 3 && differ(here, fields[column][row + 1]) {
-                pen.line(&[at(column, row + 1), at(column + 1, row + 1)], inked(DATA));
+                pen.line([at(column, row + 1), at(column + 1, row + 1)], inked(DATA));
             }
         }
     }
     for (row, target) in TARGETS.iter().enumerate() {
         let place = [left - 7.0, at(0, row)[1] - 0.5 * FIELD[1] + 5.0];
-        pen.remark(place, Anchor::End, &number(-target.log10(), 0));
+        pen.remark(place, End, &number(-target.log10(), 0));
     }
 }
 
 /// The name of a method in its field: a long one on two lines.
 fn written(pen: &mut Pen, [x, y]: Point, name: &str) {
     let lettering = if name == EXACT {
-        small(Role::Ink).strong()
+        small(Ink).strong()
     } else {
-        small(Role::Ink)
+        small(Ink)
     };
     match name.split_once('-') {
         Some((first, rest)) if rest.contains('-') => {
-            pen.text(
-                [x, y - 3.0],
-                Anchor::Middle,
-                &format!("{first}-"),
-                lettering,
-            );
-            pen.text([x, y + 13.0], Anchor::Middle, rest, lettering);
+            pen.text([x, y - 3.0], Middle, &format!("{first}-"), lettering);
+            pen.text([x, y + 13.0], Middle, rest, lettering);
         }
-        _ => pen.text([x, y + 5.0], Anchor::Middle, name, lettering),
+        _ => pen.text([x, y + 5.0], Middle, name, lettering),
     }
 }

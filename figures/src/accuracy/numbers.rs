@@ -8,7 +8,7 @@ use spinning_bodies::integrators::geometric::{
 
 use super::{named_line, problem};
 use crate::Figure;
-use crate::plot::{Axis, Frame, beaded, marks, powers};
+use crate::plot::{Frame, beaded, marks, powers};
 use crate::style::*;
 
 /// Errors after ten turns against steps a turn.
@@ -41,7 +41,7 @@ pub fn three_numbers() -> Result<Figure> {
     let lines = [
         (
             line::<f32>(&problem, &method, counts())?,
-            stroke(Role::Muted, DATA),
+            muted(DATA),
             "single (f32)",
         ),
         (
@@ -55,19 +55,14 @@ pub fn three_numbers() -> Result<Figure> {
             "two doubles",
         ),
     ];
-    let frame = Frame {
-        x: Axis::log([7.0, 600.0], [64.0, 584.0]),
-        y: Axis::log([1e-26, 1.0], [372.0, 32.0]),
-    };
-    let words = Words {
-        claim: "The numbers set the floor, the method sets the slope.".to_owned(),
-        details: "Moser and Veselov’s discrete top of order 10, one program, three kinds of numbers: error of the attitude after ten turns against the steps a turn. While the error is that \
-                  of the method, the three agree. Then each comes to the floor of its own rounding; two doubles are nowhere near theirs."
-            .to_owned(),
-        alt: "Three lines on logarithmic axes, error against 8 to 512 steps a turn. They run down together. Single precision leaves at 1e-6 and stays there, double \
-              precision at about 1e-15, two doubles go on falling with the tenth power."
-            .to_owned(),
-    };
+    let frame = Frame::log([7.0, 600.0], [1e-26, 1.0], [64.0, 584.0, 372.0, 32.0]);
+    let words = words!(
+        "The numbers set the floor, the method sets the slope.",
+        "Moser and Veselov’s discrete top of order 10, one program, three kinds of numbers: error of the attitude after ten turns against the steps a turn. While the error is that \
+         of the method, the three agree. Then each comes to the floor of its own rounding; two doubles are nowhere near theirs.",
+        "Three lines on logarithmic axes, error against 8 to 512 steps a turn. They run down together. Single precision leaves at 1e-6 and stays there, double \
+         precision at about 1e-15, two doubles go on falling with the tenth power."
+    );
     Ok(figure("accuracy-numbers", 424.0, words, |pen| {
         frame.draw(
             pen,
@@ -76,12 +71,12 @@ pub fn three_numbers() -> Result<Figure> {
             ["steps a turn", "error, rad"],
         );
         for (k, (line, style, name)) in lines.iter().enumerate() {
-            let places: Vec<Point> = line.iter().map(|&[x, y]| frame.at(x, y)).collect();
+            let places = frame.trace(line.iter().copied());
             beaded(pen, &places, *style);
             if let Some(end) = places.last() {
                 let aside = if k == 2 { [-26.0, 4.0] } else { [0.0, -14.0] };
                 let at = [end[0] + aside[0], end[1] + aside[1]];
-                named_line(pen, at, Anchor::End, name, style.role());
+                named_line(pen, at, End, name, style.role());
             }
         }
     }))

@@ -5,12 +5,12 @@ use spinning_bodies::Result;
 
 use super::{named_line, points, problem, swept};
 use crate::Figure;
-use crate::plot::{Axis, Frame, beaded, marks, powers};
+use crate::plot::{Frame, beaded, marks, powers};
 use crate::style::*;
 
 const GENTLE: Stroke = inked(DATA);
 const DISCRETE: Stroke = inked(DATA).dashed();
-const GENERAL: Stroke = stroke(Role::Muted, DATA).dotted();
+const GENERAL: Stroke = muted(DATA).dotted();
 
 /// Method, line, what stands before its slope, and where: at the point that is so far along the line, and so far beside it.
 const METHODS: [(&str, Stroke, &str, f64, [f64; 2]); 6] = [
@@ -31,10 +31,7 @@ const METHODS: [(&str, Stroke, &str, f64, [f64; 2]); 6] = [
 /// Error of a turn against the number of steps, the slope of each line at its name.
 pub fn orders() -> Result<Figure> {
     let turn = problem("free-top/1")?;
-    let frame = Frame {
-        x: Axis::log([1.0, 4000.0], [64.0, 584.0]),
-        y: Axis::log([1e-16, 10.0], [372.0, 32.0]),
-    };
+    let frame = Frame::log([1.0, 4000.0], [1e-16, 10.0], [64.0, 584.0, 372.0, 32.0]);
     let mut lines: Vec<(Vec<Point>, String)> = Vec::new();
     let mut slopes = Vec::new();
     for (name, _, before, ..) in METHODS {
@@ -49,19 +46,14 @@ pub fn orders() -> Result<Figure> {
         slopes.push(format!("{name} {}", number(slope, 2)));
         lines.push((line, format!("{before}{}", number(slope, 2))));
     }
-    let words = Words {
-        claim: "An order is a slope, and every slope here is measured.".to_owned(),
-        details: format!(
-            "A free body with three different moments, one turn: angle between the computed attitude and the true one against the number of \
-             steps; solid rotations, dashed Moser and Veselov’s discrete top, dotted rk4. Measured: {}. Halve the step, and a method of order $p$ is better by $2^p$, down to the floor of rounding.",
-            slopes.join(", ")
-        ),
-        alt: format!(
-            "Six descending lines on logarithmic axes: error in the attitude from 1 to 1e-16 against up to 4000 steps a turn. The higher the \
-             order, the steeper: {}. The steep ones end on a floor near 1e-15.",
-            slopes.join(", ")
-        ),
-    };
+    let slopes = slopes.join(", ");
+    let words = words!(
+        "An order is a slope, and every slope here is measured.",
+        "A free body with three different moments, one turn: angle between the computed attitude and the true one against the number of \
+         steps; solid rotations, dashed Moser and Veselov’s discrete top, dotted rk4. Measured: {slopes}. Halve the step, and a method of order $p$ is better by $2^p$, down to the floor of rounding.",
+        "Six descending lines on logarithmic axes: error in the attitude from 1 to 1e-16 against up to 4000 steps a turn. The higher the \
+         order, the steeper: {slopes}. The steep ones end on a floor near 1e-15."
+    );
     Ok(figure("accuracy-orders", 424.0, words, |pen| {
         frame.draw(
             pen,
@@ -73,11 +65,7 @@ pub fn orders() -> Result<Figure> {
             beaded(pen, line, *style);
             let place = (along * line.len() as f64) as usize;
             if let Some(point) = line.get(place.min(line.len().saturating_sub(1))) {
-                let anchor = if aside[0] < 0.0 {
-                    Anchor::End
-                } else {
-                    Anchor::Start
-                };
+                let anchor = if aside[0] < 0.0 { End } else { Start };
                 named_line(
                     pen,
                     [point[0] + aside[0], point[1] + aside[1]],

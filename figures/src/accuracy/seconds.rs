@@ -18,8 +18,8 @@ const GEOMETRIC: [(&str, f64); 2] = [("moser-veselov-10", 1e-10), ("kick-drift-6
 /// The methods that every motion can be followed by, their lines, and where they stand in the legend.
 const STEPPERS: [(&str, Stroke, Point); 3] = [
     ("dormand-prince-8", inked(DATA).dashed(), [364.0, 22.0]),
-    ("dop853", stroke(Role::Muted, DATA), [364.0, 48.0]),
-    ("rk4", stroke(Role::Muted, DATA).dotted(), [514.0, 48.0]),
+    ("dop853", muted(DATA), [364.0, 48.0]),
+    ("rk4", muted(DATA).dotted(), [514.0, 48.0]),
 ];
 
 /// The least time for each error or a smaller one: a staircase's corners.
@@ -46,16 +46,13 @@ pub fn seconds() -> Result<Figure> {
         .next()
         .unwrap_or_default()
         .trim_start_matches(['#', ' ']);
-    let words = Words {
-        claim: "A thousand turns on a clock: the closed form is exact before a method that steps has warmed up.".to_owned(),
-        details: format!(
-            "Error of the attitude in radians after a thousand turns, a hundred of the tippe top, against time. Disc: the closed form, exact, its preparation included. Solid: the \
-             geometric method that is named at its line. Dashed: dormand-prince-8, ours of order 8. Grey: dop853; dotted, rk4. Measured once, least of repeated runs: {machine}."
-        ),
-        alt: "Eight small diagrams, error against seconds, both logarithmic. The line of the geometric method lies to the left of those of dop853 and rk4, with dormand-prince-8 near \
-              it; a black disc, the closed form, lies far to the left of all and at the bottom. The last two motions have no disc."
-            .to_owned(),
-    };
+    let words = words!(
+        "A thousand turns on a clock: the closed form is exact before a method that steps has warmed up.",
+        "Error of the attitude in radians after a thousand turns, a hundred of the tippe top, against time. Disc: the closed form, exact, its preparation included. Solid: the \
+         geometric method that is named at its line. Dashed: dormand-prince-8, ours of order 8. Grey: dop853; dotted, rk4. Measured once, least of repeated runs: {machine}.",
+        "Eight small diagrams, error against seconds, both logarithmic. The line of the geometric method lies to the left of those of dop853 and rk4, with dormand-prince-8 near \
+         it; a black disc, the closed form, lies far to the left of all and at the bottom. The last two motions have no disc."
+    );
     Ok(figure("accuracy-seconds", 968.0, words, |pen| {
         legend(pen);
         let mut frames = Vec::new();
@@ -66,18 +63,15 @@ pub fn seconds() -> Result<Figure> {
             ];
             let frame = Frame::panel(pen, name, corner, [X, Y], [&TIMES, &ERRORS]);
             let run = format!("{motion}/{turns}");
-            let line = |method: &str| -> Vec<Point> {
-                let best = best(&rows, &run, method).into_iter();
-                best.map(|[time, error]| frame.at(time, error)).collect()
-            };
+            let line = |method: &str| -> Vec<Point> { frame.trace(best(&rows, &run, method)) };
             for (method, style, _) in STEPPERS {
-                pen.line(&line(method), style);
+                pen.line(line(method), style);
             }
             for (method, _) in GEOMETRIC {
-                pen.line(&line(method), inked(DATA));
+                pen.line(line(method), inked(DATA));
             }
             for point in line(EXACT) {
-                pen.disc(point, 6.0, Role::Ink, 1.0);
+                pen.dot(point, 6.0);
             }
             for (method, named) in GEOMETRIC {
                 let beside = frame.y.at(named);
@@ -91,7 +85,7 @@ pub fn seconds() -> Result<Figure> {
                             beside + 9.0 * f64::from(k % 6),
                         ]
                     });
-                    pen.name(places, method, small(Role::Ink));
+                    pen.name(places, method, small(Ink));
                 }
             }
             frames.push(frame);
@@ -104,11 +98,11 @@ pub fn seconds() -> Result<Figure> {
 
 /// What each line is.
 fn legend(pen: &mut Pen) {
-    pen.disc([72.0, 17.0], 6.0, Role::Ink, 1.0);
-    pen.label([104.0, 22.0], Anchor::Start, "exact, the closed form");
+    pen.dot([72.0, 17.0], 6.0);
+    pen.label([104.0, 22.0], Start, "exact, the closed form");
     let solid = ("a geometric method", inked(DATA), [104.0, 48.0]);
     for (name, style, [x, y]) in STEPPERS.into_iter().chain([solid]) {
-        pen.line(&[[x - 48.0, y - 5.0], [x - 12.0, y - 5.0]], style);
-        pen.text([x, y], Anchor::Start, name, label(style.role()));
+        pen.line([[x - 48.0, y - 5.0], [x - 12.0, y - 5.0]], style);
+        pen.text([x, y], Start, name, label(style.role()));
     }
 }

@@ -86,61 +86,51 @@ pub fn tops(values: &Values) -> Result<Figure> {
     let inside = (i2 - i1).min(i3 - i2).min(i1 + i2 - i3) > 0.02;
     let listed = |m: [f64; 3]| shares(m).map(|i| number(i, 3)).join(", ");
 
-    let words = Words {
-        claim: "Every rigid body that ever spun is a point of this triangle.".to_owned(),
-        details: format!(
-            "Principal moments $I_1\\le I_2\\le I_3$, divided by their sum. In every order of the axes, the bodies fill the \
-             small triangle, whose corners are rods and whose middle is the sphere; the shaded sixth of it is drawn large. Beyond its \
-             edges there is nothing. The shares of the book are {}; of the telephone {}; of the racket {}; of the brick, {} by {} by {} mm, {}; of a molecule of \
-             water {}. The Earth is {} of the way from the sphere to the disc, under the same dot as the cube.",
-            listed(book),
-            listed(phone),
-            listed(racket),
-            number(edges[0], 0),
-            number(edges[1], 0),
-            number(edges[2], 0),
-            listed(brick),
-            listed(water),
-            number(flatness, 4),
-        ),
-        alt: format!(
-            "A right triangle, the map of all ordered principal moments. Bottom edge, the laminae: from the rod at the left \
-              to the disc at the right, with a racket, a telephone, a molecule of water and almost a book on it, and a coin \
-              close to the disc. Right edge, the oblate tops: a doughnut low down, and the sphere on top, where cube and Earth \
-              sit. Slanting edge, the prolate tops from the rod to the sphere: the ratios four to four to one and two to two \
-              to one, and an egg. A brick lies {}. A small equilateral triangle shows the large one as one of its six \
-              mirror images.",
-            if inside { "inside" } else { "close to an edge" }
-        ),
-    };
+    let [a, b, c, d, e] = [book, phone, racket, brick, water].map(listed);
+    let [length, width, height] = numbers(edges, 0);
+    let way = number(flatness, 4);
+    let lies = if inside { "inside" } else { "close to an edge" };
+    let words = words!(
+        "Every rigid body that ever spun is a point of this triangle.",
+        "Principal moments $I_1\\le I_2\\le I_3$, divided by their sum. In every order of the axes, the bodies fill the \
+         small triangle, whose corners are rods and whose middle is the sphere; the shaded sixth of it is drawn large. Beyond its \
+         edges there is nothing. The shares of the book are {a}; of the telephone {b}; of the racket {c}; of the brick, {length} by {width} by {height} mm, {d}; of a molecule of \
+         water {e}. The Earth is {way} of the way from the sphere to the disc, under the same dot as the cube.",
+        "A right triangle, the map of all ordered principal moments. Bottom edge, the laminae: from the rod at the left \
+         to the disc at the right, with a racket, a telephone, a molecule of water and almost a book on it, and a coin \
+         close to the disc. Right edge, the oblate tops: a doughnut low down, and the sphere on top, where cube and Earth \
+         sit. Slanting edge, the prolate tops from the rod to the sphere: the ratios four to four to one and two to two \
+         to one, and an egg. A brick lies {lies}. A small equilateral triangle shows the large one as one of its six \
+         mirror images."
+    );
 
     let made = figure("triangle-of-tops", 438.0, words, |pen| {
         let at = |m: [f64; 3]| place(m, CORNER, WIDE);
         let corners = [at(rod), at(disc), at(cube)];
-        pen.fill(&corners, Role::Ink, 0.07);
-        pen.outline(&corners, inked(DATA));
+        pen.fill(corners, Ink, 0.07);
+        pen.outline(corners, inked(DATA));
         inset(pen, [rod, disc, cube]);
         let caption = "any order of the axes";
-        pen.text([112.0, 174.0], Anchor::Middle, caption, label(Role::Muted));
+        pen.text([112.0, 174.0], Middle, caption, label(Muted));
         let (above, below) = ([0.0, -11.0], [0.0, 23.0]);
         let left = [-11.0, 5.0];
         for (name, m, [dx, dy], anchor) in [
-            ("racket", racket, below, Anchor::Middle),
-            ("phone", phone, below, Anchor::Middle),
-            ("water", water, below, Anchor::Middle),
-            ("book", book, above, Anchor::Middle),
-            ("coin", coin, [-11.0, -1.0], Anchor::End),
-            ("doughnut", doughnut, left, Anchor::End),
-            ("egg", egg, [-9.0, -7.0], Anchor::End),
-            ("cube, Earth", cube, [-12.0, -3.0], Anchor::End),
+            ("racket", racket, below, Middle),
+            ("phone", phone, below, Middle),
+            ("water", water, below, Middle),
+            ("book", book, above, Middle),
+            ("coin", coin, [-11.0, -1.0], End),
+            ("doughnut", doughnut, left, End),
+            ("egg", egg, [-9.0, -7.0], End),
+            ("cube, Earth", cube, [-12.0, -3.0], End),
         ] {
             let [x, y] = at(m);
-            pen.disc([x, y], 4.4, Role::Ink, 1.0);
+            pen.dot([x, y], 4.4);
             pen.label([x + dx, y + dy], anchor, name);
         }
         // The brick moves: its name is where it hides nothing.
         let [x, y] = at(brick);
-        pen.disc([x, y], 5.4, Role::Ink, 1.0);
+        pen.dot([x, y], 5.4);
         let mut taken = along(&[corners[1], corners[0], corners[2], corners[1]], 6.0);
         let others = [book, phone, racket, water, coin, doughnut, egg];
         taken.extend(others.map(at));
@@ -156,12 +146,7 @@ pub fn tops(values: &Values) -> Result<Figure> {
         ];
         let places = places.map(|[dx, dy]| [(x + dx).min(568.0), y + dy]);
         let [x, y] = roomiest(places, [22.0, 8.0], &taken);
-        pen.text(
-            [x, y + 5.0],
-            Anchor::Middle,
-            "brick",
-            label(Role::Ink).strong(),
-        );
+        pen.text([x, y + 5.0], Middle, "brick", label(Ink).strong());
         for (m, who, ratio) in [
             ([1.0, 4.0, 4.0], "Goryachev, Chaplygin", "4 : 4 : 1"),
             ([1.0, 2.0, 2.0], "Kovalevskaya", "2 : 2 : 1"),
@@ -169,39 +154,29 @@ pub fn tops(values: &Values) -> Result<Figure> {
             let [x, y] = at(m);
             pen.ring([x, y], 5.2, inked(DATA));
             let mut line = |up: f64, text: &str| {
-                pen.label([x - 11.0, y - up], Anchor::End, text);
+                pen.label([x - 11.0, y - up], End, text);
             };
             line(23.0, who);
             line(5.0, ratio);
         }
         // The corners and the edges.
         let edge = |pen: &mut Pen, at: Point, anchor, text: &str| {
-            pen.text(at, anchor, text, label(Role::Muted));
+            pen.text(at, anchor, text, label(Muted));
         };
         let [rod, disc, sphere] = corners;
-        edge(pen, [rod[0] - 6.0, rod[1] + 23.0], Anchor::Start, "rod");
-        edge(pen, [disc[0] + 6.0, disc[1] + 23.0], Anchor::End, "disc");
-        edge(
-            pen,
-            [sphere[0] + 6.0, sphere[1] - 24.0],
-            Anchor::End,
-            "sphere",
-        );
+        edge(pen, [rod[0] - 6.0, rod[1] + 23.0], Start, "rod");
+        edge(pen, [disc[0] + 6.0, disc[1] + 23.0], End, "disc");
+        edge(pen, [sphere[0] + 6.0, sphere[1] - 24.0], End, "sphere");
         let middle = between(rod, disc, 0.5);
         let laminae = "laminae, *I*_{3} = *I*_{1} + *I*_{2}";
-        edge(pen, [middle[0], middle[1] + 44.0], Anchor::Middle, laminae);
-        edge(pen, [disc[0] - 10.0, 222.0], Anchor::End, "oblate,");
-        edge(
-            pen,
-            [disc[0] - 10.0, 243.0],
-            Anchor::End,
-            "*I*_{1} = *I*_{2}",
-        );
+        edge(pen, [middle[0], middle[1] + 44.0], Middle, laminae);
+        edge(pen, [disc[0] - 10.0, 222.0], End, "oblate,");
+        edge(pen, [disc[0] - 10.0, 243.0], End, "*I*_{1} = *I*_{2}");
         let slant = between(rod, sphere, 0.8);
         edge(
             pen,
             [slant[0] - 46.0, slant[1] + 5.0],
-            Anchor::End,
+            End,
             "prolate, *I*_{2} = *I*_{3}",
         );
     });
@@ -216,22 +191,22 @@ pub fn tops(values: &Values) -> Result<Figure> {
         ("doughnut", doughnut),
         ("Earth", earth),
     ];
-    let columns = ["I1 over the sum", "I2 over the sum", "I3 over the sum"];
+    let columns = "I1 over the sum | I2 over the sum | I3 over the sum";
     Ok(bodies.into_iter().fold(made, |made, (name, moments)| {
-        made.data(name, &columns, [shares(moments).to_vec()])
+        made.data(name, columns, [shares(moments)])
     }))
 }
 
 /// The triangle of all moments in any order, and the ordered sixth: rod, disc and sphere in the order of the axes.
 fn inset(pen: &mut Pen, sixth: [[f64; 3]; 3]) {
     let at = |m| place(m, [112.0, 154.0], 84.0);
-    pen.fill(&sixth.map(at), Role::Ink, 0.3);
+    pen.fill(sixth.map(at), Ink, 0.3);
     let turned = |m: [f64; 3], by: usize| core::array::from_fn(|k| m[(k + by) % 3]);
     let rods = [0, 1, 2].map(|by| at(turned(sixth[0], by)));
-    pen.outline(&rods, inked(SECONDARY));
+    pen.outline(rods, inked(SECONDARY));
     for (by, rod) in rods.into_iter().enumerate() {
         // The disc opposite a rod has the rod's odd axis for its own.
         let opposite = at(turned(sixth[1], by + 2));
-        pen.line(&[rod, opposite], inked(HAIR));
+        pen.line([rod, opposite], inked(HAIR));
     }
 }

@@ -5,14 +5,13 @@
 
 use core::fmt::Write as _;
 
-use nalgebra::Vector3;
 use spinning_bodies::Result;
-use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::frame::Attitude;
 
 use super::racket::{Face, Flat, Parts, Throw, draw, face, parts, view};
 use crate::Figure;
 use crate::finish::{self, short};
-use crate::solid::View;
+use crate::solid::{self, View};
 use crate::style::SCALE as CANVAS;
 use crate::style::*;
 
@@ -46,56 +45,52 @@ pub fn animated() -> Result<Figure> {
     let slower = SECONDS / period;
     // x₁ up, x₂ to the left, x₃ towards the reader.
     let upright = Attitude::from_quaternion(0.0, 1.0, 0.0, 1.0)?;
-    let words = Words {
-        claim: "The racket turns over twice in a period, and each time shows the other face."
-            .to_owned(),
-        details: format!(
-            "The throw of the film strip, {slower:.1} times slower: two somersaults and two half twists in {period:.2} s, after which everything \
-             repeats. Left, its axes: $x_1$ of the least moment, $x_2$ of the middle one, $x_3$ of the greatest. Below, $\\Omega_2$ \
-             goes from one value to its negative and back. Rest the pointer on the picture to stop it."
-        ),
-        alt: "A tennis racket turns head over handle about a horizontal angular momentum. In the middle of each somersault it \
-              twists by half a turn about its handle, so that the bare face and the filled face change places and the dot on the \
-              rim changes sides. A graph below shows the angular velocity about the middle axis going from one value to its negative \
-              and back. Without motion: the racket upside down, turned half out of its plane."
-            .to_owned(),
-    };
+    let words = words!(
+        "The racket turns over twice in a period, and each time shows the other face.",
+        "The throw of the film strip, {slower:.1} times slower: two somersaults and two half twists in {period:.2} s, after which everything \
+         repeats. Left, its axes: $x_1$ of the least moment, $x_2$ of the middle one, $x_3$ of the greatest. Below, $\\Omega_2$ \
+         goes from one value to its negative and back. Rest the pointer on the picture to stop it.",
+        "A tennis racket turns head over handle about a horizontal angular momentum. In the middle of each somersault it \
+         twists by half a turn about its handle, so that the bare face and the filled face change places and the dot on the \
+         rim changes sides. A graph below shows the angular velocity about the middle axis going from one value to its negative \
+         and back. Without motion: the racket upside down, turned half out of its plane."
+    );
     let still = figure(NAME, 424.0, words, |pen| {
         pen.line(
-            &[[150.0, CENTER[1]], [520.0, CENTER[1]]],
-            stroke(Role::AngularMomentum, AXIS).dotted(),
+            [[150.0, CENTER[1]], [520.0, CENTER[1]]],
+            stroke(AngularMomentum, AXIS).dotted(),
         );
         pen.arrow(
             [480.0, CENTER[1]],
             [552.0, CENTER[1]],
-            stroke(Role::AngularMomentum, 2.6),
+            stroke(AngularMomentum, 2.6),
         );
         pen.text(
             [562.0, CENTER[1] + 6.0],
-            Anchor::Start,
+            Start,
             "*L*",
-            label(Role::AngularMomentum),
+            label(AngularMomentum),
         );
         axes(pen, &upright);
         let [left, right, middle, _] = GRAPH;
-        pen.line(&[[left, middle], [right, middle]], inked(HAIR));
+        pen.line([[left, middle], [right, middle]], inked(HAIR));
         for half in [0.5, 1.0_f64] {
             let x = between([left, 0.0], [right, 0.0], half)[0];
-            pen.line(&[[x, middle - 4.0], [x, middle + 4.0]], inked(AXIS));
+            pen.line([[x, middle - 4.0], [x, middle + 4.0]], inked(AXIS));
             let time = format!("{} s", number(half * period, 2));
             pen.note(
                 [x, middle + if half < 1.0 { -10.0 } else { 22.0 }],
-                Anchor::Middle,
+                Middle,
                 &time,
             );
         }
-        let curve: Vec<Point> = (0..=PICTURES).map(graph).collect();
-        pen.line(&curve, stroke(Role::Omega, 2.0));
+        let curve = (0..=PICTURES).map(graph);
+        pen.line(curve, stroke(Omega, 2.0));
         pen.text(
             [left - 10.0, graph(0)[1] + 5.0],
-            Anchor::End,
+            End,
             "*Ω*_{2}",
-            label(Role::Omega),
+            label(Omega),
         );
     });
     let attitudes: Vec<Attitude> = states.iter().map(|s| s.attitude).collect();
@@ -108,18 +103,15 @@ fn axes(pen: &mut Pen, attitude: &Attitude) {
     let view = View::new(-0.62, 0.3, [92.0, 106.0], 170.0);
     draw(pen, &view, attitude, 0.6);
     let arms = [
-        ([1.0, 0.0, 0.0], 0.36, 0.47, "*x*_{1}"),
-        ([0.0, 1.0, 0.0], 0.0, 0.3, "*x*_{2}"),
-        ([0.0, 0.0, 1.0], 0.0, 0.34, "*x*_{3}"),
+        (0.36, 0.47, "*x*_{1}"),
+        (0.0, 0.3, "*x*_{2}"),
+        (0.0, 0.34, "*x*_{3}"),
     ];
-    for (axis, from, to, name) in arms {
-        let at = |reach: f64| {
-            let [x, y, z] = axis.map(|c| c * reach);
-            view.project(&attitude.to_space(BodyVector::new(x, y, z)).components())
-        };
+    for (axis, (from, to, name)) in solid::axes(attitude).into_iter().zip(arms) {
+        let at = |reach: f64| view.project(&(axis * reach));
         pen.arrow(at(from), at(to), inked(SECONDARY));
         let beyond = at(to + 0.07);
-        pen.label([beyond[0], beyond[1] + 5.0], Anchor::Middle, name);
+        pen.label([beyond[0], beyond[1] + 5.0], Middle, name);
     }
 }
 
@@ -179,7 +171,7 @@ fn moving(attitudes: &[Attitude], dots: &[Point]) -> String {
     let _ = writeln!(
         svg,
         "<circle class=\"fig-{NAME}-pace\" r=\"55\" fill=\"{}\" transform=\"{}\"/>",
-        Role::Omega.paint(),
+        Omega.paint(),
         translation(&dots[STILL]).replace("px", "")
     );
     svg
@@ -230,11 +222,7 @@ fn racket(svg: &mut String, back: &str) {
 /// The map from the plane of the racket to the canvas.
 fn matrix(attitude: &Attitude) -> String {
     let view = view([0.0, 0.0], 1.0);
-    let side = |v: BodyVector| view.project(&Vector3::from(attitude.to_space(v).components()));
-    let [x, y] = [
-        side(BodyVector::new(1.0, 0.0, 0.0)),
-        side(BodyVector::new(0.0, 1.0, 0.0)),
-    ];
+    let [x, y, _] = solid::axes(attitude).map(|axis| view.project(&axis));
     let [a, b, c, d] = [x[0], x[1], y[0], y[1]].map(|n| short(n, 3));
     format!("matrix({a},{b},{c},{d},0,0)")
 }

@@ -2,13 +2,13 @@
 
 use core::f64::consts::TAU;
 
-use nalgebra::{Rotation3, Vector3};
+use nalgebra::Rotation3;
 use spinning_bodies::Result;
 use spinning_bodies::euler_top::toutatis;
 use spinning_bodies::euler_top::{EulerTop, State};
 use spinning_bodies::frame::{Attitude, BodyVector};
 
-use crate::solid::{View, ellipse, segment};
+use crate::solid::{Vector, View, rim, segment};
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -36,7 +36,7 @@ pub fn two_axes(values: &Values) -> Result<Figure> {
     let omega = BodyVector::new(seen.x(), seen.y(), -roll.to_radians() / DAY);
     let asteroid = EulerTop::from_omega(toutatis::MOMENTS, omega, Attitude::identity())?;
     let l = asteroid.angular_momentum_in_space().components();
-    let upright = Rotation3::rotation_between(&l, &Vector3::z()).unwrap_or_default();
+    let upright = Rotation3::rotation_between(&l, &Vector::z()).unwrap_or_default();
     // The end of the long axis that stands on the side of L, and one end of the short axis.
     let ends = [
         BodyVector::new(0.0, 0.0, -1.0),
@@ -45,13 +45,13 @@ pub fn two_axes(values: &Values) -> Result<Figure> {
     let times = (0..=days as u32 * A_DAY).map(|k| f64::from(k) / f64::from(A_DAY));
     let steps = times.clone().map(|day| day * DAY);
     let states = asteroid.states(steps).collect::<Result<Vec<_>>>()?;
-    let [long, short] = ends.map(|end| -> Vec<Vector3<f64>> {
+    let [long, short] = ends.map(|end| -> Vec<Vector> {
         let in_the_sky = |a: &State| upright * a.attitude.to_space(end).components();
         states.iter().map(in_the_sky).collect()
     });
-    let angle = |a: &Vector3<f64>| a.z.acos().to_degrees();
-    let lowest = |axis: &[Vector3<f64>]| axis.iter().map(angle).fold(f64::INFINITY, f64::min);
-    let highest = |axis: &[Vector3<f64>]| axis.iter().map(angle).fold(0.0, f64::max);
+    let angle = |a: &Vector| a.z.acos().to_degrees();
+    let lowest = |axis: &[Vector]| axis.iter().map(angle).fold(f64::INFINITY, f64::min);
+    let highest = |axis: &[Vector]| axis.iter().map(angle).fold(0.0, f64::max);
     let periods = [
         asteroid.period() / DAY,
         TAU / asteroid.mean_precession_rate() / DAY,
@@ -73,105 +73,79 @@ pub fn two_axes(values: &Values) -> Result<Figure> {
             number(others, 0)
         ),
     };
-    let words = Words {
-        claim,
-        details: format!(
-            "Where its long axis (thick, a dot a day in the first week) and its short axis (thin) point for {days} days from 9 November 1992, on a sphere with \
-             $L$ upright. The long axis keeps between {}° and {}° from $L$ and goes round in {} days; about it \
-             the body rolls in {} days, and the short axis draws a net, from {}° to {}°.{}",
-            number(lowest(&long), 1),
-            number(highest(&long), 1),
-            number(periods[1], 2),
-            number(periods[0], 2),
-            number(lowest(&short), 1),
-            number(highest(&short), 1),
-            match roll == ROLL.default {
-                true => String::new(),
-                false => format!(
-                    " It starts with {roll}° a day about its long axis; Toutatis had {}°.",
-                    ROLL.default
-                ),
-            },
-        ),
-        alt: format!(
-            "A sphere with the angular momentum pointing up. The long axis of the asteroid runs round it nearly in a circle of latitude, {} to \
-             {} degrees from the top, {} times in {days} days. The short axis draws loops between {} and {} degrees, which in time make a fine net \
-             over a belt of the sphere.",
-            number(lowest(&long), 0),
-            number(highest(&long), 0),
-            number(days / periods[1], 0),
-            number(lowest(&short), 0),
-            number(highest(&short), 0),
+    let extremes = [
+        lowest(&long),
+        highest(&long),
+        lowest(&short),
+        highest(&short),
+    ];
+    let [low, high, least, most] = numbers(extremes, 1);
+    let [rolls, round] = numbers(periods, 2);
+    let begins = match roll == ROLL.default {
+        true => String::new(),
+        false => format!(
+            " It starts with {roll}° a day about its long axis; Toutatis had {}°.",
+            ROLL.default
         ),
     };
+    let [from, to, top, bottom] = numbers(extremes, 0);
+    let rounds = number(days / periods[1], 0);
+    let words = words!(
+        "{claim}",
+        "Where its long axis (thick, a dot a day in the first week) and its short axis (thin) point for {days} days from 9 November 1992, on a sphere with \
+         $L$ upright. The long axis keeps between {low}° and {high}° from $L$ and goes round in {round} days; about it \
+         the body rolls in {rolls} days, and the short axis draws a net, from {least}° to {most}°.{begins}",
+        "A sphere with the angular momentum pointing up. The long axis of the asteroid runs round it nearly in a circle of latitude, {from} to \
+         {to} degrees from the top, {rounds} times in {days} days. The short axis draws loops between {top} and {bottom} degrees, which in time make a fine net \
+         over a belt of the sphere."
+    );
     let made = figure("toutatis", 392.0, words, |pen| {
         let view = View::new(0.5, 0.42, [300.0, 218.0], 160.0);
-        let facing = |p: &Vector3<f64>| p.dot(&view.toward) >= 0.0;
-        let u = view.toward.cross(&Vector3::z()).normalize();
-        let outline = view.trace(&ellipse(Vector3::zeros(), u, view.toward.cross(&u), 240));
-        pen.fill(&outline, Role::Shade, 1.0);
-        let axis = segment(Vector3::zeros(), Vector3::z(), 2);
-        pen.line(
-            &view.trace(&axis),
-            stroke(Role::AngularMomentum, AXIS).dotted(),
-        );
-        let [seen, hidden] = view.split(&short, facing);
-        pen.lines(hidden, stroke(Role::Muted, HAIR).alpha(0.35));
-        let [ring, behind] = view.split(&long, facing);
+        let outline = view.trace(&rim(&Vector::repeat(1.0), &view.toward, 240));
+        pen.fill(&outline, Shade, 1.0);
+        let axis = segment(Vector::zeros(), Vector::z(), 2);
+        pen.line(view.trace(&axis), stroke(AngularMomentum, AXIS).dotted());
+        let [seen, hidden] = view.halves(&short);
+        pen.lines(hidden, muted(HAIR).alpha(0.35));
+        let [ring, behind] = view.halves(&long);
         pen.lines(behind, inked(SECONDARY).alpha(0.3));
-        pen.lines(&seen, stroke(Role::Muted, AXIS));
+        pen.lines(&seen, muted(AXIS));
         pen.outline(&outline, inked(SECONDARY));
         pen.lines(&ring, inked(DATA));
-        for day in long
-            .iter()
-            .step_by(A_DAY as usize)
-            .take(DOTS)
-            .filter(|p| facing(p))
-        {
-            pen.disc(view.project(day), 3.0, Role::Ink, 1.0);
+        let days = long.iter().step_by(A_DAY as usize).take(DOTS);
+        for day in days.filter(|p| view.faces(p)) {
+            pen.dot(view.project(day), 3.0);
         }
-        let tip = view.project(&(Vector3::z() * BEYOND));
+        let tip = view.project(&(Vector::z() * BEYOND));
         pen.arrow(
-            view.project(&Vector3::z()),
+            view.project(&Vector::z()),
             tip,
-            stroke(Role::AngularMomentum, 2.0),
+            stroke(AngularMomentum, 2.0),
         );
         pen.text(
             [tip[0] + 14.0, tip[1] + 12.0],
-            Anchor::Start,
+            Start,
             "*L*",
-            label(Role::AngularMomentum),
+            label(AngularMomentum),
         );
         // Leaders go to what is nearest.
         let remarks = [
-            (
-                [112.0, 96.0],
-                Anchor::End,
-                "long axis",
-                [116.0, 92.0],
-                &ring,
-            ),
-            (
-                [500.0, 326.0],
-                Anchor::Start,
-                "short axis",
-                [496.0, 321.0],
-                &seen,
-            ),
+            ([112.0, 96.0], End, "long axis", [116.0, 92.0], &ring),
+            ([500.0, 326.0], Start, "short axis", [496.0, 321.0], &seen),
         ];
         for (at, anchor, text, from, pieces) in remarks {
             if let Some(to) = nearest(from, pieces.iter().flatten().copied()) {
-                pen.line(&[from, to], inked(HAIR));
+                pen.line([from, to], inked(HAIR));
             }
             pen.note(at, anchor, text);
         }
     });
-    let columns = ["time (days)", "from L (°)", "about L (°)"];
-    let rows = |axis: &[Vector3<f64>]| -> Vec<Vec<f64>> {
-        let row = |(day, a): (f64, &Vector3<f64>)| vec![day, angle(a), a.y.atan2(a.x).to_degrees()];
+    let columns = "time (days) | from L (°) | about L (°)";
+    let rows = |axis: &[Vector]| -> Vec<[f64; 3]> {
+        let row = |(day, a): (f64, &Vector)| [day, angle(a), a.y.atan2(a.x).to_degrees()];
         times.clone().zip(axis).map(row).collect()
     };
     Ok(made
-        .data("long axis", &columns, rows(&long))
-        .data("short axis", &columns, rows(&short)))
+        .data("long axis", columns, rows(&long))
+        .data("short axis", columns, rows(&short)))
 }

@@ -52,43 +52,34 @@ pub fn film(values: &Values) -> Result<Figure> {
         Face::Front => "bare",
         Face::Back => "filled",
     });
-    let words = Words {
-        claim,
-        details: format!(
-            "Two throws at {} seen at {FRAMES} equal times. Above, exactly about the middle axis $x_2$: nothing else happens, \
-             and no hand can do it. Below, with $L$ {off} degrees off that axis: half a period of $\\Omega$, {} s, {brings}. \
-             One face is filled; the dot is the end of $x_2$, to which $\\Omega$ points at the throw. $I = {}$ g m².",
-            match turns {
-                1.0 => "one turn a second".to_owned(),
-                _ => format!("{} turns a second", brief(turns)),
-            },
-            number(thrown.flip_time(), 3),
-            triple(moments.map(|moment| 1e3 * moment)),
-        ),
-        alt: format!(
-            "Two rows of {FRAMES} pictures of a tennis racket turning head over handle. In the upper row it turns in one plane and \
-             ends, after {counted} turns, with its {} face to the front and the dot on the right. In the lower row, thrown {off} degrees \
-             differently, it twists half-way through about its handle and ends with its {} face to the front and the dot on \
-             the left.",
-            told[0], told[1],
-        ),
+    let pace = match turns {
+        1.0 => "one turn a second".to_owned(),
+        _ => format!("{} turns a second", brief(turns)),
     };
+    let half = number(thrown.flip_time(), 3);
+    let inertia = triple(moments.map(|moment| 1e3 * moment));
+    let [above, below] = told;
+    let words = words!(
+        "{claim}",
+        "Two throws at {pace} seen at {FRAMES} equal times. Above, exactly about the middle axis $x_2$: nothing else happens, \
+         and no hand can do it. Below, with $L$ {off} degrees off that axis: half a period of $\\Omega$, {half} s, {brings}. \
+         One face is filled; the dot is the end of $x_2$, to which $\\Omega$ points at the throw. $I = {inertia}$ g m².",
+        "Two rows of {FRAMES} pictures of a tennis racket turning head over handle. In the upper row it turns in one plane and \
+         ends, after {counted} turns, with its {above} face to the front and the dot on the right. In the lower row, thrown {off} degrees \
+         differently, it twists half-way through about its handle and ends with its {below} face to the front and the dot on \
+         the left."
+    );
     let made = figure("racket-flip", 424.0, words, |pen| {
         let x = |k: usize| 40.0 + 62.5 * k as f64;
         let off = format!("thrown with *L* {off}° off it");
         for (y, text) in ROWS.into_iter().zip(["thrown exactly about *x*_{2}", &off]) {
-            pen.note([10.0, y - 88.0], Anchor::Start, text);
+            pen.note([10.0, y - 88.0], Start, text);
             pen.line(
-                &[[10.0, y], [566.0, y]],
-                stroke(Role::AngularMomentum, AXIS).dotted(),
+                [[10.0, y], [566.0, y]],
+                stroke(AngularMomentum, AXIS).dotted(),
             );
-            pen.arrow([570.0, y], [594.0, y], stroke(Role::AngularMomentum, DATA));
-            pen.text(
-                [582.0, y - 8.0],
-                Anchor::Middle,
-                "*L*",
-                label(Role::AngularMomentum),
-            );
+            pen.arrow([570.0, y], [594.0, y], stroke(AngularMomentum, DATA));
+            pen.text([582.0, y - 8.0], Middle, "*L*", label(AngularMomentum));
         }
         for (k, pair) in states.iter().enumerate() {
             for (state, y) in pair.iter().zip(ROWS) {
@@ -98,18 +89,18 @@ pub fn film(values: &Values) -> Result<Figure> {
                 0 => "0".to_owned(),
                 _ => format!("{} s", number(time(k), 2)),
             };
-            pen.note([x(k), 410.0], Anchor::Middle, &text);
+            pen.note([x(k), 410.0], Middle, &text);
         }
     });
-    let columns = ["time (s)", "Ω₁ (rad/s)", "Ω₂ (rad/s)", "Ω₃ (rad/s)"];
+    let columns = "time (s) | Ω₁ (rad/s) | Ω₂ (rad/s) | Ω₃ (rad/s)";
     let rows = |which: usize| {
         let row = |(k, pair): (usize, &[State; 2])| {
             let omega = pair[which].omega;
-            vec![time(k), omega.x(), omega.y(), omega.z()]
+            [time(k), omega.x(), omega.y(), omega.z()]
         };
         states.iter().enumerate().map(row).collect::<Vec<_>>()
     };
     Ok(made
-        .data("exactly about the middle axis", &columns, rows(0))
-        .data("off it", &columns, rows(1)))
+        .data("exactly about the middle axis", columns, rows(0))
+        .data("off it", columns, rows(1)))
 }

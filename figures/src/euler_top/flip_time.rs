@@ -4,7 +4,7 @@ use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
 
 use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, top_of, triple};
-use crate::plot::{Axis, Frame, powers};
+use crate::plot::{Frame, powers};
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -124,10 +124,11 @@ impl Course {
 
     fn frame(&self) -> Frame {
         let [left, right, bottom, top] = FRAME;
-        Frame {
-            x: Axis::linear([0.0, f64::from(DECADES)], [left, right]),
-            y: Axis::linear([0.0, self.longest], [bottom, top]),
-        }
+        Frame::linear(
+            [0.0, f64::from(DECADES)],
+            [0.0, self.longest],
+            [left, right, bottom, top],
+        )
     }
 
     fn axes(&self, pen: &mut Pen) {
@@ -138,7 +139,7 @@ impl Course {
         frame.draw(pen, &decades, &frame.y.ticks(60.0), names);
         // Clear of the powers above it.
         let below = [frame.x.ends[1], frame.y.ends[0] + 48.0];
-        pen.label(below, Anchor::End, "distance *ε* from the middle axis");
+        pen.label(below, End, "distance *ε* from the middle axis");
     }
 }
 
@@ -186,46 +187,26 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
         ),
     };
     let never = near == 0.0;
+    let (inertia, beyond) = (triple(course.moments), remark(course.moments));
+    let (pace, thrown) = (brief(spin), distance(values.of(&DISTANCE)));
+    let [step, last, ring] = [decade, near, course.marked[1]].map(seconds);
+    let rounds = number(turns(near), 1);
     let words = match never {
-        true => Words {
-            claim: "Equal parts of spin about the first and the third axis put this body on its separatrix: it swings over once and never flips again.".to_owned(),
-            details: format!(
-                "For $I = {}$ the throw $\\Omega(0) = {}\\,(\\epsilon, 1, \\epsilon)$ rad/s has $L^2 = 2EI_2$ for every $\\epsilon$, {} as well: \
-                 the time from flip to flip is infinite. Move a moment a little, and the line is there.{}",
-                triple(course.moments),
-                brief(spin),
-                distance(values.of(&DISTANCE)),
-                remark(course.moments),
-            ),
-            alt: format!(
-                "Empty axes for the time between two flips against the distance from the middle axis: for the moments {} there is no second flip.",
-                triple(course.moments)
-            ),
-        },
-        false => Words {
-        claim: format!(
-            "Each decade closer to the middle axis buys the same {} seconds before the flip{others_give_up}.",
-            seconds(decade)
+        true => words!(
+            "Equal parts of spin about the first and the third axis put this body on its separatrix: it swings over once and never flips again.",
+            "For $I = {inertia}$ the throw $\\Omega(0) = {pace}\\,(\\epsilon, 1, \\epsilon)$ rad/s has $L^2 = 2EI_2$ for every $\\epsilon$, {thrown} as well: \
+             the time from flip to flip is infinite. Move a moment a little, and the line is there.{beyond}",
+            "Empty axes for the time between two flips against the distance from the middle axis: for the moments {inertia} there is no second flip."
         ),
-        details: format!(
-            "Time from flip to flip, half the period of $\\Omega$, for $I = {}$ and $\\Omega(0) = {}\\,(\\epsilon, 1, \\epsilon)$ rad/s. \
-             A decade adds $2\\ln 10/\\sqrt{{\\lambda}} = {decade:.3}$ s: {} s at $\\epsilon = {}$, the ring, {} s or {} turns at $10^{{-{DECADES}}}$. \
-             {others_measured}{}",
-            triple(course.moments),
-            brief(spin),
-            seconds(course.marked[1]),
-            distance(values.of(&DISTANCE)),
-            seconds(near),
-            number(turns(near), 1),
-            remark(course.moments),
-        ),
-        alt: format!(
+        false => words!(
+            "Each decade closer to the middle axis buys the same {step} seconds before the flip{others_give_up}.",
+            "Time from flip to flip, half the period of $\\Omega$, for $I = {inertia}$ and $\\Omega(0) = {pace}\\,(\\epsilon, 1, \\epsilon)$ rad/s. \
+             A decade adds $2\\ln 10/\\sqrt{{\\lambda}} = {decade:.3}$ s: {ring} s at $\\epsilon = {thrown}$, the ring, {last} s or {rounds} turns at $10^{{-{DECADES}}}$. \
+             {others_measured}{beyond}",
             "The time between two flips against the initial distance from the middle axis, on a logarithmic axis over {DECADES} decades: \
-             a straight line, up by {} seconds for every factor of ten, to {} seconds at ten to the minus {DECADES}.{others_seen}",
-            seconds(decade),
-            seconds(near),
+             a straight line, up by {step} seconds for every factor of ten, to {last} seconds at ten to the minus {DECADES}.{others_seen}"
         ),
-    }};
+    };
     let made = figure("flip-time", 392.0, words, |pen| {
         course.axes(pen);
         if never {
@@ -234,19 +215,19 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
         let points: Vec<Point> = line.iter().map(|&at| course.place(at)).collect();
         pen.line(&points, inked(DATA));
         for point in &points[1..] {
-            pen.disc(*point, 3.0, Role::Ink, 1.0);
+            pen.dot(*point, 3.0);
         }
         pen.ring(course.place(course.marked), 7.0, inked(DATA));
         let (a, b) = (points[11], points[12]);
-        pen.line(&[a, [b[0], a[1]], b], stroke(Role::Muted, AXIS));
+        pen.line([a, [b[0], a[1]], b], muted(AXIS));
         pen.note(
             [b[0] + 6.0, 0.5 * (a[1] + b[1]) + 9.0],
-            Anchor::Start,
+            Start,
             &format!("{} s a decade", seconds(decade)),
         );
         for peer in stubborn.iter().chain(&silent) {
             let points: Vec<Point> = peer.answers.iter().map(|&at| course.place(at)).collect();
-            pen.line(&points, stroke(Role::Muted, SECONDARY).dashed());
+            pen.line(&points, muted(SECONDARY).dashed());
             if let (Some(end), false) = (points.last(), peer.goes_on()) {
                 cross(pen, *end);
             }
@@ -261,22 +242,22 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
                 ([372.0, 233.0], listed(&stubborn, last)),
             ];
             for (at, line) in lines {
-                pen.note(at, Anchor::Start, &line);
+                pen.note(at, Start, &line);
             }
             let [x, y] = course.place(end);
-            pen.line(&[[x, y + 8.0], [x, 266.0]], inked(HAIR));
+            pen.line([[x, y + 8.0], [x, 266.0]], inked(HAIR));
         }
     });
-    let row = |&[exponent, time]: &[f64; 2]| vec![10f64.powf(-exponent), time];
-    let columns = ["distance (ratio)", "time between flips (s)"];
-    let made = made.data("exact", &columns, line.iter().map(row)).data(
+    let row = |&[exponent, time]: &[f64; 2]| [10f64.powf(-exponent), time];
+    let columns = "distance (ratio) | time between flips (s)";
+    let made = made.data("exact", columns, line.iter().map(row)).data(
         "ring",
-        &columns,
+        columns,
         [row(&course.marked)],
     );
     let others = stubborn.iter().chain(&silent);
     Ok(others.fold(made, |made, peer| {
-        made.data(peer.name.as_str(), &columns, peer.answers.iter().map(row))
+        made.data(peer.name.as_str(), columns, peer.answers.iter().map(row))
     }))
 }
 
@@ -303,7 +284,7 @@ fn listed(peers: &[Peer], part: impl Fn(&str) -> Option<String>) -> String {
 fn cross(pen: &mut Pen, at: Point) {
     for side in [1.0, -1.0] {
         pen.line(
-            &[
+            [
                 [at[0] - 4.5, at[1] - 4.5 * side],
                 [at[0] + 4.5, at[1] + 4.5 * side],
             ],

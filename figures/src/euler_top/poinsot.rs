@@ -2,13 +2,12 @@
 
 use core::f64::consts::TAU;
 
-use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::euler_top::{Poinsot, Sector};
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 
 use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, top_of, triple};
-use crate::solid::{View, ellipse, ellipsoid_hides, segment};
+use crate::solid::{Vector, View, ellipse, ellipsoid_hides, latitude, rim, segment, turned};
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -48,11 +47,11 @@ struct Scene {
     sheet: [f64; 2],
     distance: f64,
     attitude: Attitude,
-    contact: Vector3<f64>,
-    polhode: Vec<Vector3<f64>>,
-    past: Vec<Vector3<f64>>,
-    future: Vec<Vector3<f64>>,
-    dots: [Vec<Vector3<f64>>; 2],
+    contact: Vector,
+    polhode: Vec<Vector>,
+    past: Vec<Vector>,
+    future: Vec<Vector>,
+    dots: [Vec<Vector>; 2],
 }
 
 /// The ellipsoid of inertia rolls on the invariable plane.
@@ -60,10 +59,10 @@ pub fn rolling(values: &Values) -> Result<Figure> {
     let moments = moments(values);
     let start_omega = [FIRST, SECOND, THIRD].map(|one| values.of(&one));
     let omega = BodyVector::from_components(start_omega.into());
-    let l = BodyVector::from_components(Vector3::from(moments).component_mul(&omega.components()));
+    let l = BodyVector::from_components(Vector::from(moments).component_mul(&omega.components()));
     let picture = Poinsot::new(moments, l)?;
     // L upright.
-    let upright = Vector3::z();
+    let upright = Vector::z();
     let tilt = l.components().angle(&upright);
     let start = Attitude::about_axis(
         BodyVector::from_components(l.components().cross(&upright)),
@@ -75,11 +74,11 @@ pub fn rolling(values: &Values) -> Result<Figure> {
         period if period.is_finite() => period,
         _ => 8.0 * TAU / omega.norm(),
     };
-    let contact = |t: f64| -> Result<Vector3<f64>> {
+    let contact = |t: f64| -> Result<Vector> {
         let state = top.at(t)?;
         Ok(state.attitude.to_space(state.omega).components())
     };
-    let path = |from: f64, to: f64| -> Result<Vec<Vector3<f64>>> {
+    let path = |from: f64, to: f64| -> Result<Vec<Vector>> {
         let steps = ((to - from).abs() * STEPS as f64).round();
         (0..=steps as usize)
             .map(|k| contact(period * (from + (to - from) * k as f64 / steps)))
@@ -117,7 +116,7 @@ pub fn rolling(values: &Values) -> Result<Figure> {
     };
     let mut points = scene.outline();
     points.extend(scene.corners());
-    points.push(Vector3::z() * scene.tip());
+    points.push(Vector::z() * scene.tip());
     let direction = [DIRECTION[0] + turn, DIRECTION[1]];
     scene.view = View::fitted(direction, &points, ROOM, f64::INFINITY);
     let about = match scene.sector {
@@ -126,68 +125,57 @@ pub fn rolling(values: &Values) -> Result<Figure> {
         _ => "both ends of the middle axis, on the separatrix",
     };
 
-    let words = Words {
-        claim: "The free top moves as if its ellipsoid of inertia were rolling on a plane that stands still."
-            .to_owned(),
-        details: format!(
-            "The ellipsoid $\\Theta$ hangs by its centre $O$ and presses from below against the glass plane $\\Pi$, at distance \
-             $2E/\\lvert L\\rvert = {distance:.4}$. The point of contact is $\\Omega$; it runs along the polhode on the body and the herpolhode \
-             on the plane, which stays between {inner:.4} and {outer:.4} from the foot of $L$. Dots at equal times: equal lengths on both \
-             curves. The polhode goes round {about}. $I = {}$ kg m², $\\Omega = {}$ rad/s.{}",
-            triple(moments),
-            triple(start_omega),
-            remark(moments),
-        ),
-        alt: format!(
-            "An ellipsoid with a fine net of meridians touches a horizontal glass plane from below in one point, the tip of the \
-             angular velocity. Round {about}, runs a closed curve, the polhode; on the plane the point \
-             of contact winds round and round between two circles of radius {inner:.3} and {outer:.3} about the vertical angular \
-             momentum: the herpolhode. One curve rolls on the other."
-        ),
-    };
+    let [inertia, spun] = [moments, start_omega].map(triple);
+    let beyond = remark(moments);
+    let words = words!(
+        "The free top moves as if its ellipsoid of inertia were rolling on a plane that stands still.",
+        "The ellipsoid $\\Theta$ hangs by its centre $O$ and presses from below against the glass plane $\\Pi$, at distance \
+         $2E/\\lvert L\\rvert = {distance:.4}$. The point of contact is $\\Omega$; it runs along the polhode on the body and the herpolhode \
+         on the plane, which stays between {inner:.4} and {outer:.4} from the foot of $L$. Dots at equal times: equal lengths on both \
+         curves. The polhode goes round {about}. $I = {inertia}$ kg m², $\\Omega = {spun}$ rad/s.{beyond}",
+        "An ellipsoid with a fine net of meridians touches a horizontal glass plane from below in one point, the tip of the \
+         angular velocity. Round {about}, runs a closed curve, the polhode; on the plane the point \
+         of contact winds round and round between two circles of radius {inner:.3} and {outer:.3} about the vertical angular \
+         momentum: the herpolhode. One curve rolls on the other."
+    );
     let made = figure("poinsot-ellipsoid", 466.0, words, |pen| {
-        scene.body(pen);
+        scene.solid(pen);
         scene.plane(pen, [inner, outer]);
         scene.labels(pen);
     });
-    let columns = ["Ω_x (rad/s)", "Ω_y (rad/s)", "Ω_z, along L (rad/s)"];
-    let rows = |curve: &[Vector3<f64>]| -> Vec<Vec<f64>> {
-        curve.iter().map(|p| vec![p.x, p.y, p.z]).collect()
-    };
+    let columns = "Ω_x (rad/s) | Ω_y (rad/s) | Ω_z, along L (rad/s)";
+    let rows =
+        |curve: &[Vector]| -> Vec<[f64; 3]> { curve.iter().map(|p| [p.x, p.y, p.z]).collect() };
     Ok(made
-        .data(
-            "polhode, as the body stands",
-            &columns,
-            rows(&scene.polhode),
-        )
-        .data("herpolhode, behind", &columns, rows(&scene.past))
-        .data("herpolhode, ahead", &columns, rows(&scene.future)))
+        .data("polhode, as the body stands", columns, rows(&scene.polhode))
+        .data("herpolhode, behind", columns, rows(&scene.past))
+        .data("herpolhode, ahead", columns, rows(&scene.future)))
 }
 
 impl Scene {
     /// A point of the body, in space.
-    fn space(&self, p: Vector3<f64>) -> Vector3<f64> {
-        self.attitude
-            .to_space(BodyVector::from_components(p))
-            .components()
+    fn space(&self, p: Vector) -> Vector {
+        turned(&self.attitude, p)
     }
 
-    fn seen(&self, p: &Vector3<f64>) -> bool {
-        let body = |v: &Vector3<f64>| {
-            self.attitude
-                .to_body(SpaceVector::from_components(*v))
-                .components()
-        };
-        !ellipsoid_hides(&self.semi.into(), &body(p), &body(&self.view.toward))
+    /// A direction in space, along the axes of the body.
+    fn body(&self, v: Vector) -> Vector {
+        let v = SpaceVector::from_components(v);
+        self.attitude.to_body(v).components()
+    }
+
+    fn seen(&self, p: &Vector) -> bool {
+        let toward = self.body(self.view.toward);
+        !ellipsoid_hides(&self.semi.into(), &self.body(*p), &toward)
     }
 
     /// A point of the plane, along the sides of the sheet.
-    fn on_the_plane(&self, x: f64, y: f64) -> Vector3<f64> {
+    fn on_the_plane(&self, x: f64, y: f64) -> Vector {
         let (s, c) = self.turn.sin_cos();
-        Vector3::new(c * x - s * y, s * x + c * y, self.distance)
+        Vector::new(c * x - s * y, s * x + c * y, self.distance)
     }
 
-    fn corners(&self) -> [Vector3<f64>; 4] {
+    fn corners(&self) -> [Vector; 4] {
         let [a, b] = self.sheet;
         [[-a, -b], [a, -b], [a, b], [-a, b]].map(|[x, y]| self.on_the_plane(x, y))
     }
@@ -198,17 +186,17 @@ impl Scene {
     }
 
     /// The net: circles about the axis that the polhode goes round, and ellipses through its ends.
-    fn net(&self) -> Vec<(Vec<Vector3<f64>>, f64)> {
-        let semi = Vector3::from(self.semi);
-        let curve = |center: Vector3<f64>, u: Vector3<f64>, v: Vector3<f64>| {
+    fn net(&self) -> Vec<(Vec<Vector>, f64)> {
+        let semi = Vector::from(self.semi);
+        let curve = |center: Vector, u: Vector, v: Vector| {
             ellipse(center, u, v, 180)
                 .into_iter()
                 .map(|p| self.space(p.component_mul(&semi)))
                 .collect::<Vec<_>>()
         };
         let (x, y, z) = match self.sector {
-            Sector::AroundLargest => (Vector3::x(), Vector3::y(), Vector3::z()),
-            _ => (Vector3::y(), Vector3::z(), Vector3::x()),
+            Sector::AroundLargest => (Vector::x(), Vector::y(), Vector::z()),
+            _ => (Vector::y(), Vector::z(), Vector::x()),
         };
         let mut net = Vec::new();
         for k in -5..=5 {
@@ -218,29 +206,19 @@ impl Scene {
         for k in 0..12 {
             let (s, c) = (f64::from(k) * TAU / 24.0).sin_cos();
             let main = if k % 6 == 0 { 0.55 } else { 0.25 };
-            net.push((curve(Vector3::zeros(), x * c + y * s, z), main));
+            net.push((curve(Vector::zeros(), x * c + y * s, z), main));
         }
         net
     }
 
-    fn outline(&self) -> Vec<Vector3<f64>> {
-        let semi = Vector3::from(self.semi);
-        let toward = self
-            .attitude
-            .to_body(SpaceVector::from_components(self.view.toward))
-            .components();
-        let n = toward.component_div(&semi).normalize();
-        let u = n.cross(&Vector3::z()).normalize();
-        let v = n.cross(&u);
-        let rim = ellipse(Vector3::zeros(), u, v, 240);
-        rim.into_iter()
-            .map(|p| self.space(p.component_mul(&semi)))
-            .collect()
+    fn outline(&self) -> Vec<Vector> {
+        let rim = rim(&self.semi.into(), &self.body(self.view.toward), 240);
+        rim.into_iter().map(|p| self.space(p)).collect()
     }
 
-    fn body(&self, pen: &mut Pen) {
+    fn solid(&self, pen: &mut Pen) {
         let outline = self.view.trace(&self.outline());
-        pen.fill(&outline, Role::Shade, 1.0);
+        pen.fill(&outline, Shade, 1.0);
         for (curve, strength) in self.net() {
             let [seen, _] = self.view.split(&curve, |p| self.seen(p));
             pen.lines(seen, inked(HAIR).alpha(strength));
@@ -250,27 +228,24 @@ impl Scene {
         pen.lines(hidden, inked(AXIS).alpha(0.35));
         pen.lines(seen, inked(DATA));
         for dot in self.dots[0].iter().filter(|p| self.seen(p)) {
-            pen.disc(self.view.project(dot), 2.6, Role::Ink, 1.0);
+            pen.dot(self.view.project(dot), 2.6);
         }
         // What is inside the body.
-        let center = self.view.project(&Vector3::zeros());
-        let foot = self.view.project(&(Vector3::z() * self.distance));
+        let center = self.view.project(&Vector::zeros());
+        let foot = self.view.project(&(Vector::z() * self.distance));
+        pen.line([center, foot], stroke(AngularMomentum, SECONDARY).dotted());
         pen.line(
-            &[center, foot],
-            stroke(Role::AngularMomentum, SECONDARY).dotted(),
+            [center, self.view.project(&self.contact)],
+            stroke(Omega, SECONDARY).dotted(),
         );
-        pen.line(
-            &[center, self.view.project(&self.contact)],
-            stroke(Role::Omega, SECONDARY).dotted(),
-        );
-        pen.disc(center, 2.6, Role::Ink, 1.0);
+        pen.dot(center, 2.6);
     }
 
     fn plane(&self, pen: &mut Pen, radii: [f64; 2]) {
         let at = |x: f64, y: f64| self.on_the_plane(x, y);
         let [a, b] = self.sheet;
         let sheet = self.view.trace(&self.corners());
-        pen.fill(&sheet, Role::Ink, 0.05);
+        pen.fill(&sheet, Ink, 0.05);
         let mesh = a / 6.0;
         for k in -6..=6 {
             let x = mesh * f64::from(k);
@@ -279,51 +254,39 @@ impl Scene {
                 (x.abs() < b, at(-a, x), at(a, x)),
             ] {
                 if inside {
-                    pen.line(&self.view.trace(&[from, to]), inked(HAIR).alpha(0.16));
+                    pen.line(self.view.trace(&[from, to]), inked(HAIR).alpha(0.16));
                 }
             }
         }
         pen.outline(&sheet, inked(AXIS).alpha(0.7));
         for radius in radii {
-            let ring = ellipse(
-                at(0.0, 0.0),
-                Vector3::x() * radius,
-                Vector3::y() * radius,
-                120,
-            );
-            pen.line(&self.view.trace(&ring), stroke(Role::Muted, AXIS).dotted());
+            let ring = latitude(self.distance, radius, 120);
+            pen.line(self.view.trace(&ring), muted(AXIS).dotted());
         }
-        pen.line(
-            &self.view.trace(&self.future),
-            stroke(Role::Omega, 1.0).alpha(0.6),
-        );
-        pen.line(&self.view.trace(&self.past), stroke(Role::Omega, DATA));
+        pen.line(self.view.trace(&self.future), stroke(Omega, 1.0).alpha(0.6));
+        pen.line(self.view.trace(&self.past), stroke(Omega, DATA));
         for dot in &self.dots[1] {
-            pen.disc(self.view.project(dot), 2.4, Role::Omega, 1.0);
+            pen.disc(self.view.project(dot), 2.4, Omega, 1.0);
         }
         let foot = self.view.project(&at(0.0, 0.0));
-        let tip = self.view.project(&(Vector3::z() * self.tip()));
-        pen.disc(foot, 2.0, Role::AngularMomentum, 1.0);
-        pen.arrow(foot, tip, stroke(Role::AngularMomentum, 2.6));
+        let tip = self.view.project(&(Vector::z() * self.tip()));
+        pen.disc(foot, 2.0, AngularMomentum, 1.0);
+        pen.arrow(foot, tip, stroke(AngularMomentum, 2.6));
     }
 
     fn labels(&self, pen: &mut Pen) {
         let contact = self.view.project(&self.contact);
-        let center = self.view.project(&Vector3::zeros());
-        pen.arrow(
-            between(center, contact, 0.82),
-            contact,
-            stroke(Role::Omega, DATA),
-        );
-        let tip = self.view.project(&(Vector3::z() * self.tip()));
+        let center = self.view.project(&Vector::zeros());
+        pen.arrow(between(center, contact, 0.82), contact, stroke(Omega, DATA));
+        let tip = self.view.project(&(Vector::z() * self.tip()));
         // The lower right of the body, and the left corner of the sheet.
         let outline = self.view.trace(&self.outline());
         let lower = |a: &&Point, b: &&Point| (a[0] + a[1]).total_cmp(&(b[0] + b[1]));
         let corner = outline.iter().max_by(lower).copied().unwrap_or(center);
         // A letter stands where the curves leave it most room.
         let arms = [
-            [Vector3::zeros(), self.contact],
-            [Vector3::zeros(), Vector3::z() * self.tip()],
+            [Vector::zeros(), self.contact],
+            [Vector::zeros(), Vector::z() * self.tip()],
         ];
         let arms = arms.iter().flat_map(|[from, to]| segment(*from, *to, 40));
         let rim = self.corners();
@@ -339,9 +302,8 @@ impl Scene {
                 .chain(self.outline())
                 .collect::<Vec<_>>(),
         );
-        let room = |at: &Point| {
-            nearest(*at, taken.iter().copied()).map_or(0.0, |p| (p[0] - at[0]).hypot(p[1] - at[1]))
-        };
+        let room =
+            |at: &Point| nearest(*at, taken.iter().copied()).map_or(0.0, |p| distance(p, *at));
         let free = |about: Point| {
             let places = (0..24).map(|k| polar(about, 17.0, TAU * f64::from(k) / 24.0));
             places
@@ -351,15 +313,15 @@ impl Scene {
         let inside = self.sheet.map(|half| -0.72 * half);
         let inside = self.view.project(&self.on_the_plane(inside[0], inside[1]));
         for (at, text, role) in [
-            (free(between(center, contact, 0.84)), "*Ω*", Role::Omega),
-            (free(tip), "*L*", Role::AngularMomentum),
-            (free(center), "*O*", Role::Ink),
-            ([corner[0] + 18.0, corner[1] + 11.0], "*Θ*", Role::Ink),
-            (free(inside), "*Π*", Role::Ink),
+            (free(between(center, contact, 0.84)), "*Ω*", Omega),
+            (free(tip), "*L*", AngularMomentum),
+            (free(center), "*O*", Ink),
+            ([corner[0] + 18.0, corner[1] + 11.0], "*Θ*", Ink),
+            (free(inside), "*Π*", Ink),
         ] {
-            pen.text([at[0], at[1] + 5.0], Anchor::Middle, text, label(role));
+            pen.text([at[0], at[1] + 5.0], Middle, text, label(role));
         }
-        let seen: Vec<Vector3<f64>> = self
+        let seen: Vec<Vector> = self
             .polhode
             .iter()
             .filter(|p| self.seen(p))
@@ -368,24 +330,17 @@ impl Scene {
         for (at, anchor, text, role, from, curve) in [
             (
                 [488.0, 40.0],
-                Anchor::Start,
+                Start,
                 "herpolhode",
-                Role::Omega,
+                Omega,
                 [484.0, 37.0],
                 &self.past,
             ),
-            (
-                [84.0, 404.0],
-                Anchor::End,
-                "polhode",
-                Role::Ink,
-                [88.0, 399.0],
-                &seen,
-            ),
+            ([84.0, 404.0], End, "polhode", Ink, [88.0, 399.0], &seen),
         ] {
             pen.text(at, anchor, text, small(role));
             if let Some(to) = nearest(from, self.view.trace(curve)) {
-                pen.line(&[from, to], stroke(role, HAIR));
+                pen.line([from, to], stroke(role, HAIR));
             }
         }
     }

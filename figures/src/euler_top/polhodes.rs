@@ -2,13 +2,12 @@
 
 use core::f64::consts::TAU;
 
-use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::euler_top::{EulerTop, Poinsot, Sector};
 use spinning_bodies::frame::{Attitude, BodyVector};
 
 use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, triple};
-use crate::solid::{View, ellipse, ellipsoid_hides};
+use crate::solid::{Vector, View, ellipse, ellipsoid_hides, rim};
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -33,40 +32,22 @@ const CROSSING: Parameter = Parameter::new("crossing", r"\alpha", "°").meaning(
 pub const POLHODES: &[Parameter] = &[SMALLEST, MIDDLE, LARGEST, CROSSING];
 
 /// The half axes of the ellipsoid, how it is seen, and its axes.
-fn stage(values: &Values) -> (Vector3<f64>, View, [Vector3<f64>; 3]) {
-    let semi = Vector3::from(moments(values).map(f64::sqrt));
-    let arms = [0, 1, 2].map(|k| Vector3::ith(k, semi[k]));
-    let mut points: Vec<Vector3<f64>> = arms.iter().flat_map(|arm| [*arm, -arm]).collect();
-    points.extend(rim(
-        &semi,
-        &View::new(DIRECTION[0], DIRECTION[1], [0.0; 2], 1.0),
-    ));
-    points.extend([0, 1, 2].map(|k| Vector3::ith(k, semi[k] + REACH[k] * semi[2])));
-    (
-        semi,
-        View::fitted(DIRECTION, &points, ROOM, f64::INFINITY),
-        arms,
-    )
-}
-
-/// The outline of an ellipsoid, a curve on it.
-fn rim(semi: &Vector3<f64>, view: &View) -> Vec<Vector3<f64>> {
-    let n = view.toward.component_div(semi).normalize();
-    let u = n.cross(&Vector3::z()).normalize();
-    let v = n.cross(&u);
-    ellipse(
-        Vector3::zeros(),
-        u.component_mul(semi),
-        v.component_mul(semi),
-        240,
-    )
+fn stage(values: &Values) -> (Vector, View, [Vector; 3]) {
+    let semi = Vector::from(moments(values).map(f64::sqrt));
+    let arms = [0, 1, 2].map(|k| Vector::ith(k, semi[k]));
+    let mut points: Vec<Vector> = arms.iter().flat_map(|arm| [*arm, -arm]).collect();
+    let plain = View::new(DIRECTION[0], DIRECTION[1], [0.0; 2], 1.0);
+    points.extend(rim(&semi, &plain.toward, 240));
+    points.extend([0, 1, 2].map(|k| Vector::ith(k, semi[k] + REACH[k] * semi[2])));
+    let view = View::fitted(DIRECTION, &points, ROOM, f64::INFINITY);
+    (semi, view, arms)
 }
 
 /// A polhode of L on the ellipsoid of constant energy, and its dots.
 struct Curve {
-    semi: Vector3<f64>,
-    points: Vec<Vector3<f64>>,
-    dots: Vec<Vector3<f64>>,
+    semi: Vector,
+    points: Vec<Vector>,
+    dots: Vec<Vector>,
     sector: Sector,
     /// In radians over √(2E/I₂).
     period: f64,
@@ -101,7 +82,7 @@ impl Curve {
     }
 
     fn draw(&self, pen: &mut Pen, view: &View, style: Stroke, dot: (Role, f64)) {
-        let shown = |p: &Vector3<f64>| !ellipsoid_hides(&self.semi, p, &view.toward);
+        let shown = |p: &Vector| !ellipsoid_hides(&self.semi, p, &view.toward);
         let [seen, hidden] = view.split(&self.points, shown);
         pen.lines(hidden, stroke(dot.0, HAIR).alpha(0.3));
         pen.lines(seen, style);
@@ -113,23 +94,23 @@ impl Curve {
 
 /// What is seen of the sector about x₁ (about −x₁ if `side` is −1), which reaches from −x₂ to x₂ and up to `crossing` from
 /// the equator, on the sphere that the ellipsoid is stretched from.
-fn sector(view: &View, semi: &Vector3<f64>, crossing: f64, side: f64) -> Vec<Point> {
+fn sector(view: &View, semi: &Vector, crossing: f64, side: f64) -> Vec<Point> {
     let toward = view.toward.component_div(semi).normalize();
     let edge = |end: f64| {
         (-90..=90)
             .map(|k| f64::from(k).to_radians().sin_cos())
-            .map(|(s, c)| Vector3::new(side * c * crossing.cos(), s, end * c * crossing.sin()))
+            .map(|(s, c)| Vector::new(side * c * crossing.cos(), s, end * c * crossing.sin()))
             .filter(|p| p.dot(&toward) > 0.0)
             .collect::<Vec<_>>()
     };
     // From the rim of what is seen along one edge to the pole x₂, back along the other, then along the rim.
     let (mut there, mut back) = (edge(1.0), edge(-1.0));
     back.reverse();
-    let u = toward.cross(&Vector3::z()).normalize();
+    let u = toward.cross(&Vector::z()).normalize();
     // The rim begins next to x₃, outside of both sectors.
-    let rim = ellipse(Vector3::zeros(), toward.cross(&u), u, 720);
-    let inside = |p: &&Vector3<f64>| side * p.x > 0.0 && (p.z / p.x).abs() < crossing.tan();
-    let mut along: Vec<Vector3<f64>> = rim.iter().filter(inside).copied().collect();
+    let rim = ellipse(Vector::zeros(), toward.cross(&u), u, 720);
+    let inside = |p: &&Vector| side * p.x > 0.0 && (p.z / p.x).abs() < crossing.tan();
+    let mut along: Vec<Vector> = rim.iter().filter(inside).copied().collect();
     if let (Some(end), Some(first), Some(last)) = (back.last(), along.first(), along.last())
         && (end - last).norm() < (end - first).norm()
     {
@@ -179,51 +160,42 @@ pub fn polhodes(values: &Values) -> Result<Figure> {
         _ => "lies on the separatrix, and takes longer than any number of".to_owned(),
     };
 
-    let words = Words {
-        claim: "Round the first and the third axis a polhode stays close; next to the second it dawdles, then swings over to the \
-                other side."
-            .to_owned(),
-        details: format!(
-            "Polhodes of $L$ in the body on the ellipsoid $\\sum L_i^2/2EI_i = 1$ for $I = {}$. Dots at equal times, {STEP:.1} \
-             of a radian at the rate $\\sqrt{{2E/I_2}}$. The separatrix, in ink, is two plane ellipses \
-             $\\Omega_3 = \\pm{}\\,\\Omega_1$ that cross on $x_2$ and leave four sectors, the two about $x_1$ shaded. \
-             The thick polhode, from the ring at {}° between $x_1$ and $x_3$ where the separatrix is at {crossing:.1}°, {about} turns at that rate.{}",
-            triple(moments),
-            number(slope, 4),
-            brief(angle),
-            remark(moments),
-        ),
-        alt: format!(
-            "An ellipsoid with its longest axis upright, its half axes as the roots of {}, covered by closed curves: flat rings round the upright third axis, upright \
-             rings round the first axis on the left. Two crossing ellipses, the separatrix, part them and meet on the second \
-             axis, which points at the reader's right. Dots at equal times are wide apart where a curve swings across and \
-             crowd together next to the crossing: there the top dawdles, and from there it swings over to the other side. One curve, {} degrees from the \
-             first axis, is thick.",
-            triple(moments),
-            brief(angle),
-        ),
-    };
+    let (inertia, beyond) = (triple(moments), remark(moments));
+    let (steep, thick) = (number(slope, 4), brief(angle));
+    let words = words!(
+        "Round the first and the third axis a polhode stays close; next to the second it dawdles, then swings over to the \
+         other side.",
+        "Polhodes of $L$ in the body on the ellipsoid $\\sum L_i^2/2EI_i = 1$ for $I = {inertia}$. Dots at equal times, {STEP:.1} \
+         of a radian at the rate $\\sqrt{{2E/I_2}}$. The separatrix, in ink, is two plane ellipses \
+         $\\Omega_3 = \\pm{steep}\\,\\Omega_1$ that cross on $x_2$ and leave four sectors, the two about $x_1$ shaded. \
+         The thick polhode, from the ring at {thick}° between $x_1$ and $x_3$ where the separatrix is at {crossing:.1}°, {about} turns at that rate.{beyond}",
+        "An ellipsoid with its longest axis upright, its half axes as the roots of {inertia}, covered by closed curves: flat rings round the upright third axis, upright \
+         rings round the first axis on the left. Two crossing ellipses, the separatrix, part them and meet on the second \
+         axis, which points at the reader's right. Dots at equal times are wide apart where a curve swings across and \
+         crowd together next to the crossing: there the top dawdles, and from there it swings over to the other side. One curve, {thick} degrees from the \
+         first axis, is thick."
+    );
     let made = figure("polhodes", 448.0, words, |pen| {
-        let outline = view.trace(&rim(&semi, &view));
-        pen.fill(&outline, Role::Shade, 1.0);
+        let outline = view.trace(&rim(&semi, &view.toward, 240));
+        pen.fill(&outline, Shade, 1.0);
         for side in [1.0, -1.0] {
-            pen.fill(&sector(&view, &semi, parting, side), Role::Ink, 0.1);
+            pen.fill(sector(&view, &semi, parting, side), Ink, 0.1);
         }
         pen.outline(&outline, inked(SECONDARY));
-        let role = Role::AngularMomentum;
+        let role = AngularMomentum;
         for curve in &family {
             curve.draw(pen, &view, stroke(role, AXIS), (role, 2.0));
         }
         for curve in &separatrix {
-            curve.draw(pen, &view, inked(SECONDARY), (Role::Ink, 2.3));
+            curve.draw(pen, &view, inked(SECONDARY), (Ink, 2.3));
         }
         yours.draw(pen, &view, stroke(role, 2.8), (role, 3.6));
         let (sin, cos) = angle.to_radians().sin_cos();
         let ring = view.project(&(arms[0] * cos + arms[2] * sin));
-        pen.disc(ring, 6.0, Role::Paper, 1.0);
+        pen.disc(ring, 6.0, Paper, 1.0);
         pen.ring(ring, 6.0, stroke(role, DATA));
         for (k, name) in ["*x*_{1}", "*x*_{2}", "*x*_{3}"].iter().enumerate() {
-            let reach = Vector3::ith(k, semi[k] + REACH[k] * semi[2]);
+            let reach = Vector::ith(k, semi[k] + REACH[k] * semi[2]);
             let to = view.project(&reach);
             pen.arrow(view.project(&arms[k]), to, inked(AXIS));
             let beyond = view.project(&(reach * (1.0 + 0.085 * semi[2] / semi[k])));
@@ -231,32 +203,32 @@ pub fn polhodes(values: &Values) -> Result<Figure> {
                 2 => [to[0] + 14.0, to[1] + 10.0],
                 _ => [beyond[0], beyond[1] + 5.0],
             };
-            pen.label(at, Anchor::Middle, name);
+            pen.label(at, Middle, name);
         }
         // On the separatrix between −x₂ and the upper crossing, next to x₂ on it, and on the first ring about x₁.
         let on = |along: f64, sign: f64| {
             let (s, c) = along.sin_cos();
             let (high, wide) = parting.sin_cos();
-            view.project(&Vector3::new(wide * c, s, sign * high * c).component_mul(&semi))
+            view.project(&Vector::new(wide * c, s, sign * high * c).component_mul(&semi))
         };
         let remarks = [
             (
                 [150.0, 76.0],
-                Anchor::End,
+                End,
                 &["separatrix"][..],
                 [154.0, 72.0],
                 on(-0.45, 1.0),
             ),
             (
                 [478.0, 352.0],
-                Anchor::Start,
+                Start,
                 &["next to *x*_{2}", "it dawdles"][..],
                 [472.0, 346.0],
                 on(1.32, -1.0),
             ),
             (
                 [112.0, 366.0],
-                Anchor::End,
+                End,
                 &["far from it", "it hurries"][..],
                 [116.0, 366.0],
                 on(0.0, -1.0),
@@ -267,15 +239,15 @@ pub fn polhodes(values: &Values) -> Result<Figure> {
                 let y = at[1] + 19.0 * k as f64;
                 pen.note([at[0], y], anchor, line);
             }
-            pen.line(&[from, to], inked(HAIR));
+            pen.line([from, to], inked(HAIR));
         }
     });
-    let columns = ["L₁ (√(2E kg m²))", "L₂ (√(2E kg m²))", "L₃ (√(2E kg m²))"];
+    let columns = "L₁ (√(2E kg m²)) | L₂ (√(2E kg m²)) | L₃ (√(2E kg m²))";
     let named = family.iter().map(|curve| ("polhode", curve));
     let named = named.chain(separatrix.iter().map(|curve| ("separatrix", curve)));
     let named = named.chain([("thick polhode", &yours)]);
     Ok(named.enumerate().fold(made, |made, (k, (name, curve))| {
-        let rows = curve.points.iter().map(|p| vec![p.x, p.y, p.z]);
-        made.data(format!("{name} {}", k + 1), &columns, rows)
+        let rows = curve.points.iter().map(|p| [p.x, p.y, p.z]);
+        made.data(format!("{name} {}", k + 1), columns, rows)
     }))
 }

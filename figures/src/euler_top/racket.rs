@@ -2,13 +2,12 @@
 
 use core::f64::consts::TAU;
 
-use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
 
 use super::top_of;
-use crate::solid::View;
+use crate::solid::{Vector, View, turned};
 use crate::style::*;
 
 /// Principal moments of a racket, kg m²: about the handle, across the handle in the plane of the strings, across the strings
@@ -70,12 +69,8 @@ impl Throw {
 
     /// How far past the upright the handle is after half a period, radians in −π…π.
     fn overshoot(&self) -> Result<f64> {
-        let handle = self
-            .top
-            .at(self.flip_time())?
-            .attitude
-            .to_space(BodyVector::new(1.0, 0.0, 0.0));
-        Ok(handle.x().atan2(handle.z()))
+        let handle = turned(&self.top.at(self.flip_time())?.attitude, Vector::x());
+        Ok(handle.x.atan2(handle.z))
     }
 
     /// Somersaults of the handle in that time. L is next to the middle axis, on the side of the handle, which goes round it.
@@ -167,36 +162,25 @@ pub enum Face {
 
 /// The face that is seen.
 pub fn face(attitude: &Attitude, view: &View) -> Face {
-    let normal = attitude
-        .to_space(BodyVector::new(0.0, 0.0, 1.0))
-        .components();
-    if normal.dot(&view.toward) < 0.0 {
-        Face::Front
-    } else {
-        Face::Back
+    match view.faces(&turned(attitude, Vector::z())) {
+        true => Face::Back,
+        false => Face::Front,
     }
 }
 
 /// Draws the racket as it stands.
 pub fn draw(pen: &mut Pen, view: &View, attitude: &Attitude, strength: f64) {
     let parts = parts();
-    let at = |p: &[f64; 2]| {
-        let p = attitude.to_space(BodyVector::new(p[0], p[1], 0.0));
-        view.project(&Vector3::from(p.components()))
-    };
+    let at = |&[x, y]: &[f64; 2]| view.project(&turned(attitude, Vector::new(x, y, 0.0)));
     let trace = |line: &Flat| line.iter().map(at).collect::<Vec<_>>();
     let style = |width: f64| -> Stroke { inked(width).alpha(strength) };
     let head = trace(&parts.head);
     if face(attitude, view) == Face::Back {
-        pen.fill(&head, Role::Ink, 0.55 * strength);
+        pen.fill(&head, Ink, 0.55 * strength);
     }
-    for string in &parts.strings {
-        pen.line(&trace(string), style(HAIR));
-    }
-    for side in &parts.throat {
-        pen.line(&trace(side), style(SECONDARY));
-    }
+    pen.lines(parts.strings.iter().map(trace), style(HAIR));
+    pen.lines(parts.throat.iter().map(trace), style(SECONDARY));
     pen.outline(&head, style(DATA));
-    pen.line(&trace(&parts.grip), style(5.0));
-    pen.disc(at(&parts.mark), 4.0, Role::Ink, strength);
+    pen.line(trace(&parts.grip), style(5.0));
+    pen.disc(at(&parts.mark), 4.0, Ink, strength);
 }

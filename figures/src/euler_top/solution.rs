@@ -76,37 +76,31 @@ pub fn solution(values: &Values) -> Result<Figure> {
         (_, true) => "Next to the separatrix the top rests about its middle axis and swings over in between.".to_owned(),
         (_, false) => format!("Far from the separatrix the top goes round its {about} axis, and nothing rests."),
     };
-    let words = Words {
-        claim,
-        details: format!(
-            "Components of $\\Omega$ in the body for $I = {}$, $\\Omega(0) = {}$: {course} {percent} % of the time $\\Omega_2$ is within a tenth of its \
-             greatest size, {} rad/s.{}",
-            triple(moments),
-            triple(start),
-            brief(most),
-            remark(moments),
-        ),
-        alt: format!(
-            "Three curves over a little more than {}. The second component of the angular velocity is {} between plus and minus {}. The {} component \
-             keeps its sign and is greatest when the second one vanishes; the other changes its sign and is greatest at the same times, up and down in \
-             turn. {}",
-            period.map_or("one swing".to_owned(), |period| format!(
-                "a period of {period:.1} seconds"
-            )),
-            if rests {
-                "almost a square wave"
-            } else {
-                "a wave"
-            },
-            brief(most),
-            about,
-            match rests {
-                true =>
-                    "Between these pulses both are small: the top seems to rotate steadily about its middle axis.",
-                false => "No part of the curves is level for long.",
-            },
-        ),
+    let [inertia, begun] = [moments, start].map(triple);
+    let (size, beyond) = (brief(most), remark(moments));
+    let over = match period {
+        Some(period) => format!("a period of {period:.1} seconds"),
+        None => "one swing".to_owned(),
     };
+    let wave = if rests {
+        "almost a square wave"
+    } else {
+        "a wave"
+    };
+    let pulses = match rests {
+        true => {
+            "Between these pulses both are small: the top seems to rotate steadily about its middle axis."
+        }
+        false => "No part of the curves is level for long.",
+    };
+    let words = words!(
+        "{claim}",
+        "Components of $\\Omega$ in the body for $I = {inertia}$, $\\Omega(0) = {begun}$: {course} {percent} % of the time $\\Omega_2$ is within a tenth of its \
+         greatest size, {size} rad/s.{beyond}",
+        "Three curves over a little more than {over}. The second component of the angular velocity is {wave} between plus and minus {size}. The {about} component \
+         keeps its sign and is greatest when the second one vanishes; the other changes its sign and is greatest at the same times, up and down in \
+         turn. {pulses}"
+    );
     let [left, right, zero, half] = FRAME;
     let length = step * (states.len() - 1) as f64;
     let x = |t: f64| left + (right - left) * t / length;
@@ -119,42 +113,39 @@ pub fn solution(values: &Values) -> Result<Figure> {
     };
     let made = figure("euler-solution", 256.0, words, |pen| {
         let [over, bottom] = [zero - half - 12.0, zero + half + 14.0];
-        pen.line(&[[left, zero], [right, zero]], inked(HAIR));
-        pen.line(
-            &[[left, over], [left, bottom], [right, bottom]],
-            inked(AXIS),
-        );
+        pen.line([[left, zero], [right, zero]], inked(HAIR));
+        pen.line([[left, over], [left, bottom], [right, bottom]], inked(AXIS));
         for (value, text) in
             Axis::linear([-largest, largest], [zero + half, zero - half]).ticks(50.0)
         {
             let y = y(value);
-            pen.line(&[[left - 5.0, y], [left, y]], inked(AXIS));
-            pen.note([left - 9.0, y + 5.0], Anchor::End, &text);
+            pen.line([[left - 5.0, y], [left, y]], inked(AXIS));
+            pen.note([left - 9.0, y + 5.0], End, &text);
         }
         let whole = period.unwrap_or(length);
         for (share, text) in [(0.0, "0"), (0.5, "half a period"), (1.0, "a period")] {
             let at = x(share * whole);
-            pen.line(&[[at, bottom], [at, bottom + 5.0]], inked(AXIS));
+            pen.line([[at, bottom], [at, bottom + 5.0]], inked(AXIS));
             if share > 0.0 {
                 let line = [[at, over], [at, bottom]];
-                pen.line(&line, stroke(Role::Muted, AXIS).dotted());
+                pen.line(line, muted(AXIS).dotted());
                 let time = format!("{} s", number(share * whole, 2));
-                pen.note([at, bottom + 38.0], Anchor::Middle, &time);
+                pen.note([at, bottom + 38.0], Middle, &time);
             }
             let text = if period.is_some() || share == 0.0 {
                 text
             } else {
                 ""
             };
-            pen.note([at, bottom + 21.0], Anchor::Middle, text);
+            pen.note([at, bottom + 21.0], Middle, text);
         }
         let styles = [
-            stroke(Role::Omega, SECONDARY).dashed(),
-            stroke(Role::Omega, 2.6),
-            stroke(Role::Omega, SECONDARY),
+            stroke(Omega, SECONDARY).dashed(),
+            stroke(Omega, 2.6),
+            stroke(Omega, SECONDARY),
         ];
         for (k, style) in styles.into_iter().enumerate() {
-            pen.line(&curve(k), style);
+            pen.line(curve(k), style);
         }
         let ends = states
             .last()
@@ -163,13 +154,13 @@ pub fn solution(values: &Values) -> Result<Figure> {
             .map(|value| y(value) + 5.0);
         for (y, name) in spread(ends, 19.0).into_iter().zip(["1", "2", "3"]) {
             let text = format!("*Ω*_{{{name}}}");
-            pen.text([right + 8.0, y], Anchor::Start, &text, label(Role::Omega));
+            pen.text([right + 8.0, y], Start, &text, label(Omega));
         }
     });
     let rows = states
         .iter()
         .enumerate()
-        .map(|(n, [first, second, third])| vec![step * n as f64, *first, *second, *third]);
-    let columns = ["time (s)", "Ω₁ (rad/s)", "Ω₂ (rad/s)", "Ω₃ (rad/s)"];
-    Ok(made.data("top", &columns, rows))
+        .map(|(n, [first, second, third])| [step * n as f64, *first, *second, *third]);
+    let columns = "time (s) | Ω₁ (rad/s) | Ω₂ (rad/s) | Ω₃ (rad/s)";
+    Ok(made.data("top", columns, rows))
 }

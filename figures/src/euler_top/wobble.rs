@@ -2,12 +2,11 @@
 
 use core::f64::consts::TAU;
 
-use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::euler_top::{Cones, Shape, SymmetricTop};
 use spinning_bodies::frame::BodyVector;
 
-use crate::solid::{View, ellipse, hull};
+use crate::solid::{Vector, View, ellipse, hull};
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -49,7 +48,7 @@ impl Lane {
     fn draw(&self, pen: &mut Pen, days: f64, lines: [f64; 2]) {
         let reached = (self.rate * days).min(TAU);
         pen.ring(CENTER, self.radius, inked(HAIR).alpha(0.45));
-        let style = stroke(Role::Omega, DATA);
+        let style = stroke(Omega, DATA);
         pen.arc(CENTER, self.radius, START, START + reached, style);
         let dots = (0..).map(|k| (k, self.rate * STEP * f64::from(k)));
         for (k, angle) in dots.take_while(|(_, angle)| *angle < reached + 1e-6) {
@@ -58,13 +57,13 @@ impl Lane {
             pen.disc(
                 self.at(0.0, angle),
                 if named { 4.2 } else { 3.0 },
-                Role::Omega,
+                Omega,
                 1.0,
             );
             if named {
                 let [x, y] = self.at(if self.outside { 20.0 } else { -20.0 }, angle);
                 let day = number(STEP * f64::from(k), 0);
-                pen.text([x, y + 4.8], Anchor::Middle, &day, small(Role::Omega));
+                pen.text([x, y + 4.8], Middle, &day, small(Omega));
             }
         }
     }
@@ -102,25 +101,21 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
             format!("{degrees} degrees beyond it"),
         ],
     };
-    let words = Words {
-        claim,
-        details: format!(
-            "Path of the axis of rotation over the ground about the axis of figure, seen from above the north pole; a dot \
-             every {STEP} days, for {days} days. Inner circle: rigid, $I_3/I_1 = {}/{days}$, period {days} days. Outer circle: an \
-             observed wobble{} of {period} days, {behind}. The size of a circle is free; \
-             the pace is not.",
-            days + 1.0,
-            match period == OBSERVED.default {
-                true => ", Chandler's at the tutorial's round figure",
-                false => "",
-            },
-        ),
-        alt: format!(
-            "Two concentric circles round the pole of figure, walked anticlockwise from the top like lanes of a race \
-             track, with a dot every thirty days. After {days} days the inner runner, the rigid Earth, is back at the start; \
-             the outer one, with its period of {period} days, is {seen}.",
-        ),
+    let longer = days + 1.0;
+    let whose = match period == OBSERVED.default {
+        true => ", Chandler's at the tutorial's round figure",
+        false => "",
     };
+    let words = words!(
+        "{claim}",
+        "Path of the axis of rotation over the ground about the axis of figure, seen from above the north pole; a dot \
+         every {STEP} days, for {days} days. Inner circle: rigid, $I_3/I_1 = {longer}/{days}$, period {days} days. Outer circle: an \
+         observed wobble{whose} of {period} days, {behind}. The size of a circle is free; \
+         the pace is not.",
+        "Two concentric circles round the pole of figure, walked anticlockwise from the top like lanes of a race \
+         track, with a dot every thirty days. After {days} days the inner runner, the rigid Earth, is back at the start; \
+         the outer one, with its period of {period} days, is {seen}."
+    );
     let made = figure("polar-circles", 392.0, words, |pen| {
         let end = START + reached;
         // What is missing, or too much.
@@ -131,34 +126,30 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
             };
             let mut gap = arc(CENTER, 152.0, from, to);
             gap.push(CENTER);
-            pen.fill(&gap, Role::Ink, 0.06);
+            pen.fill(&gap, Ink, 0.06);
         }
         let sides = [(START, inked(AXIS)), (end, inked(AXIS).dotted())];
         for (angle, style) in sides {
-            pen.line(&[CENTER, polar(CENTER, 172.0, angle)], style);
+            pen.line([CENTER, polar(CENTER, 172.0, angle)], style);
         }
         rigid.draw(pen, days, [0.0, reached]);
         real.draw(pen, days, [0.0, reached]);
         // The axis of figure, end on.
         pen.ring(CENTER, 6.0, inked(SECONDARY));
-        pen.disc(CENTER, 2.0, Role::Ink, 1.0);
+        pen.dot(CENTER, 2.0);
         // On the side of the axis that the dotted line does not take.
         let side = if (reached - 0.25 * TAU).sin().abs() < 0.3 && reached.sin() > 0.0 {
             1.0
         } else {
             -1.0
         };
-        let anchor = if side < 0.0 {
-            Anchor::End
-        } else {
-            Anchor::Start
-        };
+        let anchor = if side < 0.0 { End } else { Start };
         let name = [CENTER[0] + 12.0 * side, CENTER[1] + 5.0];
         pen.label(name, anchor, "*x*_{3}");
         for at in [rigid.at(0.0, 0.0), real.at(0.0, reached)] {
-            pen.ring(at, 8.0, stroke(Role::Omega, SECONDARY));
+            pen.ring(at, 8.0, stroke(Omega, SECONDARY));
         }
-        pen.note([CENTER[0], 26.0], Anchor::Middle, "start");
+        pen.note([CENTER[0], 26.0], Middle, "start");
         let x = 400.0;
         let told = match lag {
             _ if degrees == "0" => "outer lane, home as well".to_owned(),
@@ -166,7 +157,7 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
             _ => format!("outer lane, {degrees}° beyond"),
         };
         let after = format!("after {days} days");
-        pen.label([x, 156.0], Anchor::Start, &after);
+        pen.label([x, 156.0], Start, &after);
         for (y, head, tail) in [
             (
                 198.0,
@@ -175,22 +166,22 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
             ),
             (254.0, format!("observed: {period} days"), told.as_str()),
         ] {
-            pen.text([x, y], Anchor::Start, &head, label(Role::Omega).strong());
-            pen.note([x, y + 20.0], Anchor::Start, tail);
+            pen.text([x, y], Start, &head, label(Omega).strong());
+            pen.note([x, y + 20.0], Start, tail);
         }
     });
-    let columns = ["time (days)", "angle about the axis of figure (°)"];
+    let columns = "time (days) | angle about the axis of figure (°)";
     let dots = (0..)
         .map(|k| STEP * f64::from(k))
         .take_while(|day| *day <= days);
     let row = |lane: &Lane| {
         let rate = lane.rate;
         dots.clone()
-            .map(move |day| vec![day, (rate * day).to_degrees()])
+            .map(move |day| [day, (rate * day).to_degrees()])
     };
     Ok(made
-        .data("rigid", &columns, row(&rigid))
-        .data("observed", &columns, row(&real)))
+        .data("rigid", columns, row(&rigid))
+        .data("observed", columns, row(&real)))
 }
 
 parameters! {
@@ -227,32 +218,18 @@ pub fn precession_cones(values: &Values) -> Result<Figure> {
         }
         [true, true] => "Of a round body the space cone is a line along L, and nothing rolls.",
     };
-    let words = Words {
-        claim: claim.to_owned(),
-        details: format!(
-            "The cones of a free symmetric top touch along $\\Omega$; the space cone, about $L$, stands still. Half-angles of \
-             body cone and space cone: {}° and {}° for $I_3/I_1 = {}$, {}° and {}° for $I_3/I_1 = {}$, both with \
-             $\\Omega_\\perp/\\Omega_3 = {}$.",
-            degrees(flat_cones.body),
-            degrees(flat_cones.space),
-            brief(flat.axial()),
-            degrees(long_cones.body),
-            degrees(long_cones.space),
-            brief(long.axial()),
-            brief(omega.x()),
-        ),
-        alt: format!(
-            "Two pairs of cones with a common tip. Left, a body with a moment ratio of {}: the wide cone of {} degrees about the body's axis \
-             surrounds the narrow cone of {} degrees about the vertical angular momentum. Right, a body with a ratio of {}: the two cones, of {} and {} degrees, \
-             stand side by side. Each pair touches along the angular velocity, so one cone rolls on the other.",
-            brief(flat.axial()),
-            degrees(flat_cones.body),
-            degrees(flat_cones.space),
-            brief(long.axial()),
-            degrees(long_cones.body),
-            degrees(long_cones.space),
-        ),
-    };
+    let [wide, narrow] = [flat_cones.body, flat_cones.space].map(degrees);
+    let [slim, broad] = [long_cones.body, long_cones.space].map(degrees);
+    let [left, right, lean] = [flat.axial(), long.axial(), omega.x()].map(brief);
+    let words = words!(
+        "{claim}",
+        "The cones of a free symmetric top touch along $\\Omega$; the space cone, about $L$, stands still. Half-angles of \
+         body cone and space cone: {wide}° and {narrow}° for $I_3/I_1 = {left}$, {slim}° and {broad}° for $I_3/I_1 = {right}$, both with \
+         $\\Omega_\\perp/\\Omega_3 = {lean}$.",
+        "Two pairs of cones with a common tip. Left, a body with a moment ratio of {left}: the wide cone of {wide} degrees about the body's axis \
+         surrounds the narrow cone of {narrow} degrees about the vertical angular momentum. Right, a body with a ratio of {right}: the two cones, of {slim} and {broad} degrees, \
+         stand side by side. Each pair touches along the angular velocity, so one cone rolls on the other."
+    );
     let pairs = [
         Pair::new("flat", &flat_cones, -1.0),
         Pair::new("long", &long_cones, 1.0),
@@ -271,27 +248,22 @@ pub fn precession_cones(values: &Values) -> Result<Figure> {
                 _ => pair.name,
             };
             let name = format!("{name}, *I*_{{3}}/*I*_{{1}} = {}", brief(ratio.axial()));
-            pen.label([middle, 286.0], Anchor::Middle, &name);
+            pen.label([middle, 286.0], Middle, &name);
             let body = format!("body cone {}°", degrees(pair.cones.body));
             let space = format!("space cone {}°", degrees(pair.cones.space));
-            pen.note([middle - 8.0, 308.0], Anchor::End, &body);
-            let role = Role::AngularMomentum;
-            pen.text([middle + 8.0, 308.0], Anchor::Start, &space, small(role));
+            pen.note([middle - 8.0, 308.0], End, &body);
+            let role = AngularMomentum;
+            pen.text([middle + 8.0, 308.0], Start, &space, small(role));
         }
     });
-    let columns = [
-        "I3/I1 (ratio)",
-        "body cone (°)",
-        "space cone (°)",
-        "axis from L (°)",
-    ];
+    let columns = "I3/I1 (ratio) | body cone (°) | space cone (°) | axis from L (°)";
     let row = |top: &SymmetricTop, cones: &Cones| {
         let angles = [cones.body, cones.space, cones.nutation].map(f64::to_degrees);
-        [vec![top.axial(), angles[0], angles[1], angles[2]]]
+        [[top.axial(), angles[0], angles[1], angles[2]]]
     };
-    Ok(made.data("left", &columns, row(&flat, &flat_cones)).data(
+    Ok(made.data("left", columns, row(&flat, &flat_cones)).data(
         "right",
-        &columns,
+        columns,
         row(&long, &long_cones),
     ))
 }
@@ -305,15 +277,15 @@ struct Pair<'a> {
     cones: &'a Cones,
     side: f64,
     /// Axis of the body, L and Ω, of length one.
-    axis: Vector3<f64>,
-    l: Vector3<f64>,
-    omega: Vector3<f64>,
+    axis: Vector,
+    l: Vector,
+    omega: Vector,
 }
 
 impl<'a> Pair<'a> {
     /// L upright; Ω on the right of it, the axis beyond L if the body is flat, beyond Ω if it is long.
     fn new(name: &'static str, cones: &'a Cones, side: f64) -> Self {
-        let tilted = |angle: f64| Vector3::new(angle.sin(), 0.0, angle.cos());
+        let tilted = |angle: f64| Vector::new(angle.sin(), 0.0, angle.cos());
         Self {
             name,
             cones,
@@ -325,22 +297,22 @@ impl<'a> Pair<'a> {
     }
 
     /// What has to find room.
-    fn reach(&self) -> Vec<Vector3<f64>> {
+    fn reach(&self) -> Vec<Vector> {
         let mut points = rim(&self.axis, self.cones.body);
         points.extend(rim(&self.l, self.cones.space));
         points.extend([self.axis, self.l, self.omega].map(|v| v * LETTER));
-        points.push(Vector3::zeros());
+        points.push(Vector::zeros());
         points
     }
 
     fn draw(&self, pen: &mut Pen, view: &View) {
-        cone(pen, view, &self.axis, self.cones.body, Role::Ink);
-        cone(pen, view, &self.l, self.cones.space, Role::AngularMomentum);
-        let tip = view.project(&Vector3::zeros());
+        cone(pen, view, &self.axis, self.cones.body, Ink);
+        cone(pen, view, &self.l, self.cones.space, AngularMomentum);
+        let tip = view.project(&Vector::zeros());
         let arrows = [
-            (self.axis, "*x*_{3}", Role::Ink, SECONDARY),
-            (self.l, "*L*", Role::AngularMomentum, DATA),
-            (self.omega, "*Ω*", Role::Omega, 2.8),
+            (self.axis, "*x*_{3}", Ink, SECONDARY),
+            (self.l, "*L*", AngularMomentum, DATA),
+            (self.omega, "*Ω*", Omega, 2.8),
         ];
         let letters = arrows.map(|(vector, ..)| view.project(&(vector * LETTER)));
         // Arrows side by side have letters side by side.
@@ -349,23 +321,23 @@ impl<'a> Pair<'a> {
             arrows.into_iter().zip(across.into_iter().zip(letters))
         {
             pen.arrow(tip, view.project(&(vector * ARROW)), stroke(role, width));
-            pen.text([x, at[1] + 5.0], Anchor::Middle, text, label(role));
+            pen.text([x, at[1] + 5.0], Middle, text, label(role));
         }
     }
 }
 
 /// The rim of a cone with its tip in the origin.
-fn rim(axis: &Vector3<f64>, half_angle: f64) -> Vec<Vector3<f64>> {
-    let across = Vector3::y().cross(axis).normalize();
+fn rim(axis: &Vector, half_angle: f64) -> Vec<Vector> {
+    let across = Vector::y().cross(axis).normalize();
     let (s, c) = half_angle.sin_cos();
-    ellipse(axis * c, across * s, Vector3::y() * s, 180)
+    ellipse(axis * c, across * s, Vector::y() * s, 180)
 }
 
 /// A cone with its tip in the origin, seen from outside.
-fn cone(pen: &mut Pen, view: &View, axis: &Vector3<f64>, half_angle: f64, role: Role) {
+fn cone(pen: &mut Pen, view: &View, axis: &Vector, half_angle: f64, role: Role) {
     let rim = view.trace(&rim(axis, half_angle));
     let mut outline = rim.clone();
-    outline.push(view.project(&Vector3::zeros()));
+    outline.push(view.project(&Vector::zeros()));
     let outline = hull(&outline);
     pen.fill(&outline, role, 0.09);
     pen.outline(&outline, stroke(role, AXIS));

@@ -82,26 +82,22 @@ fn film(index: usize) -> Result<Film> {
 pub fn animated() -> Result<Figure> {
     let films = [film(0)?, film(1)?];
     let slow = |film: &Film| SECONDS / (film.time * film.sheet.time());
-    let words = Words {
-        claim: "Of the same paper the wide strip flutters down, the narrow one spins and sails away.".to_owned(),
-        details: format!(
-            "Both seen along their length, each drawn in a scale of its own, paper of 80 g/m², coefficients fitted to paper; {} and {} times slower than life. Rest the pointer on the picture to stop it.",
-            number(slow(&films[0]), 1),
-            number(slow(&films[1]), 0),
-        ),
-        alt: "Two paths with a short line that moves along each. The line on the left swings from side to side and always shows the same face upward. The line on the right turns over \
-              and over and slides down a straight slope to the right. Without motion: some of the positions on both paths."
-            .to_owned(),
-    };
+    let (wide, narrow) = (number(slow(&films[0]), 1), number(slow(&films[1]), 0));
+    let words = words!(
+        "Of the same paper the wide strip flutters down, the narrow one spins and sails away.",
+        "Both seen along their length, each drawn in a scale of its own, paper of 80 g/m², coefficients fitted to paper; {wide} and {narrow} times slower than life. Rest the pointer on the picture to stop it.",
+        "Two paths with a short line that moves along each. The line on the left swings from side to side and always shows the same face upward. The line on the right turns over \
+         and over and slides down a straight slope to the right. Without motion: some of the positions on both paths."
+    );
     let still = figure(NAME, 450.0, words, |pen| {
         for film in &films {
-            let path: Vec<Point> = film.pictures.iter().map(|p| p.0).collect();
-            pen.line(&path, stroke(Role::Muted, SECONDARY).alpha(0.8));
+            let path = film.pictures.iter().map(|p| p.0);
+            pen.line(path, muted(SECONDARY).alpha(0.8));
             for ([x, y], angle) in film.pictures.iter().step_by(6) {
                 let (sine, cosine) = angle.sin_cos();
                 let (dx, dy) = (film.half * cosine, film.half * sine);
                 pen.line(
-                    &[[x - dx, y - dy], [x + dx, y + dy]],
+                    [[x - dx, y - dy], [x + dx, y + dy]],
                     inked(SECONDARY).alpha(0.22),
                 );
             }
@@ -109,11 +105,11 @@ pub fn animated() -> Result<Figure> {
             let anchor = if film.start[0] > 200.0 {
                 Anchor::Start
             } else {
-                Anchor::Middle
+                Middle
             };
             pen.label(at, anchor, film.name);
         }
-        pen.remark([580.0, 436.0], Anchor::End, "slow motion");
+        pen.remark([580.0, 436.0], End, "slow motion");
     });
     let (mut style, mut groups, mut all) = ("<style>".to_owned(), String::new(), String::new());
     for (film, part) in films.iter().zip(["wide", "narrow"]) {

@@ -6,7 +6,7 @@ mod regimes;
 use spinning_bodies::Result;
 use spinning_bodies::falling_strip::{Coefficients, Fall, LongRun, Regime, Sheet, Start};
 
-use crate::plot::{Axis, Frame, marks};
+use crate::plot::{Frame, marks};
 use crate::style::*;
 use crate::{Entry, Figure, constant};
 
@@ -101,23 +101,15 @@ pub fn paths() -> Result<Figure> {
             .period
             .map_or("none".to_owned(), |p| number(p, 2))
     };
-    let words = Words {
-        claim: "One plate, six weights, six ways to fall.".to_owned(),
-        details: format!(
-            "The equations of Andersen, Pesavento and Wang with their coefficients; the mass ratio $I^*$ is the plate's mass over that of the fluid cylinder around it. \
-             Plates to scale at equal times, after the beginnings are forgotten. Periods, in units $a/U$, up to a half turn: {}, {}, {}, {}, {} and {}.",
-            told(0),
-            told(1),
-            told(2),
-            told(3),
-            told(4),
-            told(5),
-        ),
-        alt: "Six panels with a falling plate drawn again and again as a short line. It swings from side to side; it turns over and over and sails down a straight slope; \
-              it does so with long and short steps in turn; it changes between swinging and turning over; it does both without a rule; and it rocks a little \
-              on its way nearly straight down."
-            .to_owned(),
-    };
+    let [a, b, c, d, e, f] = [0, 1, 2, 3, 4, 5].map(told);
+    let words = words!(
+        "One plate, six weights, six ways to fall.",
+        "The equations of Andersen, Pesavento and Wang with their coefficients; the mass ratio $I^*$ is the plate's mass over that of the fluid cylinder around it. \
+         Plates to scale at equal times, after the beginnings are forgotten. Periods, in units $a/U$, up to a half turn: {a}, {b}, {c}, {d}, {e} and {f}.",
+        "Six panels with a falling plate drawn again and again as a short line. It swings from side to side; it turns over and over and sails down a straight slope; \
+         it does so with long and short steps in turn; it changes between swinging and turning over; it does both without a rule; and it rocks a little \
+         on its way nearly straight down."
+    );
     Ok(figure("strip-paths", 590.0, words, |pen| {
         for (panel, (path, _)) in PANELS.iter().zip(&drawn) {
             let xs = || path.iter().map(|y| y[0]);
@@ -131,21 +123,21 @@ pub fn paths() -> Result<Figure> {
                     panel.corner[1] + 16.0 - UNIT * (y - path[0][1]),
                 ]
             };
-            let center: Vec<Point> = path.iter().map(|y| place(y[0], y[1])).collect();
-            pen.line(&center, stroke(Role::Muted, SECONDARY).alpha(0.9));
+            let center = path.iter().map(|y| place(y[0], y[1]));
+            pen.line(center, muted(SECONDARY).alpha(0.9));
             for y in path.iter().step_by(10) {
                 let (sine, cosine) = y[2].sin_cos();
                 let ends = [1.0, -1.0].map(|s| place(y[0] + s * cosine, y[1] + s * sine));
-                pen.line(&ends, inked(1.5).alpha(0.75));
+                pen.line(ends, inked(1.5).alpha(0.75));
             }
             let [x, y] = panel.corner;
             let text = format!("*I** = {}", panel.ratio);
             pen.label(
                 [x, y - 24.0],
-                Anchor::Middle,
+                Middle,
                 &text.replace("*I**", "*I*^{\u{2217}}"),
             );
-            pen.remark([x, y - 7.0], Anchor::Middle, panel.name);
+            pen.remark([x, y - 7.0], Middle, panel.name);
         }
     }))
 }
@@ -161,10 +153,7 @@ pub fn rate() -> Result<Figure> {
         .collect::<Result<_>>()?;
     let ratios: Vec<f64> = sheets.iter().map(Sheet::mass_ratio).collect();
     let runs = scan(&ratios, Coefficients::PAPER)?;
-    let frame = Frame {
-        x: Axis::log([0.4, 24.0], [76.0, 570.0]),
-        y: Axis::log([0.4, 40.0], [330.0, 40.0]),
-    };
+    let frame = Frame::log([0.4, 24.0], [0.4, 40.0], [76.0, 570.0, 330.0, 40.0]);
     let hertz = |k: usize| runs[k].rotation.abs() / sheets[k].time() / core::f64::consts::TAU;
     let curve: Vec<Point> = (0..runs.len())
         .filter(|&k| runs[k].regime == Regime::Tumble)
@@ -184,17 +173,14 @@ pub fn rate() -> Result<Figure> {
         (hertz(a) / hertz(b)).ln() / (widths[a] / widths[b]).ln()
     };
     let slope = exponent(0.78, 2.8);
-    let words = Words {
-        claim: "The narrower the strip, the faster it spins.".to_owned(),
-        details: format!(
-            "Paper of 80 g/m² in air, with the coefficients fitted to paper. Between 0.8 and 2.8 cm the rate goes as the width to the power ${}$; the scaling law of Mahadevan, Ryu and Samuel, \
-             dashed, has $-1$. Beyond 10 cm long and short half turns take turns. The curve ends where the strip is so wide that it flutters.",
-            number(slope, 2)
-        ),
-        alt: "Turns per second against width, both on logarithmic axes. The curve falls from about twenty-five turns a second at half a centimetre to one at fifteen, \
-              a little less steeply than the dashed line of the scaling law, and ends with a drop at sixteen centimetres."
-            .to_owned(),
-    };
+    let power = number(slope, 2);
+    let words = words!(
+        "The narrower the strip, the faster it spins.",
+        "Paper of 80 g/m² in air, with the coefficients fitted to paper. Between 0.8 and 2.8 cm the rate goes as the width to the power ${power}$; the scaling law of Mahadevan, Ryu and Samuel, \
+         dashed, has $-1$. Beyond 10 cm long and short half turns take turns. The curve ends where the strip is so wide that it flutters.",
+        "Turns per second against width, both on logarithmic axes. The curve falls from about twenty-five turns a second at half a centimetre to one at fifteen, \
+         a little less steeply than the dashed line of the scaling law, and ends with a drop at sixteen centimetres."
+    );
     Ok(figure("strip-rate", 390.0, words, |pen| {
         frame.draw(
             pen,
@@ -202,15 +188,15 @@ pub fn rate() -> Result<Figure> {
             &marks(&[0.5, 1.0, 2.0, 5.0, 10.0, 20.0], ""),
             ["width, cm", "turns per second"],
         );
-        pen.line(&law, stroke(Role::Muted, SECONDARY).dashed());
+        pen.line(law, muted(SECONDARY).dashed());
         pen.line(&curve, inked(DATA));
         let [x, y] = frame.at(4.6, one / 4.6);
-        pen.remark([x - 14.0, y + 22.0], Anchor::End, "rate ~ 1/width");
+        pen.remark([x - 14.0, y + 22.0], End, "rate ~ 1/width");
         let [x, y] = frame.at(1.3, 13.0);
         pen.label([x + 12.0, y - 6.0], Anchor::Start, "paper, 80 g/m²");
         if let Some(end) = curve.last() {
-            pen.disc(*end, 4.0, Role::Ink, 1.0);
-            pen.note([end[0] - 10.0, end[1] + 5.0], Anchor::End, "flutter begins");
+            pen.dot(*end, 4.0);
+            pen.note([end[0] - 10.0, end[1] + 5.0], End, "flutter begins");
         }
     }))
 }

@@ -32,52 +32,43 @@ pub fn regimes() -> Result<Figure> {
     let measured = [froude - error, froude, froude + error].map(|f| f * f / FRAC_PI_4);
     let width = |ratio: f64| sheet.width_for(ratio).map(|w| 100.0 * w);
     let widths = [width(ends[0])?, width(measured[1])?, width(ends[1])?];
-    let words = Words {
-        claim: "Wide strips flutter, narrow ones tumble; where the one becomes the other, experiment decides.".to_owned(),
-        details: format!(
-            "Mass ratio $I^* = 4\\sigma/(\\pi\\rho w)$. Flutter ends at $I^* = {}$ with the coefficients fitted to paper, at {} with the published ones; measured is {} (Froude number \
-             $0.67 \\pm 0.05$, grey band). For paper of 80 g/m² these are widths of {}, {} and {} cm. The strips above are seen along their length, to one scale.",
-            number(ends[0], 3),
-            number(ends[1], 3),
-            number(measured[1], 2),
-            number(widths[0], 1),
-            number(widths[2], 1),
-            number(widths[1], 1),
-        ),
-        alt: "Two bars along a logarithmic axis of the mass ratio from a quarter to twelve. In the upper one, for paper, flutter ends at 0.53, within a grey band that marks the measured transition, and all the rest \
-              is tumbling. In the lower one, with the published coefficients, flutter reaches to 1.22, a short stretch of tumbling follows, then mixed and chaotic motion, then \
-              flutter again. Above the bars four strips of paper, of 30, 15, 5 and 1 centimetres width, each at its mass ratio."
-            .to_owned(),
-    };
+    let [ours, theirs] = numbers(ends, 3);
+    let seen = number(measured[1], 2);
+    let [first, second, third] = numbers(widths, 1);
+    let words = words!(
+        "Wide strips flutter, narrow ones tumble; where the one becomes the other, experiment decides.",
+        "Mass ratio $I^* = 4\\sigma/(\\pi\\rho w)$. Flutter ends at $I^* = {ours}$ with the coefficients fitted to paper, at {theirs} with the published ones; measured is {seen} (Froude number \
+         $0.67 \\pm 0.05$, grey band). For paper of 80 g/m² these are widths of {first}, {third} and {second} cm. The strips above are seen along their length, to one scale.",
+        "Two bars along a logarithmic axis of the mass ratio from a quarter to twelve. In the upper one, for paper, flutter ends at 0.53, within a grey band that marks the measured transition, and all the rest \
+         is tumbling. In the lower one, with the published coefficients, flutter reaches to 1.22, a short stretch of tumbling follows, then mixed and chaotic motion, then \
+         flutter again. Above the bars four strips of paper, of 30, 15, 5 and 1 centimetres width, each at its mass ratio."
+    );
     Ok(figure("strip-regimes", 370.0, words, |pen| {
         // The measured band.
         let [low, middle, high] = measured.map(|ratio| LINE.at(ratio));
         pen.fill(
-            &[[low, 128.0], [high, 128.0], [high, 300.0], [low, 300.0]],
-            Role::Muted,
+            [[low, 128.0], [high, 128.0], [high, 300.0], [low, 300.0]],
+            Muted,
             0.16,
         );
-        pen.line(
-            &[[middle, 128.0], [middle, 300.0]],
-            stroke(Role::Muted, AXIS).dashed(),
-        );
-        pen.remark([middle, 122.0], Anchor::Middle, "measured");
+        pen.line([[middle, 128.0], [middle, 300.0]], muted(AXIS).dashed());
+        pen.remark([middle, 122.0], Middle, "measured");
         // Strips end on, to scale, over their mass ratio.
         for (k, centimetres) in STRIPS.into_iter().enumerate() {
             let ratio = sheet.mass_ratio() / centimetres;
             let x = LINE.at(ratio);
             let half = 0.5 * CENTIMETRE * centimetres;
             let y = if k == 1 { 84.0 } else { 56.0 };
-            pen.line(&[[x - half, y], [x + half, y]], inked(3.0));
+            pen.line([[x - half, y], [x + half, y]], inked(3.0));
             let text = format!("{centimetres:.0} cm");
-            pen.note([x, y - 10.0], Anchor::Middle, &text);
+            pen.note([x, y - 10.0], Middle, &text);
         }
-        pen.remark([580.0, 100.0], Anchor::End, "strips of paper, end on");
+        pen.remark([580.0, 100.0], End, "strips of paper, end on");
         for (row, (name, y)) in rows
             .iter()
             .zip([("paper (our fit)", 170.0), ("published", 256.0)])
         {
-            pen.label([40.0, y - 20.0], Anchor::Start, name);
+            pen.label([40.0, y - 20.0], Start, name);
             // Stretches of one regime.
             let mut from = 0;
             for k in 1..=row.len() {
@@ -93,12 +84,12 @@ pub fn regimes() -> Result<Figure> {
                 };
                 let (left, right) = (edge(from), edge(k));
                 let (role, alpha) = match row[from].regime {
-                    Regime::Steady | Regime::Flutter => (Role::Ink, 0.12),
-                    Regime::Tumble => (Role::Ink, 0.62),
-                    Regime::Mixed => (Role::Ink, 0.34),
+                    Regime::Steady | Regime::Flutter => (Ink, 0.12),
+                    Regime::Tumble => (Ink, 0.62),
+                    Regime::Mixed => (Ink, 0.34),
                 };
                 pen.fill(
-                    &[
+                    [
                         [left, y - 12.0],
                         [right, y - 12.0],
                         [right, y + 12.0],
@@ -121,16 +112,16 @@ pub fn regimes() -> Result<Figure> {
                     } else {
                         at
                     };
-                    pen.note([at, y + 30.0], Anchor::Middle, name);
+                    pen.note([at, y + 30.0], Middle, name);
                 }
                 from = k;
             }
         }
         for (ratio, y) in ends.into_iter().zip([170.0, 256.0]) {
             let x = LINE.at(ratio);
-            pen.line(&[[x, y - 17.0], [x, y + 17.0]], inked(DATA));
+            pen.line([[x, y - 17.0], [x, y + 17.0]], inked(DATA));
         }
-        pen.line(&[[40.0, 318.0], [580.0, 318.0]], inked(SECONDARY));
+        pen.line([[40.0, 318.0], [580.0, 318.0]], inked(SECONDARY));
         for (ratio, text) in [
             (0.25, "0.25"),
             (0.5, "0.5"),
@@ -140,9 +131,9 @@ pub fn regimes() -> Result<Figure> {
             (10.0, "10"),
         ] {
             let x = LINE.at(ratio);
-            pen.line(&[[x, 318.0], [x, 324.0]], inked(AXIS));
-            pen.remark([x, 339.0], Anchor::Middle, text);
+            pen.line([[x, 318.0], [x, 324.0]], inked(AXIS));
+            pen.remark([x, 339.0], Middle, text);
         }
-        pen.label([580.0, 360.0], Anchor::End, "mass ratio *I*^{\u{2217}}");
+        pen.label([580.0, 360.0], End, "mass ratio *I*^{\u{2217}}");
     }))
 }

@@ -43,33 +43,27 @@ pub fn leaning(values: &Values) -> Result<Figure> {
     let lean = inertia.angle_between_l_and_omega(spin(angle))?.to_degrees();
     let (told, shown) = (short(direction, 1), number(lean, 1));
     let parallel = lean < 0.05;
-    let words = Words {
-        claim: match parallel {
+    let claim = match parallel {
             true => "Spun about a principal axis, the box has its angular momentum along the axis of rotation.".to_owned(),
             false => format!(
                 "Spun about an axis {told}° off its long edge, the box has an angular momentum that leans {shown}° away from that axis."
             ),
-        },
-        details: format!(
-            "A box of 1 kg with edges of {}, {} and {} m, seen along the middle one. Blue: $\\Omega$, always of one length; orange: $L = I\\Omega$. The part of $\\Omega$ \
-             along the short edge counts {} times as much as the part along the long edge, {largest:.2} against {smallest:.2} kg m². Dotted: where the tips go when $\\Omega$ turns from \
-             the one to the other; $L$ leans furthest, {}°, for $\\Omega$ at {}°.",
-            short(long, 2),
-            short(middle, 2),
-            short(thin, 2),
-            number(largest / smallest, 2),
-            number(worst.to_degrees(), 1),
-            number(at_worst.to_degrees(), 1),
-        ),
-        alt: format!(
-            "A rectangle, long side level, and two arrows from its middle. The blue one, the angular velocity, points {told} degrees above the long axis; the orange one, the \
-             angular momentum, {}. Two dotted curves from axis to axis: a quarter of a circle for the blue tip, a quarter of an upright ellipse for the orange one.",
-            match parallel {
-                true => "lies along it".to_owned(),
-                false => format!("stands {shown} degrees nearer to the short axis"),
-            }
-        ),
+        };
+    let [a, b, c] = shorts([long, middle, thin], 2);
+    let ratio = number(largest / smallest, 2);
+    let [most, at] = numbers([worst, at_worst].map(f64::to_degrees), 1);
+    let stands = match parallel {
+        true => "lies along it".to_owned(),
+        false => format!("stands {shown} degrees nearer to the short axis"),
     };
+    let words = words!(
+        "{claim}",
+        "A box of 1 kg with edges of {a}, {b} and {c} m, seen along the middle one. Blue: $\\Omega$, always of one length; orange: $L = I\\Omega$. The part of $\\Omega$ \
+         along the short edge counts {ratio} times as much as the part along the long edge, {largest:.2} against {smallest:.2} kg m². Dotted: where the tips go when $\\Omega$ turns from \
+         the one to the other; $L$ leans furthest, {most}°, for $\\Omega$ at {at}°.",
+        "A rectangle, long side level, and two arrows from its middle. The blue one, the angular velocity, points {told} degrees above the long axis; the orange one, the \
+         angular momentum, {stands}. Two dotted curves from axis to axis: a quarter of a circle for the blue tip, a quarter of an upright ellipse for the orange one."
+    );
     let tips = |angle: f64| -> [Point; 2] {
         let l = momentum(angle) / largest * MOMENTUM;
         [
@@ -82,15 +76,15 @@ pub fn leaning(values: &Values) -> Result<Figure> {
         let [x, y] = CENTER;
         let corners =
             [[-half, up], [half, up], [half, -up], [-half, -up]].map(|[dx, dy]| [x + dx, y + dy]);
-        pen.fill(&corners, Role::Ink, 0.08);
-        pen.outline(&corners, inked(SECONDARY));
+        pen.fill(corners, Ink, 0.08);
+        pen.outline(corners, inked(SECONDARY));
         let axes = [[[x - 172.0, y], [x + 214.0, y]], [[x, y + 64.0], [x, 14.0]]];
         pen.lines(axes, inked(AXIS).alpha(0.6));
         let mut arrows = Vec::new();
-        let names = [(Role::Omega, "*Ω*"), (Role::AngularMomentum, "*L*")];
+        let names = [(Omega, "*Ω*"), (AngularMomentum, "*L*")];
         for (k, (role, name)) in names.into_iter().enumerate() {
             let path = (0..=90).map(|degrees| tips(f64::from(degrees).to_radians())[k]);
-            pen.line(&path.collect::<Vec<_>>(), stroke(role, AXIS).dotted());
+            pen.line(path.collect::<Vec<_>>(), stroke(role, AXIS).dotted());
             arrows.push((tips(angle)[k], role, name));
         }
         // The shorter one over the longer one.
@@ -113,17 +107,17 @@ pub fn leaning(values: &Values) -> Result<Figure> {
                 [x + 32.0, y]
             });
             let text = format!("{shown}°");
-            pen.name(between.chain(beside), &text, label(Role::Ink));
+            pen.name(between.chain(beside), &text, label(Ink));
         }
         let at = [x + 222.0, y + 5.0];
         let text = format!("*I*_{{1}} = {smallest:.2} kg m²");
-        pen.note(at, Anchor::Start, &text);
+        pen.note(at, Start, &text);
         let text = format!("*I*_{{3}} = {largest:.2} kg m²");
-        pen.note([x - 10.0, 26.0], Anchor::End, &text);
+        pen.note([x - 10.0, 26.0], End, &text);
         // Each letter on its side of the angle, if there is room.
         for (tip, role, name) in arrows {
             let (first, way) = match role {
-                Role::Omega => (angle - FRAC_PI_2, 1.0),
+                Omega => (angle - FRAC_PI_2, 1.0),
                 _ => (leaned + FRAC_PI_2, -1.0),
             };
             let around =
@@ -131,18 +125,14 @@ pub fn leaning(values: &Values) -> Result<Figure> {
             pen.name(around, name, label(role));
         }
     });
-    let columns = [
-        "direction of Ω (°)",
-        "direction of L (°)",
-        "L over Ω (kg m²)",
-    ];
+    let columns = "direction of Ω (°) | direction of L (°) | L over Ω (kg m²)";
     let row = |k: i32| {
         let l = momentum(f64::from(k).to_radians());
         let leaned = l.z().atan2(l.x()).to_degrees();
-        vec![f64::from(k), leaned, l.norm()]
+        [f64::from(k), leaned, l.norm()]
     };
     Ok(made
-        .data("box", &columns, (0..=90).map(row))
+        .data("box", columns, (0..=90).map(row))
         .value("lean", shown)
         .value("worst", number(worst.to_degrees(), 1)))
 }
@@ -150,7 +140,7 @@ pub fn leaning(values: &Values) -> Result<Figure> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::Vector3;
+    use crate::solid::Vector;
 
     /// Eight equal masses where the rule of Gauss puts them have the inertia of the box, whatever the library says.
     #[test]
@@ -159,10 +149,10 @@ mod tests {
             let values = Values::default().with(&DIRECTION, direction);
             let values = values.expect("a direction");
             let (s, c) = direction.to_radians().sin_cos();
-            let omega = Vector3::new(c, 0.0, s);
-            let l: Vector3<f64> = (0..8)
-                .map(|k| Vector3::from_fn(|i, _| f64::from((k >> i & 1) * 2 - 1)))
-                .map(|x| x.component_mul(&Vector3::new(5.0, 3.0, 2.0)) / 3.0_f64.sqrt())
+            let omega = Vector::new(c, 0.0, s);
+            let l: Vector = (0..8)
+                .map(|k| Vector::from_fn(|i, _| f64::from((k >> i & 1) * 2 - 1)))
+                .map(|x| x.component_mul(&Vector::new(5.0, 3.0, 2.0)) / 3.0_f64.sqrt())
                 .map(|x| x.cross(&omega.cross(&x)) / 8.0)
                 .sum();
             let lean = number(l.angle(&omega).to_degrees(), 1);

@@ -6,15 +6,14 @@
 use core::f64::consts::{PI, TAU};
 use core::fmt::Write as _;
 
-use nalgebra::Vector3;
 use spinning_bodies::Result;
-use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::frame::BodyVector;
 use spinning_bodies::lagrange_top::LagrangeTop;
 
 use super::{launch, launch_body, nose, pure_rates};
 use crate::Figure;
 use crate::finish::{self, short};
-use crate::solid::{View, ellipse};
+use crate::solid::{View, axes, latitude};
 use crate::style::SCALE as CANVAS;
 use crate::style::*;
 
@@ -103,23 +102,22 @@ impl Loop {
     /// Sphere, path and name: what does not move.
     fn draw(&self, pen: &mut Pen) -> Result<()> {
         let view = self.view();
-        let seen = |p: &Vector3<f64>| p.dot(&view.toward) > 0.0;
-        pen.disc(self.center, RADIUS, Role::Shade, 1.0);
+        pen.disc(self.center, RADIUS, Shade, 1.0);
         pen.ring(self.center, RADIUS, inked(AXIS));
         let roots = self.top.roots();
         for h in [roots.h1, roots.h2] {
             let r = (1.0 - h * h).sqrt();
-            let circle = ellipse(Vector3::z() * h, Vector3::x() * r, Vector3::y() * r, 180);
-            pen.lines(&view.split(&circle, seen)[0], inked(HAIR).alpha(0.5));
+            let [front, _] = view.halves(&latitude(h, r, 180));
+            pen.lines(front, inked(HAIR).alpha(0.5));
         }
         let path = spaced([0.0, self.time], 900)
             .map(|t| nose(&self.top, t))
             .collect::<Result<Vec<_>>>()?;
-        let [front, back] = view.split(&path, seen);
+        let [front, back] = view.halves(&path);
         pen.lines(back, inked(AXIS).alpha(0.5));
         pen.lines(front, inked(DATA).alpha(0.85));
         let [x, y] = self.center;
-        pen.label([x, y + RADIUS + 22.0], Anchor::Middle, self.name);
+        pen.label([x, y + RADIUS + 22.0], Middle, self.name);
         Ok(())
     }
 
@@ -138,12 +136,6 @@ impl Loop {
         }
         Ok(frames)
     }
-}
-
-/// The body's axes in space.
-fn axes(attitude: &Attitude) -> [Vector3<f64>; 3] {
-    [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
-        .map(|[x, y, z]| attitude.to_space(BodyVector::new(x, y, z)).components())
 }
 
 fn matrix(x: Point, y: Point, to: Point) -> String {
@@ -176,27 +168,23 @@ fn tops() -> Result<[Loop; 4]> {
 pub fn top_animated() -> Result<Figure> {
     let tops = tops()?;
     let [waves, cusps, loops, pure] = &tops;
-    let words = Words {
-        claim: "One push decides how the nose goes round: waves, cusps, loops, or a circle.".to_owned(),
-        details: format!(
-            "Four tops start 60° from the vertical, $I_1 = Mg\\ell = 1,$ ten units of time in {} s: pushed forward at \
-             $\\varphi' = {}$, released from rest, pushed back at ${}$, pushed at exactly the slow rate {}. The spins, \
-             $L_3 = {}$, {}, {} and {}, make every path close. Rest the pointer on the picture to stop it.",
-            number(10.0 * SLOWNESS, 0),
-            number(waves.pace, 2),
-            number(loops.pace, 1),
-            number(pure.pace, 4),
-            number(waves.axial, 4),
-            number(cusps.axial, 4),
-            number(loops.axial, 4),
-            number(pure.axial, 4),
-        ),
-        alt: "Four spheres, in each a flywheel on an axle that stands on the centre and touches the sphere with its nose. The nose draws \
-              a wavy line, a row of arches that meet in upright cusps, a row of loops, and a circle of latitude, while the flywheel spins \
-              and the axle goes round the vertical. Each path closes after one turn. \
-              Without motion: each top a quarter of the way round."
-            .to_owned(),
-    };
+    let seconds = number(10.0 * SLOWNESS, 0);
+    let (forward, back, slow) = (
+        number(waves.pace, 2),
+        number(loops.pace, 1),
+        number(pure.pace, 4),
+    );
+    let [a, b, c, d] = [waves, cusps, loops, pure].map(|top| number(top.axial, 4));
+    let words = words!(
+        "One push decides how the nose goes round: waves, cusps, loops, or a circle.",
+        "Four tops start 60° from the vertical, $I_1 = Mg\\ell = 1,$ ten units of time in {seconds} s: pushed forward at \
+         $\\varphi' = {forward}$, released from rest, pushed back at ${back}$, pushed at exactly the slow rate {slow}. The spins, \
+         $L_3 = {a}$, {b}, {c} and {d}, make every path close. Rest the pointer on the picture to stop it.",
+        "Four spheres, in each a flywheel on an axle that stands on the centre and touches the sphere with its nose. The nose draws \
+         a wavy line, a row of arches that meet in upright cusps, a row of loops, and a circle of latitude, while the flywheel spins \
+         and the axle goes round the vertical. Each path closes after one turn. \
+         Without motion: each top a quarter of the way round."
+    );
     let mut drawn = Ok(());
     let still = figure(NAME, 566.0, words, |pen| {
         drawn = tops.iter().try_for_each(|top| top.draw(pen));

@@ -101,31 +101,19 @@ pub fn cycloids(values: &Values) -> Result<Figure> {
             told(order[2])
         ),
     };
-    let words = Words {
-        claim,
-        details: format!(
-            "Tilt downwards, $\\varphi\\sin\\theta_0$ to the right, in units of the wheel's radius $a = I_1Mg\\ell\\sin\\theta_0/L_3^2$; $\\theta_0 = {}°$, \
-             $I_1 = Mg\\ell = 1$. Dashed: the cycloid. Dots: eighths of a nutation. The nose leaves the cycloid \
-             by {}$\\,a$ at most for $L_3 = {}$, {} for {}, {} for {}.",
-            brief(degrees),
-            told(order[0]),
-            brief(order[0].axial),
-            told(order[1]),
-            brief(order[1].axial),
-            told(order[2]),
-            brief(order[2].axial),
-        ),
-        alt: format!(
-            "Three rows, each with two arches of a top's nose hanging from the level of its release at {} degrees, and a dashed cycloid. The axial \
-             momenta are {}, {} and {} from top to bottom. The slower a top, the further it leaves its cycloid, by {} radii at most. All touch the upper \
-             level in upright cusps, where the dots crowd.",
-            brief(degrees),
-            brief(rows[0].axial),
-            brief(rows[1].axial),
-            brief(rows[2].axial),
-            told(order[0]),
-        ),
-    };
+    let tilt = brief(degrees);
+    let [a, b, c] = [0, 1, 2].map(|k: usize| told(order[k]));
+    let [slow, medium, fast] = [0, 1, 2].map(|k: usize| brief(order[k].axial));
+    let [upper, middle, lower] = [0, 1, 2].map(|k: usize| brief(rows[k].axial));
+    let words = words!(
+        "{claim}",
+        "Tilt downwards, $\\varphi\\sin\\theta_0$ to the right, in units of the wheel's radius $a = I_1Mg\\ell\\sin\\theta_0/L_3^2$; $\\theta_0 = {tilt}°$, \
+         $I_1 = Mg\\ell = 1$. Dashed: the cycloid. Dots: eighths of a nutation. The nose leaves the cycloid \
+         by {a}$\\,a$ at most for $L_3 = {slow}$, {b} for {medium}, {c} for {fast}.",
+        "Three rows, each with two arches of a top's nose hanging from the level of its release at {tilt} degrees, and a dashed cycloid. The axial \
+         momenta are {upper}, {middle} and {lower} from top to bottom. The slower a top, the further it leaves its cycloid, by {a} radii at most. All touch the upper \
+         level in upright cusps, where the dots crowd."
+    );
     let reaches = [0, 1, 2].map(|k: usize| rows[k].reach());
     let [along, down] = reaches.into_iter().fold([0.0; 2], |sum: Point, reach| {
         [sum[0].max(reach[0]), sum[1] + reach[1].max(2.0)]
@@ -137,43 +125,37 @@ pub fn cycloids(values: &Values) -> Result<Figure> {
         for (row, [_, depth]) in rows.iter().zip(reaches) {
             let place = |&[along, down]: &Point| [LEFT + unit * along, from + unit * down];
             let lowest = place(&[0.0, 2.0]);
-            pen.line(&[[LEFT, from], [RIGHT, from]], inked(HAIR));
-            let dotted = stroke(Role::Muted, AXIS).dotted();
-            pen.line(&[lowest, [RIGHT, lowest[1]]], dotted);
+            pen.line([[LEFT, from], [RIGHT, from]], inked(HAIR));
+            let dotted = muted(AXIS).dotted();
+            pen.line([lowest, [RIGHT, lowest[1]]], dotted);
             let levels = spread([from, lowest[1]], 18.0);
             for (y, text) in levels.into_iter().zip(["*θ*_{0}", "+2*a*"]) {
-                pen.note([LEFT - 10.0, y + 5.0], Anchor::End, text);
+                pen.note([LEFT - 10.0, y + 5.0], End, text);
             }
-            let limit: Vec<Point> = row.limit.iter().map(place).collect();
-            pen.line(&limit, inked(SECONDARY).dashed());
+            let limit = row.limit.iter().map(place);
+            pen.line(limit, inked(SECONDARY).dashed());
             let trace: Vec<Point> = row.trace.iter().map(place).collect();
             pen.line(&trace, inked(DATA));
             for point in trace.iter().step_by(STEPS as usize / 8) {
-                pen.disc(*point, 3.0, Role::Ink, 1.0);
+                pen.dot(*point, 3.0);
             }
             pen.text(
                 [LEFT, from - 14.0],
-                Anchor::Start,
+                Start,
                 &format!("*L*_{{3}} = {}", brief(row.axial)),
-                label(Role::AngularMomentum),
+                label(AngularMomentum),
             );
             from += unit * depth.max(2.0) + BETWEEN;
         }
         let under = [RIGHT, from - BETWEEN + 26.0];
-        pen.label(under, Anchor::End, "*φ* sin *θ*_{0}");
+        pen.label(under, End, "*φ* sin *θ*_{0}");
     });
-    let columns = [
-        "φ sin θ₀ (radii of the wheel)",
-        "θ − θ₀ (radii of the wheel)",
-    ];
+    let columns = "φ sin θ₀ (radii of the wheel) | θ − θ₀ (radii of the wheel)";
     Ok(rows.iter().fold(made, |made, row| {
         let name = brief(row.axial);
-        let rows = |curve: &[Point]| curve.iter().map(|at| at.to_vec()).collect::<Vec<_>>();
-        made.data(format!("top with L3 = {name}"), &columns, rows(&row.trace))
-            .data(
-                format!("cycloid for L3 = {name}"),
-                &columns,
-                rows(&row.limit),
-            )
+        let [top, cycloid] =
+            ["top with", "cycloid for"].map(|curve| format!("{curve} L3 = {name}"));
+        made.data(top, columns, row.trace.clone())
+            .data(cycloid, columns, row.limit.clone())
     }))
 }

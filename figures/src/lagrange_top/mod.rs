@@ -2,7 +2,6 @@
 //!
 //! Units of all figures: I₁ = 1 and Mgl = 1; I₃ = 1 as well, unless said, so that L₃ is Ω₃. The motion of the axis depends on I₃ through L₃ only.
 
-use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::lagrange_top::{LagrangeTop, PurePrecession, pure_precession};
@@ -15,6 +14,7 @@ mod sleeping;
 mod waking;
 mod wooden;
 
+use crate::solid::Vector;
 use crate::{Entry, constant, of};
 
 /// The figures of the chapter, in its order.
@@ -58,7 +58,7 @@ fn pure_rates(height: f64, axial: f64) -> Result<[f64; 2]> {
 }
 
 /// Where the nose of the top is in space at a time, a unit from the pivot.
-fn nose(top: &LagrangeTop, time: f64) -> Result<Vector3<f64>> {
+fn nose(top: &LagrangeTop, time: f64) -> Result<Vector> {
     let axis = BodyVector::new(0.0, 0.0, 1.0);
     Ok(top.at(time)?.attitude.to_space(axis).components())
 }

@@ -1,11 +1,10 @@
 //! Traces of the nose, each at its place in the plane of L_vert and L₃ (tutorial 7.2, pictures k, l, m, n).
 
-use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::lagrange_top::{LagrangeTop, Nutation};
 
 use super::{launch, nose, pure_rates};
-use crate::solid::{View, ellipse};
+use crate::solid::{Vector, View, latitude};
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -57,7 +56,7 @@ fn vertical(pace: f64, axial: f64) -> f64 {
 /// What the nose of a top draws.
 struct Trace {
     /// Seconds, and where the nose is.
-    points: Vec<(f64, Vector3<f64>)>,
+    points: Vec<(f64, Vector)>,
     /// Heights of the turning circles.
     heights: [f64; 2],
     /// From where the middle of the trace is seen.
@@ -105,17 +104,15 @@ impl Globe {
     /// The sphere, its turning circles and the trace.
     fn draw(&self, pen: &mut Pen, trace: &Trace, (center, radius): (Point, f64)) {
         let view = View::new(trace.azimuth, 0.5, center, radius);
-        let seen = |p: &Vector3<f64>| p.dot(&view.toward) > 0.0;
-        pen.disc(center, radius, Role::Shade, 1.0);
+        pen.disc(center, radius, Shade, 1.0);
         pen.ring(center, radius, inked(AXIS));
         for h in trace.heights {
             let r = (1.0 - h * h).max(0.0).sqrt();
-            let circle = ellipse(Vector3::z() * h, Vector3::x() * r, Vector3::y() * r, 120);
-            let [front, _] = view.split(&circle, seen);
+            let [front, _] = view.halves(&latitude(h, r, 120));
             pen.lines(front, inked(HAIR).alpha(0.6));
         }
-        let points: Vec<Vector3<f64>> = trace.points.iter().map(|(_, nose)| *nose).collect();
-        let [front, back] = view.split(&points, seen);
+        let points: Vec<Vector> = trace.points.iter().map(|(_, nose)| *nose).collect();
+        let [front, back] = view.halves(&points);
         pen.lines(back, inked(HAIR).alpha(0.5));
         pen.lines(front, inked(DATA));
         let at = [center[0] + self.beside[0], center[1] + self.beside[1]];
@@ -130,7 +127,7 @@ fn yours(values: &Values) -> Globe {
         momenta: [values.of(&VERTICAL), values.of(&AXIAL)],
         cycles: 3.0,
         beside: [0.0, -YOURS.1 - 9.0],
-        anchor: Anchor::Middle,
+        anchor: Middle,
     }
 }
 
@@ -162,39 +159,27 @@ fn globes() -> Result<Vec<Globe>> {
     let below = RADIUS + 20.0;
     let above = -RADIUS - 9.0;
     Ok(vec![
-        globe(
-            "waves, backwards",
-            [-2.1, 1.0],
-            2.0,
-            [12.0, below],
-            Anchor::Middle,
-        ),
-        globe("loops", [-1.1, 2.75], 3.0, [0.0, above], Anchor::Middle),
-        globe("cusps", [1.0, 2.0], 3.0, [-24.0, above], Anchor::Middle),
-        globe(
-            "waves",
-            [2.0, 1.0],
-            1.5,
-            [RADIUS + 8.0, 18.0],
-            Anchor::Start,
-        ),
+        globe("waves, backwards", [-2.1, 1.0], 2.0, [12.0, below], Middle),
+        globe("loops", [-1.1, 2.75], 3.0, [0.0, above], Middle),
+        globe("cusps", [1.0, 2.0], 3.0, [-24.0, above], Middle),
+        globe("waves", [2.0, 1.0], 1.5, [RADIUS + 8.0, 18.0], Start),
         globe(
             "slow circle",
             [vertical(slow, 3.0), 3.0],
             1.0,
             [-22.0, above],
-            Anchor::End,
+            End,
         ),
         globe(
             "fast circle",
             [vertical(fast, 2.0), 2.0],
             1.0,
             [12.0, below],
-            Anchor::End,
+            End,
         ),
-        globe("loops", [3.25, 3.6], 5.0, [0.0, above], Anchor::Middle),
-        globe("waves", [4.6, 3.05], 2.5, [0.0, above], Anchor::Middle),
-        globe("pendulum", [0.75, 0.0], 4.0, [0.0, below], Anchor::Middle),
+        globe("loops", [3.25, 3.6], 5.0, [0.0, above], Middle),
+        globe("waves", [4.6, 3.05], 2.5, [0.0, above], Middle),
+        globe("pendulum", [0.75, 0.0], 4.0, [0.0, below], Middle),
     ])
 }
 
@@ -207,7 +192,7 @@ fn clear(pen: &mut Pen, points: &[Point], globes: &[Globe], style: Stroke) {
             && p[1] >= y0
             && globes.iter().all(|globe| {
                 let c = globe.center();
-                (p[0] - c[0]).hypot(p[1] - c[1]) >= RADIUS
+                distance(*p, c) >= RADIUS
             })
     };
     for piece in points.split(|p| !free(p)) {
@@ -260,28 +245,21 @@ pub fn nutations(values: &Values) -> Result<Figure> {
     let tilts = own
         .heights
         .map(|height| number(height.clamp(-1.0, 1.0).acos().to_degrees(), 1));
-    let words = Words {
-        claim: "Two momenta decide whether the nose draws waves, cusps, loops or a circle."
-            .to_owned(),
-        details: format!(
-            "The tutorial's pictures k, l, m and n, each at its place: every top starts 60° from the vertical, where its tilt turns, with \
-             $I_1 = Mg\\ell = 1$. Dashed: cusps. Solid: pure precession, slow ({} at $L_3 = 3$) on the left branch and fast ({} at \
-             $L_3 = 2$) on the right. Dotted: the nose passes the top or the bottom of its sphere. The ring is yours, $L_{{\\text{{vert}}}} = {vertical}$ and \
-             $L_3 = {axial}$: it draws {kind}, between {}° and {}°.",
-            number(slow, 4),
-            number(fast, 4),
-            tilts[1],
-            tilts[0],
-        ),
-        alt: format!(
-            "A half plane, the vertical angular momentum to the right and the axial one upwards, with nine spheres on it, each with \
-             the trace of the nose of a top that starts 60 degrees from the vertical. From left to right: backward waves, loops, \
-             cusps on a dashed line, waves, a circle of slow precession on one branch of a solid curve, loops and waves between \
-             the branches, a circle of fast precession on the other branch; at the bottom, without axial momentum, a spherical \
-             pendulum. Loops shrink to cusps where the dashed line is crossed and open to waves beyond. A ring at {vertical} and {axial} \
-             has its sphere apart: the nose draws {kind}.",
-        ),
-    };
+    let [slow, fast] = numbers([slow, fast], 4);
+    let [greatest, least] = tilts;
+    let words = words!(
+        "Two momenta decide whether the nose draws waves, cusps, loops or a circle.",
+        "The tutorial's pictures k, l, m and n, each at its place: every top starts 60° from the vertical, where its tilt turns, with \
+         $I_1 = Mg\\ell = 1$. Dashed: cusps. Solid: pure precession, slow ({slow} at $L_3 = 3$) on the left branch and fast ({fast} at \
+         $L_3 = 2$) on the right. Dotted: the nose passes the top or the bottom of its sphere. The ring is yours, $L_{{\\text{{vert}}}} = {vertical}$ and \
+         $L_3 = {axial}$: it draws {kind}, between {least}° and {greatest}°.",
+        "A half plane, the vertical angular momentum to the right and the axial one upwards, with nine spheres on it, each with \
+         the trace of the nose of a top that starts 60 degrees from the vertical. From left to right: backward waves, loops, \
+         cusps on a dashed line, waves, a circle of slow precession on one branch of a solid curve, loops and waves between \
+         the branches, a circle of fast precession on the other branch; at the bottom, without axial momentum, a spherical \
+         pendulum. Loops shrink to cusps where the dashed line is crossed and open to waves beyond. A ring at {vertical} and {axial} \
+         has its sphere apart: the nose draws {kind}."
+    );
     let borders = borders()?;
     let made = figure("nutations", 566.0, words, |pen| {
         let [left, right, top] = REACH;
@@ -304,31 +282,31 @@ pub fn nutations(values: &Values) -> Result<Figure> {
                 .iter()
                 .all(|g| (x - g.center()[0]).hypot(y - g.center()[1]) > RADIUS + 2.0);
             if free {
-                pen.line(&[[x, y], [x, y + 5.0]], ink);
-                pen.note([x, y + 21.0], Anchor::Middle, &number(f64::from(k), 0));
+                pen.line([[x, y], [x, y + 5.0]], ink);
+                pen.note([x, y + 21.0], Middle, &number(f64::from(k), 0));
             }
         }
         for k in [1, 2, 3, 4] {
             let [x, y] = place(0.0, f64::from(k));
-            pen.line(&[[x - 5.0, y], [x, y]], ink);
-            pen.note([x - 9.0, y + 5.0], Anchor::End, &number(f64::from(k), 0));
+            pen.line([[x - 5.0, y], [x, y]], ink);
+            pen.note([x - 9.0, y + 5.0], End, &number(f64::from(k), 0));
         }
         pen.text(
             [place(right, 0.0)[0], ORIGIN[1] + 48.0],
-            Anchor::End,
+            End,
             "*L*_{vert}",
-            label(Role::AngularMomentum),
+            label(AngularMomentum),
         );
         let [x, y] = place(0.0, top);
         pen.text(
             [x + 9.0, y + 10.0],
-            Anchor::Start,
+            Start,
             "*L*_{3}",
-            label(Role::AngularMomentum),
+            label(AngularMomentum),
         );
         for (k, (points, pole)) in borders.iter().enumerate() {
             let style = match (k, pole) {
-                (_, true) => stroke(Role::Muted, SECONDARY).dotted(),
+                (_, true) => muted(SECONDARY).dotted(),
                 (0 | 1, _) => inked(SECONDARY).dashed(),
                 _ => inked(1.8),
             };
@@ -341,21 +319,21 @@ pub fn nutations(values: &Values) -> Result<Figure> {
         let [x, y] = YOURS.0;
         let rings = [yours.center(), [x - 32.0, y - YOURS.1 - 14.0]];
         for at in rings {
-            pen.disc(at, 6.0, Role::Paper, 1.0);
+            pen.disc(at, 6.0, Paper, 1.0);
             pen.ring(at, 6.0, inked(DATA));
-            pen.disc(at, 2.0, Role::Ink, 1.0);
+            pen.dot(at, 2.0);
         }
     });
-    let columns = ["time (√(I1/Mgl))", "tilt (°)", "azimuth (°)"];
+    let columns = "time (√(I1/Mgl)) | tilt (°) | azimuth (°)";
     let named = globes.iter().zip(&drawn).chain([(&yours, &own)]);
     Ok(named.fold(made, |made, (globe, trace)| {
         let [vertical, axial] = globe.momenta;
         let name = format!("{}, Lvert = {vertical}, L3 = {axial}", globe.name);
         let rows = trace.points.iter().map(|(t, nose)| {
             let tilt = nose.x.hypot(nose.y).atan2(nose.z);
-            vec![*t, tilt.to_degrees(), nose.y.atan2(nose.x).to_degrees()]
+            [*t, tilt.to_degrees(), nose.y.atan2(nose.x).to_degrees()]
         });
-        made.data(name, &columns, rows)
+        made.data(name, columns, rows)
     }))
 }
 
@@ -376,7 +354,7 @@ mod tests {
                 momenta,
                 cycles: 1.0,
                 beside: [0.0; 2],
-                anchor: Anchor::Start,
+                anchor: Start,
             }
             .top();
             top.map(|top| top.kind()).expect("a finite top")

@@ -117,48 +117,38 @@ pub fn precession_rates(values: &Values) -> Result<Figure> {
         true => format!("{} and {}", number(rates[0], 4), number(rates[1], 4)),
         false => "none".to_owned(),
     };
-    let words = Words {
-        claim: claim.to_owned(),
-        details: format!(
-            "Rates of pure precession against the tilt for $L_3 = {first}$ (thin), {second} and {third} (thick), $I_1 = Mg\\ell = 1.$ Slow solid, fast dashed: {example} \
-             for $L_3 = {third}$ at {}°. {meeting}",
-            number(height.acos().to_degrees(), 0),
-        ),
-        alt: format!(
-            "Rates of precession against the tilt from 0 to 180 degrees for the axial momenta {first}, {second} and {third}. For each a slow branch, low and nearly \
-             level, falls gently to the right, and a fast branch rises from the left to infinity at 90 degrees and comes back from minus infinity beyond. {}",
-            match told[..] {
-                [] => "All of them reach the upright axis.".to_owned(),
-                _ => format!(
-                    "Both branches of a spin below 2 meet on a dotted curve, at {} degrees for the slowest; to the left of it there is nothing.",
-                    number(
-                        slow.iter()
-                            .map(|(_, end)| end.to_degrees())
-                            .fold(0.0, f64::max),
-                        0
-                    )
-                ),
-            },
+    let degrees = number(height.acos().to_degrees(), 0);
+    let latest = slow
+        .iter()
+        .map(|(_, end)| end.to_degrees())
+        .fold(0.0, f64::max);
+    let branches = match told[..] {
+        [] => "All of them reach the upright axis.".to_owned(),
+        _ => format!(
+            "Both branches of a spin below 2 meet on a dotted curve, at {latest:.0} degrees for the slowest; to the left of it there is nothing."
         ),
     };
+    let words = words!(
+        "{claim}",
+        "Rates of pure precession against the tilt for $L_3 = {first}$ (thin), {second} and {third} (thick), $I_1 = Mg\\ell = 1.$ Slow solid, fast dashed: {example} \
+         for $L_3 = {third}$ at {degrees}°. {meeting}",
+        "Rates of precession against the tilt from 0 to 180 degrees for the axial momenta {first}, {second} and {third}. For each a slow branch, low and nearly \
+         level, falls gently to the right, and a fast branch rises from the left to infinity at 90 degrees and comes back from minus infinity beyond. {branches}"
+    );
     let made = figure("precession-rates", 384.0, words, |pen| {
         axes(pen);
-        let meeting: Vec<Point> = spaced([0.0, 0.5 * PI], 300)
+        let meeting = spaced([0.0, 0.5 * PI], 300)
             .map(|tilt| (tilt, 1.0 / tilt.cos().sqrt()))
             .filter(|(_, rate)| *rate < SHOWN[1])
-            .map(|(tilt, rate)| place(tilt, rate))
-            .collect();
-        pen.line(&meeting, stroke(Role::Muted, 1.6).dotted());
+            .map(|(tilt, rate)| place(tilt, rate));
+        pen.line(meeting, muted(1.6).dotted());
         for (_, width, fast, points) in &curves {
             let style = inked(*width);
-            let points: Vec<Point> = points
-                .iter()
-                .map(|&[tilt, rate]| place(tilt, rate))
-                .collect();
-            pen.line(&points, if *fast { style.dashed() } else { style });
+            let points = points.iter().map(|&[tilt, rate]| place(tilt, rate));
+            pen.line(points, if *fast { style.dashed() } else { style });
         }
         for (axial, end) in ends.iter().filter(|(axial, _)| *axial <= 2.0) {
-            pen.disc(place(*end, 2.0 / axial), 3.6, Role::Ink, 1.0);
+            pen.dot(place(*end, 2.0 / axial), 3.6);
         }
         // The momenta stand where the fast branches leave the picture: cos θ = (L₃w − 1)/w² there.
         let out = spins.map(|axial| {
@@ -171,58 +161,53 @@ pub fn precession_rates(values: &Values) -> Result<Figure> {
         for (x, axial) in out.into_iter().zip(spins) {
             let text = number(axial, 2);
             let text = text.strip_suffix('0').unwrap_or(&text);
-            pen.text(
-                [x, FRAME[3] - 8.0],
-                Anchor::Middle,
-                text,
-                small(Role::AngularMomentum),
-            );
+            pen.text([x, FRAME[3] - 8.0], Middle, text, small(AngularMomentum));
         }
         let left = out.into_iter().fold(f64::INFINITY, f64::min);
         let name = [left - 20.0, FRAME[3] - 8.0];
-        pen.text(name, Anchor::End, "*L*_{3} =", small(Role::AngularMomentum));
+        pen.text(name, End, "*L*_{3} =", small(AngularMomentum));
         for (tilt, rate, text) in [
             (140.0, 1.2, "slow"),
             (30.0, 5.4, "fast"),
             (96.0, -2.7, "fast"),
         ] {
             let at = place(f64::to_radians(tilt), rate);
-            pen.note(at, Anchor::Start, text);
+            pen.note(at, Start, text);
         }
     });
-    let columns = ["tilt (°)", "rate of precession (√(Mgl/I1))"];
+    let columns = "tilt (°) | rate of precession (√(Mgl/I1))";
     Ok(curves.into_iter().fold(made, |made, (name, _, _, points)| {
         let rows = points
             .into_iter()
-            .map(|[tilt, rate]| vec![tilt.to_degrees(), rate]);
-        made.data(name, &columns, rows)
+            .map(|[tilt, rate]| [tilt.to_degrees(), rate]);
+        made.data(name, columns, rows)
     }))
 }
 
 fn axes(pen: &mut Pen) {
     let ink = inked(AXIS);
     let [left, right, bottom, top] = FRAME;
-    pen.line(&[[left, top], [left, bottom]], ink);
-    pen.line(&[place(0.0, 0.0), place(PI, 0.0)], ink);
+    pen.line([[left, top], [left, bottom]], ink);
+    pen.line([place(0.0, 0.0), place(PI, 0.0)], ink);
     pen.line(
-        &[place(0.5 * PI, SHOWN[0]), place(0.5 * PI, SHOWN[1])],
-        stroke(Role::Muted, HAIR),
+        [place(0.5 * PI, SHOWN[0]), place(0.5 * PI, SHOWN[1])],
+        muted(HAIR),
     );
     for rate in [-2.0, 0.0, 2.0, 4.0, 6.0] {
         let [x, y] = place(0.0, rate);
-        pen.line(&[[x - 5.0, y], [x, y]], ink);
-        pen.note([x - 9.0, y + 5.0], Anchor::End, &number(rate, 0));
+        pen.line([[x - 5.0, y], [x, y]], ink);
+        pen.note([x - 9.0, y + 5.0], End, &number(rate, 0));
     }
     for degrees in [0.0, 30.0, 60.0, 90.0, 120.0, 150.0, 180.0] {
         let x = place(f64::to_radians(degrees), 0.0)[0];
-        pen.line(&[[x, bottom], [x, bottom + 5.0]], ink);
+        pen.line([[x, bottom], [x, bottom + 5.0]], ink);
         pen.note(
             [x, bottom + 22.0],
-            Anchor::Middle,
+            Middle,
             &format!("{}°", number(degrees, 0)),
         );
     }
-    pen.line(&[[left, bottom], [right, bottom]], ink);
-    pen.label([left + 10.0, top + 6.0], Anchor::Start, "*φ*\u{2032}");
-    pen.label([right + 18.0, bottom + 6.0], Anchor::Start, "*θ*");
+    pen.line([[left, bottom], [right, bottom]], ink);
+    pen.label([left + 10.0, top + 6.0], Start, "*φ*\u{2032}");
+    pen.label([right + 18.0, bottom + 6.0], Start, "*θ*");
 }

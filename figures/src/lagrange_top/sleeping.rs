@@ -66,22 +66,22 @@ impl Shown {
         let ink = inked(AXIS);
         let [left, right, zero] = FRAME;
         let [low, high] = CUT.map(|cut| zero - cut);
-        pen.line(&[[left, zero], [right, zero]], ink);
-        pen.line(&[[left, low], [left, high]], ink);
+        pen.line([[left, zero], [right, zero]], ink);
+        pen.line([[left, low], [left, high]], ink);
         let x = self.place(1.0, 0.0)[0];
-        let dotted = stroke(Role::Muted, HAIR).dotted();
-        pen.line(&[[x, low], [x, high]], dotted);
+        let dotted = muted(HAIR).dotted();
+        pen.line([[x, low], [x, high]], dotted);
         for (h, text) in Axis::linear(self.ends, [left, right]).ticks(150.0) {
             let [x, y] = self.place(h, 0.0);
-            pen.line(&[[x, y], [x, y + 5.0]], ink);
+            pen.line([[x, y], [x, y + 5.0]], ink);
             if x > left + 5.0 {
-                pen.note([x + 4.0, y + 24.0], Anchor::Start, &text);
+                pen.note([x + 4.0, y + 24.0], Start, &text);
             }
         }
         let name = [left + 10.0, high - 6.0];
-        pen.label(name, Anchor::Start, "*f*(*h*)");
+        pen.label(name, Start, "*f*(*h*)");
         let name = [right + 9.0, zero + 5.0];
-        pen.label(name, Anchor::Start, "*h*");
+        pen.label(name, Start, "*h*");
     }
 }
 
@@ -116,21 +116,16 @@ pub fn threshold(values: &Values) -> Result<Figure> {
     let (fast, at, slow) = (fast?, at?, slow?);
     let root = number(loner(below), 3);
     let [above, below] = [above, below].map(brief);
-    let words = Words {
-        claim: "A top sleeps until its third root has come down past the upright position."
-            .to_owned(),
-        details: format!(
-            "$f(h)$ of an upright top, $I_1 = Mg\\ell = 1$, as $L_3$ falls from {above} to {below}. The motion needs $f\\ge0$: shaded, the room \
-             below $h = 1$ that opens under the threshold $L_3 = 2$, thick, down to $\\cos\\theta = {root}$ for {below}. A sideways kick of {} tilts the \
-             top by {fast}° at $L_3 = {above}$, by {at}° at 2 and by {slow}° at {below}.",
-            brief(kick),
-        ),
-        alt: format!(
-            "Five cubics that all touch or cross zero at h = 1. For fast spin the curve touches zero from below at 1 and crosses further right. \
-             As the spin falls the crossing moves left, reaches 1 at the threshold, where the curve has a flat crossing, and goes on to {root} for \
-             the slowest top, of axial momentum {below}: there the curve is positive between the crossing and 1, and the top falls over as far as that.",
-        ),
-    };
+    let push = brief(kick);
+    let words = words!(
+        "A top sleeps until its third root has come down past the upright position.",
+        "$f(h)$ of an upright top, $I_1 = Mg\\ell = 1$, as $L_3$ falls from {above} to {below}. The motion needs $f\\ge0$: shaded, the room \
+         below $h = 1$ that opens under the threshold $L_3 = 2$, thick, down to $\\cos\\theta = {root}$ for {below}. A sideways kick of {push} tilts the \
+         top by {fast}° at $L_3 = {above}$, by {at}° at 2 and by {slow}° at {below}.",
+        "Five cubics that all touch or cross zero at h = 1. For fast spin the curve touches zero from below at 1 and crosses further right. \
+         As the spin falls the crossing moves left, reaches 1 at the threshold, where the curve has a flat crossing, and goes on to {root} for \
+         the slowest top, of axial momentum {below}: there the curve is positive between the crossing and 1, and the top falls over as far as that."
+    );
     let made = figure("sleeping-threshold", 332.0, words, |pen| {
         shown.axes(pen);
         for (axial, curve) in &curves {
@@ -143,13 +138,13 @@ pub fn threshold(values: &Values) -> Result<Figure> {
             if *axial < THRESHOLD {
                 // The room that the top may fall into.
                 let inside = |p: &&Point| p[0] <= shown.place(1.0, 0.0)[0] && p[1] <= FRAME[2];
-                let room: Vec<Point> = points.iter().filter(inside).copied().collect();
-                pen.fill(&room, Role::Ink, 0.13);
+                let room = points.iter().filter(inside).copied();
+                pen.fill(room, Ink, 0.13);
             }
             pen.line(&points, style);
             let root = loner(*axial);
             if root < shown.ends[1] {
-                pen.disc(shown.place(root, 0.0), 3.6, Role::Ink, 1.0);
+                pen.dot(shown.place(root, 0.0), 3.6);
             }
         }
         // The number stands at the lower end of its curve, that of the last one over its crest.
@@ -160,16 +155,16 @@ pub fn threshold(values: &Values) -> Result<Figure> {
         let across = spread(feet.map(|at| at[0]), 38.0);
         for (x, axial) in across.into_iter().zip(spins) {
             let y = FRAME[2] - CUT[0] + 19.0;
-            pen.note([x, y], Anchor::Middle, &brief(axial));
+            pen.note([x, y], Middle, &brief(axial));
         }
         let root = loner(spins[4]);
         let [x, y] = shown.place((1.0 + 2.0 * root) / 3.0, 8.0 / 27.0 * (1.0 - root).powi(3));
         let text = format!("*L*_{{3}} = {below}");
-        pen.note([x, y - 9.0], Anchor::Middle, &text);
+        pen.note([x, y - 9.0], Middle, &text);
     });
-    let columns = ["h = cos θ", "f(h) (Mgl/I1)"];
+    let columns = "h = cos θ | f(h) (Mgl/I1)";
     Ok(curves.into_iter().fold(made, |made, (axial, curve)| {
         let name = format!("L3 = {}", brief(axial));
-        made.data(name, &columns, curve.into_iter().map(Vec::from))
+        made.data(name, columns, curve)
     }))
 }

@@ -6,7 +6,7 @@ use spinning_bodies::lagrange_top::{sleeping_threshold, tilt_after_kick};
 use spinning_bodies::scene::top::{Body, Gravity, Start, TipFriction, Top};
 use spinning_bodies::scene::{Request, Scene};
 
-use crate::plot::{Axis, Frame, marks};
+use crate::plot::{Frame, marks};
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -80,25 +80,16 @@ pub fn waking(values: &Values) -> Result<Figure> {
             "A sleeping top wakes late: its spin is well through the threshold, and its tilt still shows nothing."
         }
     };
-    let words = Words {
-        claim: claim.to_owned(),
-        details: format!(
-            "The wooden top, upright but for {} rad, loses spin to the friction at its tip, ${}$ N m. Dashed: how far gravity \
-             would let a top of that spin fall. The spin passes the threshold, {threshold:.2} rad/s, after {} s; {passes}",
-            brief(tilt),
-            scientific(torque, 3),
-            number(crossed.map_or(seconds, |row| row[0]), 2),
-        ),
-        alt: format!(
-            "Tilt of a top against its spin, the spin falling to the right. A dashed curve leaves zero steeply at the threshold, {threshold:.2} radians a second, marked by a \
-             dotted upright line. The solid curve of the motion, begun at a tilt of {} radians, is low through the threshold and reaches {deepest:.1} degrees within the picture.",
-            brief(tilt),
-        ),
-    };
-    let frame = Frame {
-        x: Axis::linear([81.5, LAST], [60.0, 580.0]),
-        y: Axis::linear([0.0, STEEPEST], [276.0, 34.0]),
-    };
+    let (askew, braked) = (brief(tilt), scientific(torque, 3));
+    let passed = number(crossed.map_or(seconds, |row| row[0]), 2);
+    let words = words!(
+        "{claim}",
+        "The wooden top, upright but for {askew} rad, loses spin to the friction at its tip, ${braked}$ N m. Dashed: how far gravity \
+         would let a top of that spin fall. The spin passes the threshold, {threshold:.2} rad/s, after {passed} s; {passes}",
+        "Tilt of a top against its spin, the spin falling to the right. A dashed curve leaves zero steeply at the threshold, {threshold:.2} radians a second, marked by a \
+         dotted upright line. The solid curve of the motion, begun at a tilt of {askew} radians, is low through the threshold and reaches {deepest:.1} degrees within the picture."
+    );
+    let frame = Frame::linear([81.5, LAST], [0.0, STEEPEST], [60.0, 580.0, 276.0, 34.0]);
     let mut allowed = Vec::new();
     for k in 0..=200_u32 {
         let spin = threshold - (threshold - LAST) * (f64::from(k) / 200.0).powi(2);
@@ -113,33 +104,25 @@ pub fn waking(values: &Values) -> Result<Figure> {
             ["spin, rad/s", "tilt"],
         );
         let x = frame.x.at(threshold);
-        pen.line(
-            &[[x, 34.0], [x, 276.0]],
-            stroke(Role::Muted, SECONDARY).dotted(),
-        );
+        pen.line([[x, 34.0], [x, 276.0]], muted(SECONDARY).dotted());
         let told = [x - 6.0, 48.0];
-        pen.remark(told, Anchor::End, "threshold");
-        let points: Vec<Point> = allowed
-            .iter()
-            .map(|&[spin, tilt]| frame.at(spin, tilt))
-            .collect();
-        pen.line(&points, stroke(Role::Muted, SECONDARY).dashed());
+        pen.remark(told, End, "threshold");
+        pen.line(frame.trace(allowed), muted(SECONDARY).dashed());
         let told = frame.at(78.55, 31.0);
-        pen.remark(told, Anchor::End, "what gravity allows");
-        let points: Vec<Point> = course
+        pen.remark(told, End, "what gravity allows");
+        let points = course
             .iter()
             .take_while(|row| row[1] >= LAST && row[2] <= STEEPEST)
-            .map(|row| frame.at(row[1], row[2]))
-            .collect();
-        pen.line(&points, inked(DATA));
+            .map(|row| frame.at(row[1], row[2]));
+        pen.line(points, inked(DATA));
         if deepest < STEEPEST && awake.is_none() {
             let told = frame.at(79.0, 3.5);
-            pen.note(told, Anchor::Middle, "still asleep");
+            pen.note(told, Middle, "still asleep");
         } else if tilt < 0.005 {
             let told = frame.at(80.9, 1.7);
             pen.note(told, Anchor::Start, "asleep");
         }
     });
-    let columns = ["time (s)", "spin (rad/s)", "tilt (°)"];
-    Ok(made.data("top", &columns, course.iter().map(|row| row.to_vec())))
+    let columns = "time (s) | spin (rad/s) | tilt (°)";
+    Ok(made.data("top", columns, course))
 }

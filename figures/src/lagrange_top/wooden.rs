@@ -1,12 +1,11 @@
 //! The wooden top of the chapter's puzzle (tutorial 7.4): tilted, spun, held still; and let go.
 
-use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::lagrange_top::LagrangeTop;
 
 use super::nose;
-use crate::solid::{View, ellipse};
+use crate::solid::{Vector, View, ellipse, latitude};
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -25,7 +24,7 @@ const TILT: Parameter = Parameter::new("tilt", r"\theta_0", "°")
     .between([10.0, 45.0], 30.0)
     .dragged(|values| {
         let (sin, cos) = values.of(&TILT).to_radians().sin_cos();
-        view().project(&(Vector3::new(0.0, -sin, cos) * NOSE))
+        view().project(&(Vector::new(0.0, -sin, cos) * NOSE))
     });
 parameters! {
     TURNS: "turns", "n", "turns/s", "spin of the top", [20.0, 60.0], 30.0;
@@ -57,17 +56,12 @@ fn described(values: &Values) -> String {
 
 /// The question: which way?
 pub fn wooden_top(values: &Values) -> Result<Figure> {
-    let words = Words {
-        claim: "A spinning top leans, and a finger holds its axis still.".to_owned(),
-        details: format!(
-            "{} Which way does the nose go when the finger lets go?",
-            described(values)
-        ),
-        alt: format!(
-            "A disc on an axle that stands on its tip, {} degrees off the vertical, which is dotted. From the nose four dashed arrows with question marks: up, down, to one side, to the other.",
-            short(values.of(&TILT), 1)
-        ),
-    };
+    let (body, tilt) = (described(values), short(values.of(&TILT), 1));
+    let words = words!(
+        "A spinning top leans, and a finger holds its axis still.",
+        "{body} Which way does the nose go when the finger lets go?",
+        "A disc on an axle that stands on its tip, {tilt} degrees off the vertical, which is dotted. From the nose four dashed arrows with question marks: up, down, to one side, to the other."
+    );
     drawn("wooden-top", values, words, false)
 }
 
@@ -76,22 +70,14 @@ pub fn let_go(values: &Values) -> Result<Figure> {
     let top = launched(values)?;
     let lowest = top.at(0.5 * top.period())?.height.acos().to_degrees();
     let further = top.precession_per_nutation().unwrap_or(0.0).to_degrees();
-    let words = Words {
-        claim: format!(
-            "Let go, the nose falls by {}°, turns aside, and is back at the height of the finger after {} s, {}° further round.",
-            number(lowest - values.of(&TILT), 2),
-            number(top.period(), 4),
-            number(further, 2)
-        ),
-        details: format!(
-            "{} The nose for {SHOWN} s, a dot every hundredth of a second: it stands still in the cusps. Dotted: the heights between which it nods.",
-            described(values)
-        ),
-        alt: format!(
-            "The same top, and the path of its nose: arches that hang from one level circle and meet in upright cusps, {} of them in a full turn. In the cusps the dots crowd.",
-            number(360.0 / further, 1)
-        ),
-    };
+    let [fallen, aside] = numbers([lowest - values.of(&TILT), further], 2);
+    let (back, arches) = (number(top.period(), 4), number(360.0 / further, 1));
+    let body = described(values);
+    let words = words!(
+        "Let go, the nose falls by {fallen}°, turns aside, and is back at the height of the finger after {back} s, {aside}° further round.",
+        "{body} The nose for {SHOWN} s, a dot every hundredth of a second: it stands still in the cusps. Dotted: the heights between which it nods.",
+        "The same top, and the path of its nose: arches that hang from one level circle and meet in upright cusps, {arches} of them in a full turn. In the cusps the dots crowd."
+    );
     drawn("wooden-top-let-go", values, words, true)
 }
 
@@ -103,35 +89,30 @@ fn drawn(name: &'static str, values: &Values, words: Words, path: bool) -> Resul
     let held = noses[0];
     let roots = top.roots();
     let made = figure(name, 392.0, words, |pen| {
-        let at = |p: &Vector3<f64>| view.project(p);
+        let at = |p: &Vector| view.project(p);
         let [foot, hub, tip] = [0.0, ARM, NOSE].map(|out| held * out);
         let rim = (2.0 * ALONG / MASS).sqrt();
-        let level = held.cross(&Vector3::z()).normalize();
+        let level = held.cross(&Vector::z()).normalize();
         let rim = ellipse(hub, level * rim, held.cross(&level) * rim, 120);
         let rim = view.trace(&rim);
-        let upright = [foot, Vector3::z() * NOSE].map(|p| at(&p));
-        pen.line(&upright, stroke(Role::Muted, AXIS).dotted());
-        pen.line(&[at(&foot), at(&hub)], inked(DATA));
-        pen.fill(&rim, Role::Ink, 0.1);
+        let upright = [foot, Vector::z() * NOSE].map(|p| at(&p));
+        pen.line(upright, muted(AXIS).dotted());
+        pen.line([at(&foot), at(&hub)], inked(DATA));
+        pen.fill(&rim, Ink, 0.1);
         pen.outline(&rim, inked(SECONDARY));
-        pen.line(&[at(&hub), at(&tip)], inked(DATA));
-        pen.disc(at(&foot), 3.0, Role::Ink, 1.0);
-        pen.disc(at(&tip), 5.0, Role::Ink, 1.0);
+        pen.line([at(&hub), at(&tip)], inked(DATA));
+        pen.dot(at(&foot), 3.0);
+        pen.dot(at(&tip), 5.0);
         if path {
             let line: Vec<Point> = noses.iter().map(|p| at(&(p * NOSE))).collect();
             for height in [roots.h1, roots.h2] {
                 let out = NOSE * (1.0 - height * height).sqrt();
-                let circle = ellipse(
-                    Vector3::z() * NOSE * height,
-                    Vector3::x() * out,
-                    Vector3::y() * out,
-                    180,
-                );
-                pen.line(&view.trace(&circle), stroke(Role::Muted, AXIS).dotted());
+                let circle = latitude(NOSE * height, out, 180);
+                pen.line(view.trace(&circle), muted(AXIS).dotted());
             }
             pen.line(&line, inked(SECONDARY));
             for dot in line.iter().step_by(20) {
-                pen.disc(*dot, 2.4, Role::Ink, 1.0);
+                pen.dot(*dot, 2.4);
             }
         } else {
             let (aside, down) = (level * 0.02, held.cross(&level) * 0.02);
@@ -139,24 +120,24 @@ fn drawn(name: &'static str, values: &Values, words: Words, path: bool) -> Resul
                 let [from, to] = [0.3, 1.0].map(|share| at(&(tip + way * share)));
                 pen.arrow(from, to, inked(SECONDARY).dashed());
                 let beyond = (0..24).map(|k| polar(to, 14.0, 0.262 * f64::from(k)));
-                pen.name(beyond, "?", label(Role::Ink));
+                pen.name(beyond, "?", label(Ink));
             }
         }
         let tilt = format!("{}°", short(values.of(&TILT), 1));
-        let between = (0..40).map(|k| at(&((Vector3::z() + held) * (0.01 + 0.001 * f64::from(k)))));
-        pen.name(between, &tilt, small(Role::Ink));
+        let between = (0..40).map(|k| at(&((Vector::z() + held) * (0.01 + 0.001 * f64::from(k)))));
+        pen.name(between, &tilt, small(Ink));
     });
-    let columns = ["time (s)", "tilt (°)", "azimuth (°)"];
+    let columns = "time (s) | tilt (°) | azimuth (°)";
     let shown = if path { noses.len() } else { 1 };
     let rows = noses.iter().take(shown).enumerate().map(|(k, nose)| {
         let tilt = nose.x.hypot(nose.y).atan2(nose.z);
-        vec![
+        [
             SHOWN * k as f64 / 2000.0,
             tilt.to_degrees(),
             nose.y.atan2(nose.x).to_degrees(),
         ]
     });
-    Ok(made.data("nose", &columns, rows))
+    Ok(made.data("nose", columns, rows))
 }
 
 #[cfg(test)]
@@ -169,11 +150,9 @@ mod tests {
         let figure = let_go(&Values::default()).expect("a figure");
         let weight = 0.1 * 9.81 * 0.04;
         let (sin, cos) = 30_f64.to_radians().sin_cos();
-        let mut e = Vector3::new(0.0, -sin, cos);
+        let mut e = Vector::new(0.0, -sin, cos);
         let mut l = e * 7e-5 * 60.0 * core::f64::consts::PI;
-        let rate = |e: Vector3<f64>, l: Vector3<f64>| {
-            (l.cross(&e) / 2e-4, Vector3::z().cross(&e) * weight)
-        };
+        let rate = |e: Vector, l: Vector| (l.cross(&e) / 2e-4, Vector::z().cross(&e) * weight);
         let steps = 50;
         let step = 0.5 / 1000.0 / f64::from(steps);
         for (_, row) in figure.data.rows.iter().take(1000) {

@@ -1,6 +1,6 @@
 //! A chiral top to print: a ball of plastic with a hollow that stands askew in it.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Matrix3;
 use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::inertia::{MassProperties, Mesh, icosphere, mesh_mass_properties};
@@ -10,6 +10,7 @@ use spinning_bodies::scene::{Request, Scene};
 use spinning_bodies::tippe_top::{ConvexBody, Start, Surface};
 
 use crate::Figure;
+use crate::solid::Vector;
 use crate::style::*;
 
 /// Radius of the ball, m.
@@ -50,7 +51,7 @@ fn mesh() -> Result<Mesh> {
     let first = vertices.len() as u32;
     let map = hollow()?;
     vertices.extend(inner.into_iter().map(|v| -> [f64; 3] {
-        let place = map * Vector3::from(v) + HEIGHT * Vector3::z();
+        let place = map * Vector::from(v) + HEIGHT * Vector::z();
         (RADIUS * place).into()
     }));
     triangles.extend(
@@ -76,7 +77,7 @@ pub fn stl() -> Result<Vec<u8>> {
     .into_bytes();
     bytes.extend((triangles.len() as u32).to_le_bytes());
     for triangle in triangles {
-        let [a, b, c] = triangle.map(|n| 1e3 * Vector3::from(vertices[n as usize]));
+        let [a, b, c] = triangle.map(|n| 1e3 * Vector::from(vertices[n as usize]));
         let normal = (b - a).cross(&(c - a)).normalize();
         let coordinates = [normal, a, b, c].into_iter().flat_map(|v| [v.x, v.y, v.z]);
         bytes.extend(coordinates.flat_map(|x| (x as f32).to_le_bytes()));
@@ -103,7 +104,7 @@ pub fn section() -> Result<Figure> {
     let map = hollow()?;
     let (vertices, _) = mesh()?;
     let inner = &vertices[vertices.len() / 2..];
-    let reach = inner.iter().map(|v| Vector3::from(*v).norm());
+    let reach = inner.iter().map(|v| Vector::from(*v).norm());
     let wall = 1e3 * (RADIUS - reach.fold(0.0, f64::max));
     let properties = properties()?;
     let low = -1e3 * properties.center().z();
@@ -113,24 +114,20 @@ pub fn section() -> Result<Figure> {
     let last = clockwise.last().map_or(0.0, |row| degrees(&row.1));
     let most = other.iter().map(|row| degrees(&row.1)).fold(0.0, f64::max);
     let turns = number(SPIN / core::f64::consts::TAU, 0);
-    let words = Words {
-        claim: "A ball of one plastic with a hollow askew is a chiral top.".to_owned(),
-        details: format!(
-            "The printed top in two sections along $CK$, at right angles to each other: $R = {}$ mm, the wall at its thinnest {wall:.1} mm, $C$ {low:.1} mm below the centre $K$, {} g of \
-             polylactide. Released at {}° with {turns} turns a second, $\\mu = {FRICTION}$: clockwise it is on its side after {side:.1} s, anticlockwise it stays below {most:.0}° for {END} seconds.",
-            number(1e3 * RADIUS, 0),
-            number(1e3 * properties.mass(), 0),
-            number(TILT.to_degrees(), 0),
-        ),
-        alt: "Two circles, each with a large white ellipse inside that nearly touches it and leans. In both the centre of mass C lies a little below the centre K of the circle."
-            .to_owned(),
-    };
+    let [radius, mass] = numbers([1e3 * RADIUS, 1e3 * properties.mass()], 0);
+    let lean = number(TILT.to_degrees(), 0);
+    let words = words!(
+        "A ball of one plastic with a hollow askew is a chiral top.",
+        "The printed top in two sections along $CK$, at right angles to each other: $R = {radius}$ mm, the wall at its thinnest {wall:.1} mm, $C$ {low:.1} mm below the centre $K$, {mass} g of \
+         polylactide. Released at {lean}° with {turns} turns a second, $\\mu = {FRICTION}$: clockwise it is on its side after {side:.1} s, anticlockwise it stays below {most:.0}° for {END} seconds.",
+        "Two circles, each with a large white ellipse inside that nearly touches it and leans. In both the centre of mass C lies a little below the centre K of the circle."
+    );
     let drawn = figure("printed-top", 300.0, words, |pen| {
         let inverse = (map * map.transpose()).try_inverse();
-        for (k, across) in [Vector3::x(), Vector3::y()].into_iter().enumerate() {
+        for (k, across) in [Vector::x(), Vector::y()].into_iter().enumerate() {
             let center = [150.0 + 300.0 * k as f64, 138.0];
             let scale = 122.0;
-            let along = |angle: f64| angle.cos() * across + angle.sin() * Vector3::z();
+            let along = |angle: f64| angle.cos() * across + angle.sin() * Vector::z();
             let outline: Vec<Point> = (0..120)
                 .map(|n| core::f64::consts::TAU * f64::from(n) / 120.0)
                 .filter_map(|angle| {
@@ -154,23 +151,20 @@ pub fn section() -> Result<Figure> {
 
 /// A ball cut through, its hollow, K and C.
 fn cut(pen: &mut Pen, center: Point, scale: f64, hollow: &[Point], low: f64) {
-    pen.disc(center, scale, Role::Ink, 0.16);
+    pen.disc(center, scale, Ink, 0.16);
     pen.ring(center, scale, inked(SECONDARY));
-    pen.fill(hollow, Role::Paper, 1.0);
+    pen.fill(hollow, Paper, 1.0);
     pen.outline(hollow, inked(SECONDARY));
     let [x, y] = center;
     pen.line(
-        &[[x, y - scale - 8.0], [x, y + scale + 8.0]],
-        stroke(Role::Muted, AXIS).dotted(),
+        [[x, y - scale - 8.0], [x, y + scale + 8.0]],
+        muted(AXIS).dotted(),
     );
-    for (name, down, aside, anchor) in [
-        ("*K*", 0.0, -9.0, Anchor::End),
-        ("*C*", low, 9.0, Anchor::Start),
-    ] {
+    for (name, down, aside, anchor) in [("*K*", 0.0, -9.0, End), ("*C*", low, 9.0, Anchor::Start)] {
         let at = [x, y + scale * down];
-        pen.disc(at, 3.5, Role::Ink, 1.0);
+        pen.dot(at, 3.5);
         pen.label([x + aside, at[1] + 5.0], anchor, name);
     }
     let foot = [x, y + scale + 30.0];
-    pen.remark(foot, Anchor::Middle, "foot");
+    pen.remark(foot, Middle, "foot");
 }

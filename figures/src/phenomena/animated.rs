@@ -30,20 +30,17 @@ pub fn cat_animated() -> Result<Figure> {
         .collect();
     let states = turnover(&fractions)?;
     let turn = turned(&states[PICTURES - 1]).to_degrees();
-    let words = Words {
-        claim: "Bend, carry the bend once round, straighten: the cat has turned over.".to_owned(),
-        details: format!(
-            "Two cylinders with $I/J = {RATIO:.0}$, bent {}° forward and {}° backward, turn by {turn:.4}° with angular momentum 0 all the \
-             time. Slowed down about ten times; the fall itself is left out, for it changes nothing. Rest the pointer on the picture to stop it.",
-            number(FORWARD.to_degrees(), 0),
-            number(back()?.to_degrees(), 2),
-        ),
-        alt: "A cat of two round halves with head, legs and tail lies in the air on its back, bends, lets the bend run once round its spine, \
-              straightens and has its feet below. Without motion: the cat half-way, bent to the side."
-            .to_owned(),
-    };
+    let forward = number(FORWARD.to_degrees(), 0);
+    let backward = number(back()?.to_degrees(), 2);
+    let words = words!(
+        "Bend, carry the bend once round, straighten: the cat has turned over.",
+        "Two cylinders with $I/J = {RATIO:.0}$, bent {forward}° forward and {backward}° backward, turn by {turn:.4}° with angular momentum 0 all the \
+         time. Slowed down about ten times; the fall itself is left out, for it changes nothing. Rest the pointer on the picture to stop it.",
+        "A cat of two round halves with head, legs and tail lies in the air on its back, bends, lets the bend run once round its spine, \
+         straightens and has its feet below. Without motion: the cat half-way, bent to the side."
+    );
     let still = figure(NAME, 340.0, words, |pen| {
-        pen.remark([590.0, 326.0], Anchor::End, "angular momentum 0");
+        pen.remark([590.0, 326.0], End, "angular momentum 0");
     });
     Ok(still.moving(&moving(&states)?))
 }

@@ -2,7 +2,6 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::phenomena::{Cat, EqualHalves, Half};
@@ -10,7 +9,7 @@ use spinning_bodies::scene::effects::{Pace, Turnover};
 use spinning_bodies::scene::shape::{self, CatState};
 use spinning_bodies::scene::{Request, Scene};
 
-use crate::solid::{View, hull};
+use crate::solid::{Vector, View, hull};
 use crate::style::*;
 
 /// I/J of a half.
@@ -71,19 +70,19 @@ pub fn pieces(cat: &Cat, state: &CatState, view: &View, scale: f64) -> Vec<Piece
     };
     let first = &state.attitude;
     let relative = state.bend.relative();
-    let turn = |v: Vector3<f64>| first.to_space(BodyVector::from_components(v)).components();
+    let turn = |v: Vector| first.to_space(BodyVector::from_components(v)).components();
     // Axes of each half: outward along its spine, towards the belly, to one side.
-    let second = |v: Vector3<f64>| turn(relative.quaternion() * v);
+    let second = |v: Vector| turn(relative.quaternion() * v);
     let joint = turn(cat.places(&state.bend)[0].components());
-    let front = [turn(-Vector3::x()), turn(Vector3::y()), turn(Vector3::z())];
+    let front = [turn(-Vector::x()), turn(Vector::y()), turn(Vector::z())];
     let rear = [
-        second(Vector3::x()),
-        second(Vector3::y()),
-        second(Vector3::z()),
+        second(Vector::x()),
+        second(Vector::y()),
+        second(Vector::z()),
     ];
     drawing.half(joint, &front, 0.056);
     drawing.half(joint, &rear, 0.062);
-    let at = |axes: &[Vector3<f64>; 3], out: f64, belly: f64, side: f64| {
+    let at = |axes: &[Vector; 3], out: f64, belly: f64, side: f64| {
         joint + axes[0] * out + axes[1] * belly + axes[2] * side
     };
     for (axes, out, lean) in [(&front, 0.165, 0.02), (&rear, 0.175, 0.01)] {
@@ -123,7 +122,7 @@ pub fn pieces(cat: &Cat, state: &CatState, view: &View, scale: f64) -> Vec<Piece
 }
 
 /// Toes of the front point ahead, and those of the rear as well.
-fn front_of(axes: &[Vector3<f64>; 3], front: &[Vector3<f64>; 3]) -> Vector3<f64> {
+fn front_of(axes: &[Vector; 3], front: &[Vector; 3]) -> Vector {
     if core::ptr::eq(axes, front) {
         axes[0]
     } else {
@@ -147,12 +146,12 @@ struct Drawing<'a> {
 }
 
 impl Drawing<'_> {
-    fn half(&mut self, joint: Vector3<f64>, axes: &[Vector3<f64>; 3], radius: f64) {
+    fn half(&mut self, joint: Vector, axes: &[Vector; 3], radius: f64) {
         self.round([joint, joint + axes[0] * 0.2], [0.046, radius], 9);
     }
 
     /// Two balls and what lies between them, with `rings` lines around it on the side away from the light.
-    fn round(&mut self, ends: [Vector3<f64>; 2], radii: [f64; 2], rings: u32) {
+    fn round(&mut self, ends: [Vector; 2], radii: [f64; 2], rings: u32) {
         let mut points = Vec::new();
         for (end, radius) in ends.iter().zip(radii) {
             points.extend(circle(self.view.project(end), radius * self.scale));
@@ -162,9 +161,9 @@ impl Drawing<'_> {
         if rings > 0 {
             let along = axis.normalize();
             let across = along.cross(&self.view.toward).try_normalize(1e-9);
-            let u = across.unwrap_or(Vector3::z());
+            let u = across.unwrap_or(Vector::z());
             let v = along.cross(&u);
-            let light = Vector3::new(0.25, -0.45, 0.85).normalize();
+            let light = Vector::new(0.25, -0.45, 0.85).normalize();
             for ring in 0..rings {
                 let part = (f64::from(ring) + 0.5) / f64::from(rings);
                 let center = ends[0] + axis * part;
@@ -175,7 +174,7 @@ impl Drawing<'_> {
                 for k in 0..=36 {
                     let (s, c) = (TAU * f64::from(k) / 36.0).sin_cos();
                     let normal = u * c + v * s;
-                    if normal.dot(&self.view.toward) > 0.0 && normal.dot(&light) < limit {
+                    if self.view.faces(&normal) && normal.dot(&light) < limit {
                         line.push(self.view.project(&(center + normal * radius)));
                     } else if line.len() > 1 {
                         hatch.push(core::mem::take(&mut line));
@@ -201,7 +200,7 @@ impl Drawing<'_> {
     }
 
     /// A dark spot on the head, if it is on the near side.
-    fn spot(&mut self, head: Vector3<f64>, place: Vector3<f64>, radius: f64) {
+    fn spot(&mut self, head: Vector, place: Vector, radius: f64) {
         let out = place - head;
         if out.dot(&self.view.toward) > 0.1 * out.norm() {
             self.pieces.push(Piece {
@@ -218,10 +217,10 @@ impl Drawing<'_> {
 pub fn draw(pen: &mut Pen, pieces: &[Piece]) {
     for piece in pieces {
         if piece.dark {
-            pen.fill(&piece.outline, Role::Ink, 1.0);
+            pen.fill(&piece.outline, Ink, 1.0);
             continue;
         }
-        pen.fill(&piece.outline, Role::Paper, 1.0);
+        pen.fill(&piece.outline, Paper, 1.0);
         pen.lines(&piece.hatch, inked(HAIR).alpha(0.75));
         pen.outline(&piece.outline, inked(AXIS + 0.3));
     }

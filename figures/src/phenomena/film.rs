@@ -29,20 +29,16 @@ pub fn cat_film() -> Result<Figure> {
     let states = turnover(&fractions)?;
     let back_bend = back()?;
     let turn = turned(&states[FRAMES - 1]).to_degrees();
-    let words = Words {
-        claim: "A cat turns over although its angular momentum is zero in every picture.".to_owned(),
-        details: format!(
-            "Two cylinders with $I/J = {RATIO:.0}$, the bend carried once round: {}° forward, {}° backward half-way. Eight moments of {DURATION:.1} s; \
-             the whole turn is {}°. Head, legs and tail are drawn on and weigh nothing.",
-            number(FORWARD.to_degrees(), 0),
-            number(back_bend.to_degrees(), 2),
-            number(turn, 4),
-        ),
-        alt: "Eight pictures of a cat made of two round halves with a head, four legs and a tail. It lies on its back, bends its belly \
-              together, lets the bend go round its spine, first to one side, then a little backward, then to the other side, \
-              straightens, and stands on its feet."
-            .to_owned(),
-    };
+    let forward = number(FORWARD.to_degrees(), 0);
+    let (backward, whole) = (number(back_bend.to_degrees(), 2), number(turn, 4));
+    let words = words!(
+        "A cat turns over although its angular momentum is zero in every picture.",
+        "Two cylinders with $I/J = {RATIO:.0}$, the bend carried once round: {forward}° forward, {backward}° backward half-way. Eight moments of {DURATION:.1} s; \
+         the whole turn is {whole}°. Head, legs and tail are drawn on and weigh nothing.",
+        "Eight pictures of a cat made of two round halves with a head, four legs and a tail. It lies on its back, bends its belly \
+         together, lets the bend go round its spine, first to one side, then a little backward, then to the other side, \
+         straightens, and stands on its feet."
+    );
     let body = cat()?;
     Ok(figure("cat-film", 360.0, words, |pen| {
         for (k, state) in states.iter().enumerate() {
@@ -53,7 +49,7 @@ pub fn cat_film() -> Result<Figure> {
             let milliseconds = number(1000.0 * fractions[k] * DURATION, 0);
             pen.remark(
                 [center[0], center[1] + 80.0],
-                Anchor::Middle,
+                Middle,
                 &format!("{milliseconds} ms"),
             );
         }
@@ -109,43 +105,38 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
         false => format!("Half a turn takes {}", listed.join(", ")),
     };
     let names: Vec<String> = forwards.iter().map(|forward| name(*forward)).collect();
-    let words = Words {
-        claim: "The more a cat bends forward, the less it must bend backward.".to_owned(),
-        details: format!(
-            "Turn of two cylinders with $I/J = {}$ when the bend swings once round, from $\\gamma$ forward to the back bend half-way. \
-             {half_turns}.",
-            short(ratio, 2),
-        ),
-        alt: format!(
-            "Five rising curves of the turn against the bend backward, for {} degrees forward. A level line at half a \
-             turn cuts {} of them, further to the left the more the cat bends forward.",
-            names.join(", "),
-            curves.iter().filter(|curve| curve.2.is_some()).count(),
-        ),
-    };
+    let (shape, names) = (short(ratio, 2), names.join(", "));
+    let cut = curves.iter().filter(|curve| curve.2.is_some()).count();
+    let words = words!(
+        "The more a cat bends forward, the less it must bend backward.",
+        "Turn of two cylinders with $I/J = {shape}$ when the bend swings once round, from $\\gamma$ forward to the back bend half-way. \
+         {half_turns}.",
+        "Five rising curves of the turn against the bend backward, for {names} degrees forward. A level line at half a \
+         turn cuts {cut} of them, further to the left the more the cat bends forward."
+    );
     let made = figure("back-bend", 384.0, words, |pen| {
         let axis = inked(AXIS);
         let place = |[back, turn]: Point| [x.at(back), y.at(turn)];
-        pen.line(&[[LEFT, TOP], [LEFT, BOTTOM], [RIGHT, BOTTOM]], axis);
+        pen.line([[LEFT, TOP], [LEFT, BOTTOM], [RIGHT, BOTTOM]], axis);
         for back in [0.0, 30.0, 60.0, 90.0] {
             let x = x.at(back);
-            pen.line(&[[x, BOTTOM], [x, BOTTOM + 5.0]], axis);
+            pen.line([[x, BOTTOM], [x, BOTTOM + 5.0]], axis);
             let text = format!("{}°", number(back, 0));
-            pen.note([x, BOTTOM + 22.0], Anchor::Middle, &text);
+            pen.note([x, BOTTOM + 22.0], Middle, &text);
         }
         let turns = (0..=4)
             .map(|k| 60.0 * f64::from(k))
             .filter(|turn| *turn >= low);
         for turn in turns {
             let y = y.at(turn);
-            pen.line(&[[LEFT - 5.0, y], [LEFT, y]], axis);
+            pen.line([[LEFT - 5.0, y], [LEFT, y]], axis);
             let text = format!("{}°", number(turn, 0));
-            pen.note([LEFT - 9.0, y + 5.0], Anchor::End, &text);
+            pen.note([LEFT - 9.0, y + 5.0], End, &text);
         }
         let level = y.at(180.0);
-        pen.line(&[[LEFT, level], [RIGHT, level]], inked(SECONDARY).dashed());
-        pen.label([RIGHT, BOTTOM + 46.0], Anchor::End, "bend backward");
-        pen.label([LEFT - 40.0, TOP - 16.0], Anchor::Start, "turn");
+        pen.line([[LEFT, level], [RIGHT, level]], inked(SECONDARY).dashed());
+        pen.label([RIGHT, BOTTOM + 46.0], End, "bend backward");
+        pen.label([LEFT - 40.0, TOP - 16.0], Start, "turn");
         let shown: Vec<Vec<Point>> = curves
             .iter()
             .map(|(_, points, _)| {
@@ -157,7 +148,7 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
         let mut write = |places: &mut dyn Iterator<Item = Point>, text: &str, half: f64| {
             let inside =
                 places.filter(|p| (LEFT + half..596.0 - half).contains(&p[0]) && p[1] > 12.0);
-            pen.name(inside, text, small(Role::Ink));
+            pen.name(inside, text, small(Ink));
         };
         for ((forward, _, _), points) in curves.iter().zip(&shown) {
             let [x, y] = points.last().copied().unwrap_or([LEFT, BOTTOM]);
@@ -186,17 +177,20 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
             .filter(|back| *back <= 90.0)
         {
             let [x, y] = place([needed, 180.0]);
-            pen.disc([x, y], 3.6, Role::Ink, 1.0);
-            pen.line(&[[x, y], [x, BOTTOM]], inked(HAIR).dotted());
+            pen.dot([x, y], 3.6);
+            pen.line([[x, y], [x, BOTTOM]], inked(HAIR).dotted());
         }
     });
     let mut made = made
         .value("after-90", needed(2).unwrap_or_default())
         .value("after-120", needed(4).unwrap_or_default());
     for (forward, points, _) in &curves {
-        let columns = ["bend backward (°)", "turn (°)"];
-        let rows = points.iter().map(|point| point.to_vec());
-        made = made.data(format!("{}° forward", name(*forward)), &columns, rows);
+        let columns = "bend backward (°) | turn (°)";
+        made = made.data(
+            format!("{}° forward", name(*forward)),
+            columns,
+            points.clone(),
+        );
     }
     Ok(made)
 }

@@ -108,8 +108,8 @@ impl Person {
             let mut points = circle(at(a), radii[0] * scale);
             points.extend(circle(at(b), radii[1] * scale));
             let outline = hull(&points);
-            pen.fill(&outline, Role::Paper, 1.0);
-            pen.fill(&outline, Role::Ink, 0.1);
+            pen.fill(&outline, Paper, 1.0);
+            pen.fill(&outline, Ink, 0.1);
             pen.outline(&outline, inked(AXIS));
         }
     }
@@ -132,45 +132,37 @@ pub fn ice(values: &Values) -> Result<Figure> {
     }
     let slid = [1, 2, 3].map(|k| placed[k].0 - placed[0].0);
     let mass: f64 = poses[0].parts().iter().map(|part| part.mass).sum();
-    let words = Words {
-        claim: "However you wriggle, your centre of mass stays on its vertical line.".to_owned(),
-        details: format!(
-            "Four postures on frictionless ice, each with the centre of mass on the dotted line; for this the feet slide to {} m and to {} m from where they were. \
-             In the old posture they are back in the old place. {} kg in six parts, {} of them the trunk; shoulders out by {} m and {} m.",
-            number(slid[0], 3),
-            number(slid[1], 3),
-            short(mass, 1),
-            short(trunk, 1),
-            short(0.9 * lean, 2),
-            short(lean, 2),
-        ),
-        alt: format!(
-            "A person on ice in four postures: upright, leaning to the left with one arm out, leaning to the right with the other, upright again. A \
-             vertical dotted line runs through the dot of the centre of mass each time; the feet shift by {} m and {} m and return.",
-            number(slid[0], 2),
-            number(slid[1], 2),
-        ),
-    };
+    let [left, right, _] = numbers(slid, 3);
+    let [whole, body] = shorts([mass, trunk], 1);
+    let [less, more] = shorts([0.9 * lean, lean], 2);
+    let [first, second, _] = numbers(slid, 2);
+    let words = words!(
+        "However you wriggle, your centre of mass stays on its vertical line.",
+        "Four postures on frictionless ice, each with the centre of mass on the dotted line; for this the feet slide to {left} m and to {right} m from where they were. \
+         In the old posture they are back in the old place. {whole} kg in six parts, {body} of them the trunk; shoulders out by {less} m and {more} m.",
+        "A person on ice in four postures: upright, leaning to the left with one arm out, leaning to the right with the other, upright again. A \
+         vertical dotted line runs through the dot of the centre of mass each time; the feet shift by {first} m and {second} m and return."
+    );
     let ground = 288.0;
     let scale = 138.0;
     let made = figure("ice", 340.0, words, |pen| {
-        pen.line(&[[14.0, ground + 9.0], [586.0, ground + 9.0]], inked(AXIS));
+        pen.line([[14.0, ground + 9.0], [586.0, ground + 9.0]], inked(AXIS));
         for ((pose, x), (foot, height)) in poses.iter().zip(centers).zip(&placed) {
-            pen.line(&[[x, 30.0], [x, ground + 9.0]], inked(SECONDARY).dotted());
+            pen.line([[x, 30.0], [x, ground + 9.0]], inked(SECONDARY).dotted());
             pose.draw(pen, [x + scale * foot, ground], scale);
-            pen.disc([x, ground - scale * height], 6.0, Role::Paper, 1.0);
-            pen.disc([x, ground - scale * height], 5.0, Role::Ink, 1.0);
+            pen.disc([x, ground - scale * height], 6.0, Paper, 1.0);
+            pen.dot([x, ground - scale * height], 5.0);
             let y = ground + 24.0;
             let [from, to] = [placed[0].0, *foot].map(|foot| [x + scale * foot, y]);
             pen.arrow(from, to, inked(DATA));
         }
-        pen.label([centers[0], ground + 40.0], Anchor::Middle, "before");
-        pen.label([centers[3], ground + 40.0], Anchor::Middle, "after");
-        pen.label([300.0, 22.0], Anchor::Middle, "*C* stays");
+        pen.label([centers[0], ground + 40.0], Middle, "before");
+        pen.label([centers[3], ground + 40.0], Middle, "after");
+        pen.label([300.0, 22.0], Middle, "*C* stays");
     });
-    let rows = placed.iter().map(|(foot, height)| vec![*foot, *height]);
-    let columns = ["feet from the line (m)", "height of the centre of mass (m)"];
-    Ok(made.data("postures", &columns, rows))
+    let rows = placed.iter().map(|(foot, height)| [*foot, *height]);
+    let columns = "feet from the line (m) | height of the centre of mass (m)";
+    Ok(made.data("postures", columns, rows))
 }
 
 /// Five rounds of a push and a pull of the feet.
@@ -222,28 +214,17 @@ pub fn crawler(values: &Values) -> Result<Figure> {
             "Without friction nobody gets anywhere, and these strokes do not with friction either."
         }
     };
-    let words = Words {
-        claim: claim.to_owned(),
-        details: format!(
-            "Left, seen from above: six parts on ice, pulled about by fifteen muscles for 5 s; the dot is the track of their centre of mass. Right: two feet of \
-             {} kg and 1 kg, pushed apart by {} m in {} s and pulled together in {} s. On ice the centre $C$ (dashed) moves by {} m in \
-             {} s, with a coefficient of friction of {} by {} m.",
-            short(values.of(&REAR), 2),
-            strokes.length,
-            short(strokes.push, 2),
-            short(strokes.pull, 2),
-            number(way(&ice), 1),
-            short(span, 2),
-            short(mu, 3),
-            number(far, 3),
-        ),
-        alt: format!(
-            "Left, a tangle of six tracks around a single dot. Right, place against time: the feet of the crawler on ice go to and fro about a level \
-             dashed line; on ground both feet and the centre between them have gone {} metres after {} seconds.",
-            number(far, 3),
-            short(span, 2),
-        ),
-    };
+    let [rear, push, pull] = shorts([values.of(&REAR), strokes.push, strokes.pull], 2);
+    let (apart, iced) = (strokes.length, number(way(&ice), 1));
+    let (lasts, rough, reached) = (short(span, 2), short(mu, 3), number(far, 3));
+    let words = words!(
+        "{claim}",
+        "Left, seen from above: six parts on ice, pulled about by fifteen muscles for 5 s; the dot is the track of their centre of mass. Right: two feet of \
+         {rear} kg and 1 kg, pushed apart by {apart} m in {push} s and pulled together in {pull} s. On ice the centre $C$ (dashed) moves by {iced} m in \
+         {lasts} s, with a coefficient of friction of {rough} by {reached} m.",
+        "Left, a tangle of six tracks around a single dot. Right, place against time: the feet of the crawler on ice go to and fro about a level \
+         dashed line; on ground both feet and the centre between them have gone {reached} metres after {lasts} seconds."
+    );
     let feet = ground.iter().flat_map(|(_, s)| [s.rear, s.front]);
     let (least, most) = feet.fold((0.0, 0.0), |(low, high): (f64, f64), x| {
         (low.min(x), high.max(x))
@@ -266,13 +247,13 @@ pub fn crawler(values: &Values) -> Result<Figure> {
                 .collect();
             pen.line(&track, inked(HAIR).alpha(0.7));
             if let Some(&end) = track.last() {
-                pen.disc(end, 4.0, Role::Ink, 0.8);
+                pen.disc(end, 4.0, Ink, 0.8);
             }
         }
-        let track: Vec<Point> = run.states.iter().map(|y| at(wriggler.center(y))).collect();
-        pen.line(&track, inked(DATA));
-        pen.disc(at(center), 6.0, Role::Ink, 1.0);
-        pen.label([146.0, 328.0], Anchor::Middle, "on ice: *C* is a point");
+        let track = run.states.iter().map(|y| at(wriggler.center(y)));
+        pen.line(track, inked(DATA));
+        pen.dot(at(center), 6.0);
+        pen.label([146.0, 328.0], Middle, "on ice: *C* is a point");
         let seconds = time.ticks(70.0).into_iter();
         let seconds: Vec<_> = seconds.map(|(t, text)| (t, text + " s")).collect();
         frame.draw(pen, &seconds, &way.ticks(45.0), ["", "place, m"]);
@@ -304,17 +285,17 @@ pub fn crawler(values: &Values) -> Result<Figure> {
             let inside = beside.filter(|p| {
                 (324.0 + half..590.0 - half).contains(&p[0]) && (24.0..268.0).contains(&p[1])
             });
-            pen.name(inside, text, small(Role::Ink));
+            pen.name(inside, text, small(Ink));
         }
-        pen.label([448.0, 328.0], Anchor::Middle, "on ground: stick and slip");
+        pen.label([448.0, 328.0], Middle, "on ground: stick and slip");
     });
-    let columns = ["time (s)", "rear foot (m)", "front foot (m)", "centre (m)"];
-    let rows = |rows: &[(f64, CrawlerState)]| -> Vec<Vec<f64>> {
+    let columns = "time (s) | rear foot (m) | front foot (m) | centre (m)";
+    let rows = |rows: &[(f64, CrawlerState)]| -> Vec<[f64; 4]> {
         rows.iter()
-            .map(|(t, s)| vec![*t, s.rear, s.front, s.center])
+            .map(|(t, s)| [*t, s.rear, s.front, s.center])
             .collect()
     };
     Ok(made
-        .data("on ice", &columns, rows(&ice))
-        .data("on ground", &columns, rows(&ground)))
+        .data("on ice", columns, rows(&ice))
+        .data("on ground", columns, rows(&ground)))
 }

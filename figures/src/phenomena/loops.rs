@@ -7,7 +7,7 @@ use spinning_bodies::phenomena::{EqualHalves, Hub, ShapePlane, Step, Swivel, Wai
 
 use super::body::RATIO;
 use super::swivel::{IN, LOWER, OUT};
-use crate::plot::{Axis, Frame};
+use crate::plot::Frame;
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -20,10 +20,7 @@ const BEND: Parameter = Parameter::new("forward", r"\gamma", "°")
 pub const SHAPE_LOOPS: &[Parameter] = &[OUT, IN, LOWER, BEND];
 
 /// The swivel's plane: ψ to the right, A upward.
-const PLANE: Frame = Frame {
-    x: Axis::linear([0.0, 2.0], [62.0, 262.0]),
-    y: Axis::linear([0.0, 2.5], [270.0, 50.0]),
-};
+const PLANE: Frame = Frame::linear([0.0, 2.0], [0.0, 2.5], [62.0, 262.0, 270.0, 50.0]);
 /// The cat's disc: the bend from the middle.
 const CENTER: Point = [431.0, 164.0];
 const RADIUS: f64 = 124.0;
@@ -51,29 +48,22 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
     };
     let turn = turn_within(&cat, path, Hub::Pole)?.to_degrees();
     let net = waist.swivel_angle(FRAC_PI_2)?.to_degrees();
-    let words = Words {
-        claim: "The turn is the shaded charge inside the loop of shapes.".to_owned(),
-        details: format!(
-            "Left, the swivel: twist $\\psi$ to the right, moment $A$ of the upper body upward, density $B/(A+B)^2$, $B = {}$ kg m²; the rectangle of one cycle, arms out {} kg m² and in {} kg m², holds {}°. \
-             Right, the cat seen along its spine: bend $\\gamma$ outward to {}°, direction $\\psi$ around; the loop goes {}° forward and {}° backward, and \
-             holds {}°. Neither pace nor path inside a shape matters, only what the loop encloses.",
-            short(waist.lower, 2),
-            short(waist.upper_arms_out, 2),
-            short(waist.upper_arms_in, 2),
-            number(net.abs(), 3),
-            number(WIDEST.to_degrees(), 0),
-            short(forward.to_degrees(), 1),
-            number(back.to_degrees(), 2),
-            number(turn.abs(), 4),
-        ),
-        alt: format!(
-            "Left, a plane shaded darker towards small moments of inertia, with a rectangular loop run through in four strokes, which holds {} degrees. Right, a disc \
-             shaded in rings, with an oval loop around its centre that reaches out to {} degrees on one side and to {} on the other.",
-            number(net.abs(), 1),
-            short(forward.to_degrees(), 1),
-            number(back.to_degrees(), 1),
-        ),
-    };
+    let [below, out, near] = shorts([waist.lower, waist.upper_arms_out, waist.upper_arms_in], 2);
+    let [held, holds] = [3, 1].map(|digits| number(net.abs(), digits));
+    let (widest, bent) = (
+        number(WIDEST.to_degrees(), 0),
+        short(forward.to_degrees(), 1),
+    );
+    let [behind, backward] = [2, 1].map(|digits| number(back.to_degrees(), digits));
+    let charge = number(turn.abs(), 4);
+    let words = words!(
+        "The turn is the shaded charge inside the loop of shapes.",
+        "Left, the swivel: twist $\\psi$ to the right, moment $A$ of the upper body upward, density $B/(A+B)^2$, $B = {below}$ kg m²; the rectangle of one cycle, arms out {out} kg m² and in {near} kg m², holds {held}°. \
+         Right, the cat seen along its spine: bend $\\gamma$ outward to {widest}°, direction $\\psi$ around; the loop goes {bent}° forward and {behind}° backward, and \
+         holds {charge}°. Neither pace nor path inside a shape matters, only what the loop encloses.",
+        "Left, a plane shaded darker towards small moments of inertia, with a rectangular loop run through in four strokes, which holds {holds} degrees. Right, a disc \
+         shaded in rings, with an oval loop around its centre that reaches out to {bent} degrees on one side and to {backward} on the other."
+    );
     let made = figure("shape-loops", 344.0, words, |pen| {
         // Densities relative to the greatest shown.
         const BANDS: u32 = 25;
@@ -90,20 +80,20 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
                 PLANE.at(2.0, high),
                 PLANE.at(0.0, high),
             ];
-            pen.fill(&corners, Role::Ink, tone);
+            pen.fill(corners, Ink, tone);
         }
         let axis = inked(AXIS);
-        pen.line(&[[left, top], [left, bottom], [right, bottom]], axis);
-        pen.label([right, bottom + 24.0], Anchor::End, "*ψ*");
-        pen.label([left, top - 9.0], Anchor::Middle, "*A*");
+        pen.line([[left, top], [left, bottom], [right, bottom]], axis);
+        pen.label([right, bottom + 24.0], End, "*ψ*");
+        pen.label([left, top - 9.0], Middle, "*A*");
         let corner = PLANE.at(FRAC_PI_2, 0.0);
-        pen.line(&[corner, [corner[0], corner[1] + 5.0]], axis);
-        pen.note([corner[0], corner[1] + 22.0], Anchor::Middle, "90°");
+        pen.line([corner, [corner[0], corner[1] + 5.0]], axis);
+        pen.note([corner[0], corner[1] + 22.0], Middle, "90°");
         let (out, near) = (waist.upper_arms_out, waist.upper_arms_in);
         for (upper, name) in [(out, "out"), (near, "in")] {
             let [x, y] = PLANE.at(0.0, upper);
-            pen.line(&[[x - 5.0, y], [x, y]], axis);
-            pen.note([x - 9.0, y + 5.0], Anchor::End, name);
+            pen.line([[x - 5.0, y], [x, y]], axis);
+            pen.note([x - 9.0, y + 5.0], End, name);
         }
         let corners = [
             PLANE.at(0.0, out),
@@ -111,7 +101,7 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
             PLANE.at(FRAC_PI_2, near),
             PLANE.at(0.0, near),
         ];
-        pen.outline(&corners, inked(DATA));
+        pen.outline(corners, inked(DATA));
         for k in 0..4 {
             let (a, b) = (corners[k], corners[(k + 1) % 4]);
             pen.arrow(between(a, b, 0.42), between(a, b, 0.6), inked(DATA));
@@ -119,12 +109,12 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
         // Inside, or beside a flat rectangle.
         let middle = between(corners[0], corners[2], 0.5);
         let (at, anchor) = match corners[3][1] - corners[0][1] > 34.0 {
-            true => ([middle[0], middle[1] + 6.0], Anchor::Middle),
-            false => ([corners[1][0] + 10.0, middle[1] + 6.0], Anchor::Start),
+            true => ([middle[0], middle[1] + 6.0], Middle),
+            false => ([corners[1][0] + 10.0, middle[1] + 6.0], Start),
         };
         let text = format!("{}°", number(net.abs(), 1));
         pen.label(at, anchor, &text);
-        pen.label([162.0, 334.0], Anchor::Middle, "the swivel");
+        pen.label([162.0, 334.0], Middle, "the swivel");
 
         // Charge per area of the flat disc: a′(γ)/γ.
         const RINGS: u32 = 24;
@@ -136,7 +126,7 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
             let ring = |at: f64| spaced([0.0, TAU], 60).map(move |psi| cat_at(at, psi));
             let mut outline: Vec<Point> = ring(bend + half).collect();
             outline.extend(ring(bend - half).collect::<Vec<_>>().into_iter().rev());
-            pen.fill(&outline, Role::Ink, 0.4 * density(bend) / greatest);
+            pen.fill(&outline, Ink, 0.4 * density(bend) / greatest);
         }
         pen.ring(CENTER, RADIUS, axis);
         let oval: Vec<Point> = (0..=240)
@@ -147,7 +137,7 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
                 cat_at(bend, psi)
             })
             .collect();
-        pen.line(&[cat_at(0.0, 0.0), cat_at(forward, 0.0)], inked(SECONDARY));
+        pen.line([cat_at(0.0, 0.0), cat_at(forward, 0.0)], inked(SECONDARY));
         pen.line(&oval, inked(DATA));
         pen.arrow(oval[52], oval[60], inked(DATA));
         for degrees in [30.0_f64, 60.0, 90.0] {
@@ -155,34 +145,26 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
             pen.ring(CENTER, radius, inked(AXIS).alpha(0.5).dotted());
             let round = (0..40).map(|k| polar(CENTER, radius, -0.62 * PI - 0.12 * f64::from(k)));
             let text = format!("{}°", number(degrees, 0));
-            pen.name(round, &text, small(Role::Ink));
+            pen.name(round, &text, small(Ink));
         }
-        pen.disc(CENTER, 3.6, Role::Ink, 1.0);
-        pen.note(
-            [CENTER[0] + RADIUS + 5.0, CENTER[1] - 8.0],
-            Anchor::Start,
-            "belly",
-        );
-        pen.note(
-            [CENTER[0] - RADIUS - 6.0, CENTER[1] - 8.0],
-            Anchor::End,
-            "back",
-        );
-        pen.label([CENTER[0], 334.0], Anchor::Middle, "the cat");
+        pen.dot(CENTER, 3.6);
+        pen.note([CENTER[0] + RADIUS + 5.0, CENTER[1] - 8.0], Start, "belly");
+        pen.note([CENTER[0] - RADIUS - 6.0, CENTER[1] - 8.0], End, "back");
+        pen.label([CENTER[0], 334.0], Middle, "the cat");
     });
     // ψ and A of the corners, ψ and γ of the oval.
-    let columns = ["direction (°)", "moment (kg m²)", "bend (°)"];
+    let columns = "direction (°) | moment (kg m²) | bend (°)";
     let (out, near) = (waist.upper_arms_out, waist.upper_arms_in);
     let corners = [[0.0, out], [90.0, out], [90.0, near], [0.0, near]];
     let bends = (0..=240).map(|k| {
         let shape = path(TAU * f64::from(k) / 240.0).shape;
-        vec![shape[1].to_degrees(), 0.0, shape[0].to_degrees()]
+        [shape[1].to_degrees(), 0.0, shape[0].to_degrees()]
     });
     Ok(made
         .data(
             "swivel",
-            &columns,
-            corners.map(|[psi, upper]| vec![psi, upper, 0.0]),
+            columns,
+            corners.map(|[psi, upper]| [psi, upper, 0.0]),
         )
-        .data("cat", &columns, bends))
+        .data("cat", columns, bends))
 }

@@ -73,14 +73,14 @@ fn sheet(pen: &mut Pen, center: Point, tilt: f64) -> Vec<Point> {
         .into_iter()
         .map(|p| turned(p, center, tilt))
         .collect();
-    pen.fill(&outline, Role::Ink, 0.1);
+    pen.fill(&outline, Ink, 0.1);
     pen.outline(&outline, inked(SECONDARY));
     let push = turned([0.0, -44.0], center, tilt);
-    pen.line(&[center, push], inked(SECONDARY).dotted());
+    pen.line([center, push], inked(SECONDARY).dotted());
     pen.arrow([push[0], push[1] + 54.0], push, inked(DATA));
     pen.arrow(center, [center[0], center[1] + 54.0], inked(DATA));
-    pen.disc(center, 4.5, Role::Ink, 1.0);
-    pen.disc(push, 4.5, Role::Ink, 1.0);
+    pen.dot(center, 4.5);
+    pen.dot(push, 4.5);
     outline
 }
 
@@ -95,37 +95,26 @@ pub fn paper_cat(values: &Values) -> Result<Figure> {
     let times = [0.66, 0.84].map(|share| (100.0 * share * time).round() / 100.0);
     let motion = scene.simulate(&Request::at(times)?)?;
     let tilts = [PI - error, motion.rows[0].1.tilt, motion.rows[1].1.tilt];
-    let words = Words {
-        claim: "The paper cat is turned by the air, like a shuttlecock.".to_owned(),
-        details: format!(
-            "Its centre of mass lies {} mm below the point at which the air pushes, so weight (down) and drag (up) form a couple that turns the feet down \
-             from every tilt. Let go {}° from upside down, it tilts by {}° after {} s and {}° after {} s, and points its feet down first after {fall:.3} m of fall. Terminal \
-             speed {} m/s, mass {} g, air of {} kg/m³. Lever drawn larger than it is.",
-            short(values.of(&LEVER), 1),
-            short(error.to_degrees(), 1),
-            number(tilts[1].to_degrees(), 0),
-            number(times[0], 2),
-            number(tilts[2].to_degrees(), 0),
-            number(times[1], 2),
-            number(cat.terminal_speed(air, GRAVITY), 3),
-            short(values.of(&MASS), 2),
-            short(air, 2),
-        ),
-        alt: format!(
-            "A cat cut from stiff paper in three positions, tilted by {}, {} and {} degrees. In each an arrow of drag points up from the \
-              middle of its back and an arrow of weight points down from a dot nearer its feet.",
-            number(tilts[0].to_degrees(), 0),
-            number(tilts[1].to_degrees(), 0),
-            number(tilts[2].to_degrees(), 0),
-        ),
-    };
+    let [lever, shy] = shorts([values.of(&LEVER), error.to_degrees()], 1);
+    let [first, second, third] = numbers(tilts.map(f64::to_degrees), 0);
+    let [early, late] = numbers(times, 2);
+    let speed = number(cat.terminal_speed(air, GRAVITY), 3);
+    let [mass, dense] = shorts([values.of(&MASS), air], 2);
+    let words = words!(
+        "The paper cat is turned by the air, like a shuttlecock.",
+        "Its centre of mass lies {lever} mm below the point at which the air pushes, so weight (down) and drag (up) form a couple that turns the feet down \
+         from every tilt. Let go {shy}° from upside down, it tilts by {second}° after {early} s and {third}° after {late} s, and points its feet down first after {fall:.3} m of fall. Terminal \
+         speed {speed} m/s, mass {mass} g, air of {dense} kg/m³. Lever drawn larger than it is.",
+        "A cat cut from stiff paper in three positions, tilted by {first}, {second} and {third} degrees. In each an arrow of drag points up from the \
+         middle of its back and an arrow of weight points down from a dot nearer its feet."
+    );
     let made = figure("paper-cat", 280.0, words, |pen| {
         let mut outline = Vec::new();
         for (tilt, x) in tilts.into_iter().zip([108.0, 312.0, 500.0]) {
             outline = sheet(pen, [x, 132.0], tilt);
             pen.label(
                 [x, 270.0],
-                Anchor::Middle,
+                Middle,
                 &format!("{}°", number(tilt.to_degrees(), 0)),
             );
         }
@@ -139,13 +128,13 @@ pub fn paper_cat(values: &Values) -> Result<Figure> {
             [[534.0, y], [466.0, y], [546.0, y], [454.0, y]]
         });
         let [x, y] = roomiest(beside, [24.0, 7.0], &taken);
-        pen.note([x, y + 5.0], Anchor::Middle, "weight");
+        pen.note([x, y + 5.0], Middle, "weight");
         let push = turned([0.0, -44.0], [108.0, 132.0], tilts[0]);
-        pen.note([push[0] - 10.0, push[1] + 40.0], Anchor::End, "drag");
+        pen.note([push[0] - 10.0, push[1] + 40.0], End, "drag");
     });
     let rows = [0.0, times[0], times[1]].into_iter().zip(tilts);
-    let rows = rows.map(|(time, tilt)| vec![time, tilt.to_degrees()]);
-    Ok(made.data("paper cat", &["time (s)", "tilt (°)"], rows))
+    let rows = rows.map(|(time, tilt)| [time, tilt.to_degrees()]);
+    Ok(made.data("paper cat", "time (s) | tilt (°)", rows))
 }
 
 const LEFT: f64 = 66.0;
@@ -169,25 +158,16 @@ pub fn paper_cat_fall(values: &Values) -> Result<Figure> {
     let falls = marks.map(fall).into_iter().collect::<Result<Vec<_>>>()?;
     let cat = cat(values);
     let decade = cat.fall_per_decade(values.of(&THICK), GRAVITY);
-    let words = Words {
-        claim: "Ten times nearer to upside down costs the paper cat the same fall again."
-            .to_owned(),
-        details: format!(
-            "Height of fall after which the feet first point down, against the angle by which the cat was not upside down. 30°, 10°, 5° and 1° take {}, {}, {} and {} m; \
-             each further factor of ten takes {decade:.3} m. At 0° it takes for ever. Lever {} mm, {} g, air of {} kg/m³.",
-            number(falls[0], 3),
-            number(falls[1], 3),
-            number(falls[2], 3),
-            number(falls[3], 3),
-            short(values.of(&LEVER), 1),
-            short(values.of(&MASS), 2),
-            short(values.of(&THICK), 2),
-        ),
-        alt: format!(
-            "A curve that soon becomes a straight line: the fall grows by {decade:.3} m with each factor of ten by which the angle of the release comes closer \
-              to upside down."
-        ),
-    };
+    let [a, b, c, d] = [0, 1, 2, 3].map(|k: usize| number(falls[k], 3));
+    let lever = short(values.of(&LEVER), 1);
+    let [mass, air] = shorts([MASS, THICK].map(|one| values.of(&one)), 2);
+    let words = words!(
+        "Ten times nearer to upside down costs the paper cat the same fall again.",
+        "Height of fall after which the feet first point down, against the angle by which the cat was not upside down. 30°, 10°, 5° and 1° take {a}, {b}, {c} and {d} m; \
+         each further factor of ten takes {decade:.3} m. At 0° it takes for ever. Lever {lever} mm, {mass} g, air of {air} kg/m³.",
+        "A curve that soon becomes a straight line: the fall grows by {decade:.3} m with each factor of ten by which the angle of the release comes closer \
+         to upside down."
+    );
     let deepest = curve.last().map_or(1.0, |last| last[1]);
     let frame = Frame {
         x: Axis::log([90.0, 90e-6], [LEFT, RIGHT]),
@@ -198,15 +178,15 @@ pub fn paper_cat_fall(values: &Values) -> Result<Figure> {
         let degrees = plot::marks(&[10.0, 1.0, 0.1, 0.01, 0.001], "°");
         let names = ["short of upside down by", "fall, m"];
         frame.draw(pen, &degrees, &frame.y.ticks(50.0), names);
-        let points: Vec<Point> = curve.iter().map(|point| place(*point)).collect();
-        pen.line(&points, inked(DATA));
+        let points = curve.iter().map(|point| place(*point));
+        pen.line(points, inked(DATA));
         for (k, (&degrees, &fall)) in marks.iter().zip(&falls).enumerate() {
             let at = place([degrees, fall]);
-            pen.disc(at, 4.0, Role::Ink, 1.0);
+            pen.dot(at, 4.0);
             // Above and below the curve in turn: the marks are close together.
             let (aside, anchor) = match k % 2 {
-                0 => ([-4.0, -12.0], Anchor::End),
-                _ => ([6.0, 22.0], Anchor::Start),
+                0 => ([-4.0, -12.0], End),
+                _ => ([6.0, 22.0], Start),
             };
             let told = number(fall, 3);
             // Clear of the axes.
@@ -221,9 +201,8 @@ pub fn paper_cat_fall(values: &Values) -> Result<Figure> {
             pen.note([x.max(left), y.min(BOTTOM - 8.0)], anchor, &told);
         }
     });
-    let rows = curve.iter().map(|point| point.to_vec());
     Ok(made
-        .data("paper cat", &["short of upside down (°)", "fall (m)"], rows)
+        .data("paper cat", "short of upside down (°) | fall (m)", curve)
         .value("from-10", number(falls[1], 3))
         .value("from-1", number(falls[3], 3))
         .value("decade", number(decade, 3)))

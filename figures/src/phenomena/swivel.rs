@@ -51,8 +51,8 @@ fn ellipse(center: Point, half: [f64; 2], angle: f64) -> Vec<Point> {
 /// Someone who looks up the page at angle 0: feet and hip below, shoulders, arms and head above.
 fn person(pen: &mut Pen, center: Point, state: &SwivelState, out: bool) {
     let solid = |pen: &mut Pen, outline: &[Point], tone: f64| {
-        pen.fill(outline, Role::Paper, 1.0);
-        pen.fill(outline, Role::Ink, tone);
+        pen.fill(outline, Paper, 1.0);
+        pen.fill(outline, Ink, tone);
         pen.outline(outline, inked(AXIS));
     };
     // Feet, pointing where the lower body faces.
@@ -73,20 +73,20 @@ fn person(pen: &mut Pen, center: Point, state: &SwivelState, out: bool) {
                 &ellipse(at(46.0 * side, 2.0), [24.0, 6.0], state.upper),
                 0.06,
             );
-            pen.disc(at(71.0 * side, 2.0), 5.0, Role::Ink, 0.8);
+            pen.disc(at(71.0 * side, 2.0), 5.0, Ink, 0.8);
         } else {
             solid(
                 pen,
                 &ellipse(at(23.0 * side, 9.0), [6.0, 13.0], state.upper),
                 0.06,
             );
-            pen.disc(at(17.0 * side, 20.0), 5.0, Role::Ink, 0.8);
+            pen.disc(at(17.0 * side, 20.0), 5.0, Ink, 0.8);
         }
     }
     solid(pen, &ellipse(center, [31.0, 13.0], state.upper), 0.06);
     solid(pen, &ellipse(center, [11.5, 13.5], state.upper), 0.06);
     let nose = [at(-3.5, 12.5), at(0.0, 19.0), at(3.5, 12.5)];
-    pen.fill(&nose, Role::Ink, 1.0);
+    pen.fill(nose, Ink, 1.0);
 }
 
 /// Twist, arms in, untwist, arms out.
@@ -107,28 +107,19 @@ pub fn swivel(values: &Values) -> Result<Figure> {
             number(net.abs(), 2)
         ),
     };
-    let words = Words {
-        claim,
-        details: format!(
-            "Seen from above. The upper body twists by {}° against the lower; the arrows show how far the lower body has turned. Moments {} and {} kg m² \
-             above, {} kg m² below: the feet go {}° one way, {}° back, and end at {}°. The angular momentum is 0 throughout.",
-            short(values.of(&TWIST), 1),
-            short(change.arms_out, 2),
-            short(change.arms_in, 2),
-            short(lower, 2),
-            degrees(states[1].lower),
-            degrees(states[3].lower - states[2].lower),
-            number(net, 3),
-        ),
-        alt: format!(
-            "Five views of a person from above. At first feet and nose point up the page. Arms out, the shoulders have turned left by {}° and the \
-              feet right by {}°. Arms in. Untwisted: the feet have come back, but not the whole way. Arms out again: feet and nose point {}° to \
-              the right of where they began.",
-            degrees(states[1].upper),
-            degrees(-states[1].lower),
-            degrees(-states[4].lower),
-        ),
-    };
+    let twist = short(values.of(&TWIST), 1);
+    let [out, near, below] = shorts([change.arms_out, change.arms_in, lower], 2);
+    let [there, back] = [states[1].lower, states[3].lower - states[2].lower].map(degrees);
+    let end = number(net, 3);
+    let [left, right, aside] = [states[1].upper, -states[1].lower, -states[4].lower].map(degrees);
+    let words = words!(
+        "{claim}",
+        "Seen from above. The upper body twists by {twist}° against the lower; the arrows show how far the lower body has turned. Moments {out} and {near} kg m² \
+         above, {below} kg m² below: the feet go {there}° one way, {back}° back, and end at {end}°. The angular momentum is 0 throughout.",
+        "Five views of a person from above. At first feet and nose point up the page. Arms out, the shoulders have turned left by {left}° and the \
+         feet right by {right}°. Arms in. Untwisted: the feet have come back, but not the whole way. Arms out again: feet and nose point {aside}° to \
+         the right of where they began."
+    );
     let centers: [Point; 5] = [
         [100.0, 112.0],
         [300.0, 112.0],
@@ -139,23 +130,23 @@ pub fn swivel(values: &Values) -> Result<Figure> {
     let names = ["", "1  twist", "2  arms in", "3  untwist", "4  arms out"];
     let made = figure("swivel", 430.0, words, |pen| {
         for ((state, center), name) in states.iter().zip(centers).zip(names) {
-            pen.ring(center, 82.0, stroke(Role::Muted, AXIS).alpha(0.6));
+            pen.ring(center, 82.0, muted(AXIS).alpha(0.6));
             pen.line(
-                &[
+                [
                     polar(center, 74.0, FRAC_PI_2),
                     polar(center, 88.0, FRAC_PI_2),
                 ],
-                stroke(Role::Muted, AXIS),
+                muted(AXIS),
             );
             let out = state.upper_moment > 0.5 * (change.arms_out + change.arms_in);
             person(pen, center, state, out);
             let tip = FRAC_PI_2 + state.lower;
             if state.lower.abs() > 0.01 {
-                pen.arc_arrow(center, 82.0, FRAC_PI_2, tip, stroke(Role::Omega, DATA));
+                pen.arc_arrow(center, 82.0, FRAC_PI_2, tip, stroke(Omega, DATA));
                 let ahead = polar(center, 82.0, tip);
                 pen.line(
-                    &[polar(center, 30.0, tip), ahead],
-                    stroke(Role::Omega, SECONDARY).dotted(),
+                    [polar(center, 30.0, tip), ahead],
+                    stroke(Omega, SECONDARY).dotted(),
                 );
             }
             let text = if name.is_empty() {
@@ -163,24 +154,14 @@ pub fn swivel(values: &Values) -> Result<Figure> {
             } else {
                 format!("{name}: {}°", degrees(state.lower))
             };
-            pen.label([center[0], center[1] + 106.0], Anchor::Middle, &text);
+            pen.label([center[0], center[1] + 106.0], Middle, &text);
         }
-        pen.text(
-            [592.0, 396.0],
-            Anchor::End,
-            "angles of the feet",
-            small(Role::Omega),
-        );
+        pen.text([592.0, 396.0], End, "angles of the feet", small(Omega));
     });
-    let columns = [
-        "time (s)",
-        "lower body (°)",
-        "upper body (°)",
-        "upper moment (kg m²)",
-    ];
+    let columns = "time (s) | lower body (°) | upper body (°) | upper moment (kg m²)";
     let rows = rows.iter().map(|(t, state)| {
         let [lower, upper] = [state.lower, state.upper].map(f64::to_degrees);
-        vec![*t, lower, upper, state.upper_moment]
+        [*t, lower, upper, state.upper_moment]
     });
-    Ok(made.data("swivel", &columns, rows))
+    Ok(made.data("swivel", columns, rows))
 }

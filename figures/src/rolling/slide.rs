@@ -52,26 +52,17 @@ pub fn lines(values: &Values) -> Result<Figure> {
         .collect();
     let [lowest, highest] = [0, 4].map(|k| shots[k].rim_speed);
     let sweet = short(ball.pure_rolling_height(), 2);
-    let words = Words {
-        claim: "Wherever the cue strikes, velocity and rim speed meet, and from then on the ball rolls.".to_owned(),
-        details: format!(
-            "Ball with $I = {}\\,MR^2$, struck at heights $H$ to the same velocity of {} m/s, friction $\\mu = {}$. Black: velocity $V$ of the centre; blue: rim \
-             speed $R\\Omega$. They meet at {} m/s. Skidding balls all slow down along one and the same line, and leave it one after the other, the last after {latest:.2} s; \
-             struck above ${sweet}\\,R$, the ball speeds up.",
-            short(kappa, 3),
-            short(speed, 2),
-            short(mu, 3),
-            finals.join(", "),
-        ),
-        alt: format!(
-            "Graph of speed against time. Five blue lines start at rim speeds from {} to {} metres a second, black lines at {}. \
-             Each blue line meets the black one at a dot, and both go on level, at {} metres a second.",
-            short(lowest, 2),
-            short(highest, 2),
-            short(speed, 2),
-            finals.join(", ")
-        ),
-    };
+    let [factor, rough] = shorts([kappa, mu], 3);
+    let [pace, least, most] = shorts([speed, lowest, highest], 2);
+    let finals = finals.join(", ");
+    let words = words!(
+        "Wherever the cue strikes, velocity and rim speed meet, and from then on the ball rolls.",
+        "Ball with $I = {factor}\\,MR^2$, struck at heights $H$ to the same velocity of {pace} m/s, friction $\\mu = {rough}$. Black: velocity $V$ of the centre; blue: rim \
+         speed $R\\Omega$. They meet at {finals} m/s. Skidding balls all slow down along one and the same line, and leave it one after the other, the last after {latest:.2} s; \
+         struck above ${sweet}\\,R$, the ball speeds up.",
+        "Graph of speed against time. Five blue lines start at rim speeds from {least} to {most} metres a second, black lines at {pace}. \
+         Each blue line meets the black one at a dot, and both go on level, at {finals} metres a second."
+    );
     let greatest = highest.max(-lowest).max(speed);
     let x = Axis::linear([0.0, until], [LEFT, RIGHT]);
     let y = Axis::linear(
@@ -80,48 +71,45 @@ pub fn lines(values: &Values) -> Result<Figure> {
     );
     let at = |t: f64, v: f64| [x.at(t), y.at(v)];
     let made = figure("slide-to-roll", 386.0, words, |pen| {
-        pen.line(&[at(0.0, 0.0), at(until, 0.0)], inked(AXIS));
-        pen.line(&[[LEFT, y.ends[0]], [LEFT, y.ends[1]]], inked(AXIS));
+        pen.line([at(0.0, 0.0), at(until, 0.0)], inked(AXIS));
+        pen.line([[LEFT, y.ends[0]], [LEFT, y.ends[1]]], inked(AXIS));
         for (v, text) in y.ticks(38.0) {
             let level = y.at(v);
-            pen.line(&[[LEFT - 5.0, level], [LEFT, level]], inked(AXIS));
-            pen.note([LEFT - 9.0, level + 5.0], Anchor::End, &text);
+            pen.line([[LEFT - 5.0, level], [LEFT, level]], inked(AXIS));
+            pen.note([LEFT - 9.0, level + 5.0], End, &text);
         }
-        pen.note([8.0, 16.0], Anchor::Start, "m/s");
+        pen.note([8.0, 16.0], Start, "m/s");
         for (t, text) in x.ticks(75.0) {
             let across = x.at(t);
             pen.line(
-                &[[across, BOTTOM - 3.0], [across, BOTTOM + 3.0]],
+                [[across, BOTTOM - 3.0], [across, BOTTOM + 3.0]],
                 inked(AXIS),
             );
-            pen.note([across, BOTTOM + 20.0], Anchor::Middle, &text);
+            pen.note([across, BOTTOM + 20.0], Middle, &text);
         }
-        pen.note([RIGHT + 24.0, BOTTOM + 20.0], Anchor::Start, "s");
+        pen.note([RIGHT + 24.0, BOTTOM + 20.0], Start, "s");
         let mut name = BOTTOM;
         for (course, height) in courses.iter().zip(heights) {
             let start = course.at(0.0);
             let meets = course.events.first().map_or(0.0, |event| event.time);
             let rolls = course.at(meets).velocity;
             let meeting = at(meets, rolls);
-            pen.line(
-                &[at(0.0, start.rim_speed), meeting],
-                stroke(Role::Omega, DATA),
-            );
-            pen.line(&[at(0.0, start.velocity), meeting], inked(DATA));
-            pen.line(&[meeting, at(until, rolls)], inked(SECONDARY));
-            pen.disc(meeting, 4.5, Role::Ink, 1.0);
+            pen.line([at(0.0, start.rim_speed), meeting], stroke(Omega, DATA));
+            pen.line([at(0.0, start.velocity), meeting], inked(DATA));
+            pen.line([meeting, at(until, rolls)], inked(SECONDARY));
+            pen.dot(meeting, 4.5);
             name = (y.at(rolls) + 5.0).min(name - 14.0);
             let text = format!("*H* = {} *R*", short(height, 2));
-            pen.note([RIGHT + 12.0, name], Anchor::Start, &text);
+            pen.note([RIGHT + 12.0, name], Start, &text);
         }
         let meeting = |k: usize| {
             let event = courses[k].events.first();
             event.map_or([LEFT, ZERO], |event| at(event.time, event.moment.velocity))
         };
         for (k, text, role, half) in [
-            (4, "*R*\u{03a9}, too fast", Role::Omega, 48.0),
-            (0, "*R*\u{03a9}, backspin", Role::Omega, 52.0),
-            (4, "*V*", Role::Ink, 7.0),
+            (4, "*R*\u{03a9}, too fast", Omega, 48.0),
+            (0, "*R*\u{03a9}, backspin", Omega, 52.0),
+            (4, "*V*", Ink, 7.0),
         ] {
             let start = if text == "*V*" {
                 speed
@@ -148,11 +136,11 @@ pub fn lines(values: &Values) -> Result<Figure> {
             .chain([until]);
         let row = |t: f64| {
             let moment = course.at(t);
-            vec![t, moment.velocity, moment.rim_speed]
+            [t, moment.velocity, moment.rim_speed]
         };
         made = made.data(
             format!("H = {} R", short(height, 2)),
-            &["time (s)", "velocity (m/s)", "rim speed (m/s)"],
+            "time (s) | velocity (m/s) | rim speed (m/s)",
             corners.map(row),
         );
     }

@@ -58,19 +58,14 @@ pub fn reflections(values: &Values) -> Result<Figure> {
         .enumerate()
         .map(|(n, angle)| format!("{n} at {}", number(angle.to_degrees(), 1)))
         .collect();
-    let words = Words {
-        claim: "A bounce is a reflection; floor and ceiling have a mirror each.".to_owned(),
-        details: format!(
-            "The motion of a superball is a point of a circle: across, the velocity $V$; upward, the spin as $\\sqrt{{\\kappa}}\\,R\\Omega$. The floor reflects it \
-             in the upper dashed line, the ceiling in the lower, both {degrees} degrees from the axis ($\\tan\\beta = \\sqrt{{\\kappa}}$, $\\kappa = {}$). \
-             Start at 0, thrown without spin; after {count} bounce{plural}, floor first, the ball is at {count}, {last}.",
-            short(kappa, 3)
-        ),
-        alt: format!(
-            "A circle with two dashed mirror lines at plus and minus {degrees} degrees. Points of the circle, joined by arrows that cross the upper and the lower mirror in turn: {} degrees.",
-            listed.join(", ")
-        ),
-    };
+    let (factor, listed) = (short(kappa, 3), listed.join(", "));
+    let words = words!(
+        "A bounce is a reflection; floor and ceiling have a mirror each.",
+        "The motion of a superball is a point of a circle: across, the velocity $V$; upward, the spin as $\\sqrt{{\\kappa}}\\,R\\Omega$. The floor reflects it \
+         in the upper dashed line, the ceiling in the lower, both {degrees} degrees from the axis ($\\tan\\beta = \\sqrt{{\\kappa}}$, $\\kappa = {factor}$). \
+         Start at 0, thrown without spin; after {count} bounce{plural}, floor first, the ball is at {count}, {last}.",
+        "A circle with two dashed mirror lines at plus and minus {degrees} degrees. Points of the circle, joined by arrows that cross the upper and the lower mirror in turn: {listed} degrees."
+    );
     let point = |m: &Motion<f64>| {
         [
             CENTER[0] + SIZE * m.velocity,
@@ -87,16 +82,16 @@ pub fn reflections(values: &Values) -> Result<Figure> {
             [[CENTER[0], 14.0], [CENTER[0], 354.0]],
         ];
         pen.lines(axes, inked(AXIS));
-        pen.label([CENTER[0] + 196.0, CENTER[1] + 5.0], Anchor::Start, "*V*");
+        pen.label([CENTER[0] + 196.0, CENTER[1] + 5.0], Start, "*V*");
         for (angle, name) in [(beta, "floor"), (-beta, "ceiling")] {
             let ends = [polar(CENTER, MIRROR, angle), polar(CENTER, -MIRROR, angle)];
-            pen.line(&ends, stroke(Role::Muted, DATA).dashed());
+            pen.line(ends, muted(DATA).dashed());
             let shift = if angle > 0.0 { -4.0 } else { 16.0 };
             pen.text(
                 [ends[0][0] + 6.0, ends[0][1] + shift],
-                Anchor::Start,
+                Start,
                 name,
-                label(Role::Muted),
+                label(Muted),
             );
         }
         for pair in motions.windows(2) {
@@ -107,12 +102,9 @@ pub fn reflections(values: &Values) -> Result<Figure> {
         let mut named: Vec<Point> = Vec::new();
         for (n, m) in motions.iter().enumerate() {
             let p = point(m);
-            pen.disc(p, 5.5, Role::Ink, 1.0);
+            pen.dot(p, 5.5);
             // One name where the ball comes back to an old point.
-            if named
-                .iter()
-                .any(|q| (q[0] - p[0]).hypot(q[1] - p[1]) < 14.0)
-            {
+            if named.iter().any(|q| distance(*q, p) < 14.0) {
                 continue;
             }
             named.push(p);
@@ -120,16 +112,16 @@ pub fn reflections(values: &Values) -> Result<Figure> {
                 let aside = f64::from((k + 1) / 2) * if k % 2 == 0 { 0.012 } else { -0.012 };
                 polar(CENTER, SIZE + 18.0, angles[n] + aside)
             });
-            pen.name(turns, &n.to_string(), label(Role::Ink).strong());
+            pen.name(turns, &n.to_string(), label(Ink).strong());
         }
         let beside = [34.0, -34.0, 52.0, -52.0, 80.0].map(|x| [CENTER[0] + x, 15.0]);
-        pen.name(beside, "√κ *R*\u{03a9}", label(Role::Omega));
+        pen.name(beside, "√κ *R*\u{03a9}", label(Omega));
     });
     let rows = motions
         .iter()
         .enumerate()
-        .map(|(n, m)| vec![n as f64, m.velocity, m.rim_speed]);
-    Ok(made.data("ball", &["bounces", "velocity (V)", "rim speed (V)"], rows))
+        .map(|(n, m)| [n as f64, m.velocity, m.rim_speed]);
+    Ok(made.data("ball", "bounces | velocity (V) | rim speed (V)", rows))
 }
 
 parameters! {
@@ -175,7 +167,7 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
     let balls = [
         (values.of(&DENSE), inked(DATA).dashed()),
         (0.4, inked(DATA)),
-        (values.of(&HOLLOW), stroke(Role::Muted, DATA)),
+        (values.of(&HOLLOW), muted(DATA)),
     ];
     let motions = balls.map(|(kappa, _)| {
         let mut motions = UnderTable::new(THROWN, kappa);
@@ -194,34 +186,27 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
         _ => "",
     };
     let turns = motions.map(|of| number(of[0].velocity, 2)).join(", ");
-    let words = Words {
-        claim: format!(
-            "With a dense core it {}; a hollow one {}.",
-            told(0)?,
-            told(2)?
-        ),
-        details: format!(
-            "Balls with $\\kappa = I/MR^2$ of {} (dense core), {} (solid) and {} (hollow), thrown alike without spin, drawn without gravity. After floor, ceiling, floor their velocities are \
-             {last} of $V${exactly}. A solid ball that bounces back less than {threshold} of its contact speed does not return at all.",
-            names[0], names[1], names[2],
-        ),
-        alt: format!(
-            "Zigzag paths between floor and table of three balls thrown from the left at one point of the floor. They go on by {turns} of a flight to the table, come down to the floor, and leave it \
-             with velocities {last} of the first; negative ones lead back out to the left.",
-        ),
-    };
+    let (dense, hollow) = (told(0)?, told(2)?);
+    let [first, second, third] = &names;
+    let words = words!(
+        "With a dense core it {dense}; a hollow one {hollow}.",
+        "Balls with $\\kappa = I/MR^2$ of {first} (dense core), {second} (solid) and {third} (hollow), thrown alike without spin, drawn without gravity. After floor, ceiling, floor their velocities are \
+         {last} of $V${exactly}. A solid ball that bounces back less than {threshold} of its contact speed does not return at all.",
+        "Zigzag paths between floor and table of three balls thrown from the left at one point of the floor. They go on by {turns} of a flight to the table, come down to the floor, and leave it \
+         with velocities {last} of the first; negative ones lead back out to the left."
+    );
     let made = figure("three-superballs", 268.0, words, |pen| {
-        pen.line(&[[10.0, FLOOR], [590.0, FLOOR]], inked(SECONDARY));
+        pen.line([[10.0, FLOOR], [590.0, FLOOR]], inked(SECONDARY));
         let slab = [
             [250.0, CEILING - 12.0],
             [590.0, CEILING - 12.0],
             [590.0, CEILING],
             [250.0, CEILING],
         ];
-        pen.fill(&slab, Role::Ink, 0.16);
+        pen.fill(slab, Ink, 0.16);
         pen.line(&slab[2..], inked(AXIS));
         let arrives = [place(-1.17, 1.17), place(0.0, 0.0)];
-        pen.line(&arrives, inked(HAIR).dashed());
+        pen.line(arrives, inked(HAIR).dashed());
         pen.arrow(place(-1.05, 1.05), place(-0.93, 0.93), inked(DATA));
         let mut ends = Vec::new();
         for (of, (_, line)) in motions.iter().zip(balls) {
@@ -253,10 +238,10 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
                 places.filter(|p| (wide + 4.0..596.0 - wide).contains(&p[0]) && p[1] > 14.0);
             pen.name(inside, text, lettering);
         };
-        write(place(-0.99, 0.99), "thrown", small(Role::Ink), 25.0);
+        write(place(-0.99, 0.99), "thrown", small(Ink), 25.0);
         for (end, name) in ends.into_iter().zip(&names) {
             let text = format!("κ = {name}");
-            write(end, &text, label(Role::Ink), 32.0);
+            write(end, &text, label(Ink), 32.0);
         }
     });
     let hollow = number(-motions[2][2].velocity, 3);
@@ -265,9 +250,9 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
         let rows = of
             .iter()
             .zip([1.0, 2.0, 3.0])
-            .map(|(m, n)| vec![n, m.velocity, m.rim_speed]);
-        let columns = ["bounces", "velocity (V)", "rim speed (V)"];
-        made = made.data(format!("κ = {name}"), &columns, rows);
+            .map(|(m, n)| [n, m.velocity, m.rim_speed]);
+        let columns = "bounces | velocity (V) | rim speed (V)";
+        made = made.data(format!("κ = {name}"), columns, rows);
     }
     Ok(made)
 }

@@ -4,10 +4,10 @@ use spinning_bodies::Result;
 use spinning_bodies::scene::contact::State;
 
 use super::ball::{cap_outline, table};
-use super::{ALPHA, GAMMA, SPIN, VISCOUS, run, tippe, tippe_scene};
+use super::{ALPHA, GAMMA, SPIN, VISCOUS, degrees, run, tilts, tippe, tippe_scene};
 use crate::Figure;
 use crate::finish::{self, short};
-use crate::plot::{Axis, Frame, marks};
+use crate::plot::{Frame, marks};
 use crate::style::SCALE as CANVAS;
 use crate::style::*;
 
@@ -21,10 +21,7 @@ const STILL: usize = 100;
 const CENTER: Point = [150.0, 178.0];
 const RADIUS: f64 = 104.0;
 
-const FRAME: Frame = Frame {
-    x: Axis::linear([0.0, END], [340.0, 574.0]),
-    y: Axis::linear([0.0, 180.0], [282.0, 34.0]),
-};
+const FRAME: Frame = Frame::linear([0.0, END], [0.0, 180.0], [340.0, 574.0, 282.0, 34.0]);
 
 /// The whole puzzle in eight seconds.
 pub fn turning_over() -> Result<Figure> {
@@ -34,33 +31,28 @@ pub fn turning_over() -> Result<Figure> {
         VISCOUS.default,
     )?;
     let rows = run(&scene, END, PICTURES, 1e-3)?;
-    let degrees = |s: &State| s.tilt().to_degrees();
     let (first, last) = (rows[0].1, rows[rows.len() - 1].1);
-    let words = Words {
-        claim: "Spun, a ball with a heavy foot turns itself upside down.".to_owned(),
-        details: format!(
-            "Tippe top of 20 g, $R = 2$ cm, its centre of mass $C$ 6 mm below the centre $K$ of the ball, spun at 155 rad/s, in real time; the camera goes \
-             round with the axis. Its spin about the vertical falls from {} to {} rad/s, $C$ rises by {} mm. Rest the pointer on the picture to stop it.",
-            number(first.spin(), 1),
-            number(last.spin(), 1),
-            number(1e3 * (last.position.z() - first.position.z()), 1),
-        ),
-        alt: "On the left a ball with a dark cap on top and its centre of mass below the centre. On the right its tilt against time. For four seconds \
-              the tilt is small, then the ball leans over, passes the horizontal at five seconds, and at six the cap is at the bottom \
-              and the centre of mass above. Without motion: the ball almost on its side."
-            .to_owned(),
-    };
+    let climbed = 1e3 * (last.position.z() - first.position.z());
+    let [fast, slow, climbed] = numbers([first.spin(), last.spin(), climbed], 1);
+    let words = words!(
+        "Spun, a ball with a heavy foot turns itself upside down.",
+        "Tippe top of 20 g, $R = 2$ cm, its centre of mass $C$ 6 mm below the centre $K$ of the ball, spun at 155 rad/s, in real time; the camera goes \
+         round with the axis. Its spin about the vertical falls from {fast} to {slow} rad/s, $C$ rises by {climbed} mm. Rest the pointer on the picture to stop it.",
+        "On the left a ball with a dark cap on top and its centre of mass below the centre. On the right its tilt against time. For four seconds \
+         the tilt is small, then the ball leans over, passes the horizontal at five seconds, and at six the cap is at the bottom \
+         and the centre of mass above. Without motion: the ball almost on its side."
+    );
     let still = figure(NAME, 330.0, words, |pen| {
         table(pen, 18.0, 282.0, CENTER[1] + RADIUS);
-        pen.disc(CENTER, RADIUS, Role::Shade, 1.0);
+        pen.disc(CENTER, RADIUS, Shade, 1.0);
         FRAME.draw(
             pen,
             &marks(&[0.0, 2.0, 4.0, 6.0, 8.0], ""),
             &marks(&[0.0, 90.0, 180.0], "°"),
             ["time, s", "tilt"],
         );
-        FRAME.curve(pen, rows.iter().map(|(t, s)| (*t, degrees(s))), inked(DATA));
-        pen.remark(FRAME.at(0.3, 96.0), Anchor::Start, "on its side");
+        FRAME.curve(pen, tilts(&rows), inked(DATA));
+        pen.remark(FRAME.at(0.3, 96.0), Start, "on its side");
         spin_arrow(pen);
     });
     Ok(still.moving(&moving(&rows)))
@@ -73,14 +65,9 @@ fn spin_arrow(pen: &mut Pen) {
         .map(|k| 2.5 + 4.4 * f64::from(k) / 40.0)
         .map(|a: f64| [x + 44.0 * a.cos(), y - RADIUS - 24.0 - 10.0 * a.sin()])
         .collect();
-    pen.line(&points[..38], stroke(Role::Omega, SECONDARY));
-    pen.arrow(points[37], points[40], stroke(Role::Omega, SECONDARY));
-    pen.text(
-        [x + 56.0, y - RADIUS - 18.0],
-        Anchor::Start,
-        "Ω",
-        label(Role::Omega),
-    );
+    pen.line(&points[..38], stroke(Omega, SECONDARY));
+    pen.arrow(points[37], points[40], stroke(Omega, SECONDARY));
+    pen.text([x + 56.0, y - RADIUS - 18.0], Start, "Ω", label(Omega));
 }
 
 /// The cap, the axis and C turn about K; the disc runs along the curve.
@@ -88,9 +75,9 @@ fn moving(rows: &[(f64, State)]) -> String {
     let mut style = String::from("<style>");
     let count = rows.len() - 1;
     let percent = |n: usize| short(100.0 * n as f64 / count as f64, 3);
-    let turn = |s: &State| format!("rotate({}deg)", short(s.tilt().to_degrees(), 2));
+    let turn = |s: &State| format!("rotate({}deg)", short(degrees(s), 2));
     let shift = |t: f64, s: &State| {
-        let [x, y] = FRAME.at(t, s.tilt().to_degrees());
+        let [x, y] = FRAME.at(t, degrees(s));
         format!("translate({:.0}px,{:.0}px)", x * CANVAS, y * CANVAS)
     };
     let shares = || (0..rows.len()).map(percent);
@@ -111,9 +98,7 @@ fn moving(rows: &[(f64, State)]) -> String {
         .collect();
     let [x, y] = CENTER.map(|c| c * CANVAS);
     let (r, c) = (RADIUS * CANVAS, ALPHA.default * RADIUS * CANVAS);
-    let [dx, dy] = FRAME
-        .at(*time, state.tilt().to_degrees())
-        .map(|c| c * CANVAS);
+    let [dx, dy] = FRAME.at(*time, degrees(state)).map(|c| c * CANVAS);
     format!(
         "{style}<g transform=\"translate({x:.0} {y:.0})\"><circle r=\"{r:.0}\" stroke=\"currentColor\" stroke-width=\"12\"/>\n\
          <g class=\"fig-{NAME}-ball\" transform=\"rotate({})\">\
@@ -122,6 +107,6 @@ fn moving(rows: &[(f64, State)]) -> String {
          <circle r=\"32\" fill=\"currentColor\"/>\
          <circle cy=\"{c:.0}\" r=\"58\" fill=\"currentColor\"/></g></g>\n\
          <g class=\"fig-{NAME}-dot\" transform=\"translate({dx:.0} {dy:.0})\"><circle r=\"52\" fill=\"currentColor\"/></g>\n",
-        short(state.tilt().to_degrees(), 2),
+        short(degrees(state), 2),
     )
 }

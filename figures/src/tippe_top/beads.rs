@@ -1,18 +1,17 @@
 //! Six beads in a ball: a chiral top to build.
 
-use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::frame::Attitude;
 use spinning_bodies::tippe_top::{ConvexBody, beads as places, bodies};
 
 use crate::Figure;
-use crate::solid::{View, ellipse};
+use crate::solid::{Vector, View, latitude};
 use crate::style::*;
 
 const RADIUS: f64 = 122.0;
 
 /// Both beads of each rod, with C between them: in units of R, seen from K.
-pub fn inside(body: &ConvexBody) -> Result<[[Vector3<f64>; 2]; 3]> {
+pub fn inside(body: &ConvexBody) -> Result<[[Vector; 2]; 3]> {
     let pairs = places(body.mass(), body.inertia(), &Attitude::identity())?;
     let mass = -body.center().components() / 0.02;
     let pairs = pairs.map(|p| [mass + p.components() / 0.02, mass - p.components() / 0.02]);
@@ -24,26 +23,17 @@ pub fn beads() -> Result<Figure> {
     let body = bodies::chiral_top()?;
     let pairs = places(body.mass(), body.inertia(), &Attitude::identity())?;
     let beads = inside(&body)?;
-    let farthest = beads
-        .iter()
-        .flatten()
-        .map(Vector3::norm)
-        .fold(0.0, f64::max);
-    let words = Words {
-        claim: "Six equal beads on three crossed rods make the chiral top.".to_owned(),
-        details: format!(
-            "The ball from two sides; $K$ its centre, the rods cross at $C$, {} mm below it for $R = 2$ cm. Beads of a sixth of the mass each sit on the \
-             principal axes at {}, {} and {} mm from $C$; the farthest is {farthest:.3} of $R$ from $K$. The rods are tilted against $CK$ by up to 8.4°, and \
-             that is the whole secret.",
-            number(1e3 * body.center().norm(), 1),
-            number(1e3 * pairs[0].norm(), 2),
-            number(1e3 * pairs[1].norm(), 2),
-            number(1e3 * pairs[2].norm(), 2),
-        ),
-        alt: "Two views of a transparent ball. Three rods cross at a point C a little below the centre K, each with a bead at both ends, all inside the ball. One \
-              rod is nearly vertical but visibly leans."
-            .to_owned(),
-    };
+    let farthest = beads.iter().flatten().map(Vector::norm).fold(0.0, f64::max);
+    let deep = number(1e3 * body.center().norm(), 1);
+    let [first, second, third] = pairs.map(|pair| number(1e3 * pair.norm(), 2));
+    let words = words!(
+        "Six equal beads on three crossed rods make the chiral top.",
+        "The ball from two sides; $K$ its centre, the rods cross at $C$, {deep} mm below it for $R = 2$ cm. Beads of a sixth of the mass each sit on the \
+         principal axes at {first}, {second} and {third} mm from $C$; the farthest is {farthest:.3} of $R$ from $K$. The rods are tilted against $CK$ by up to 8.4°, and \
+         that is the whole secret.",
+        "Two views of a transparent ball. Three rods cross at a point C a little below the centre K, each with a bead at both ends, all inside the ball. One \
+         rod is nearly vertical but visibly leans."
+    );
     Ok(figure("chiral-beads", 300.0, words, |pen| {
         view(pen, ([150.0, 136.0], RADIUS), 0.95, &beads);
         view(
@@ -52,36 +42,30 @@ pub fn beads() -> Result<Figure> {
             0.95 + core::f64::consts::FRAC_PI_2,
             &beads,
         );
-        pen.label([150.0, 288.0], Anchor::Middle, "from the front");
-        pen.label([450.0, 288.0], Anchor::Middle, "from the side");
+        pen.label([150.0, 288.0], Middle, "from the front");
+        pen.label([450.0, 288.0], Middle, "from the side");
     }))
 }
 
 /// The ball of this radius, seen from `azimuth`.
-pub fn view(
-    pen: &mut Pen,
-    (center, radius): (Point, f64),
-    azimuth: f64,
-    beads: &[[Vector3<f64>; 2]; 3],
-) {
+pub fn view(pen: &mut Pen, (center, radius): (Point, f64), azimuth: f64, beads: &[[Vector; 2]; 3]) {
     let view = View::new(azimuth, 0.12, center, radius);
-    pen.disc(center, radius, Role::Shade, 0.6);
-    let equator = ellipse(Vector3::zeros(), Vector3::x(), Vector3::y(), 96);
-    pen.line(&view.trace(&equator), stroke(Role::Muted, HAIR));
+    pen.disc(center, radius, Shade, 0.6);
+    pen.line(view.trace(&latitude(0.0, 1.0, 96)), muted(HAIR));
     pen.ring(center, radius, inked(AXIS));
     let axis = [
-        view.project(&Vector3::new(0.0, 0.0, -1.0)),
-        view.project(&Vector3::new(0.0, 0.0, 1.0)),
+        view.project(&Vector::new(0.0, 0.0, -1.0)),
+        view.project(&Vector::new(0.0, 0.0, 1.0)),
     ];
-    pen.line(&axis, stroke(Role::Muted, SECONDARY).dotted());
+    pen.line(axis, muted(SECONDARY).dotted());
     let scale = radius / RADIUS;
     for (k, pair) in beads.iter().enumerate() {
-        pen.line(&view.trace(pair), inked(SECONDARY));
+        pen.line(view.trace(pair), inked(SECONDARY));
         for end in pair {
             let depth = end.dot(&view.toward);
             let at = view.project(end);
             let size = (9.0 + 2.0 * depth) * scale;
-            pen.disc(at, size, Role::Ink, 0.65);
+            pen.disc(at, size, Ink, 0.65);
             pen.ring(at, size, inked(AXIS));
         }
         let outer = if pair[0].z >= pair[1].z {
@@ -91,20 +75,20 @@ pub fn view(
         };
         let [x, y] = view.project(&outer);
         let (side, anchor) = match x < center[0] {
-            true => (-15.0 * scale, Anchor::End),
-            false => (15.0 * scale, Anchor::Start),
+            true => (-15.0 * scale, End),
+            false => (15.0 * scale, Start),
         };
         let name = format!("{}", k + 1);
         // Beads 1 and 2 may stand side by side: one has its number below it.
         match k {
-            1 => pen.note([x, y + 29.0], Anchor::Middle, &name),
+            1 => pen.note([x, y + 29.0], Middle, &name),
             _ => pen.note([x + side, y - 4.0], anchor, &name),
         }
     }
-    let k = view.project(&Vector3::zeros());
+    let k = view.project(&Vector::zeros());
     let c = view.project(&(0.5 * (beads[0][0] + beads[0][1])));
-    pen.disc(k, 3.2, Role::Ink, 1.0);
-    pen.disc(c, 3.2, Role::Ink, 1.0);
-    pen.label([k[0] - 8.0, k[1] - 2.0], Anchor::End, "*K*");
-    pen.label([c[0] - 8.0, c[1] + 17.0], Anchor::End, "*C*");
+    pen.dot(k, 3.2);
+    pen.dot(c, 3.2);
+    pen.label([k[0] - 8.0, k[1] - 2.0], End, "*K*");
+    pen.label([c[0] - 8.0, c[1] + 17.0], End, "*C*");
 }

@@ -3,8 +3,8 @@
 use spinning_bodies::Result;
 use spinning_bodies::scene::contact::passage;
 
-use super::{FRICTION, SPIN, chiral_scene, run, tilt_against_time};
-use crate::plot::{Axis, Frame};
+use super::{FRICTION, SPIN, chiral_scene, degrees, greatest_tilt, run, tilt_against_time, tilts};
+use crate::plot::Frame;
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -30,12 +30,9 @@ pub fn both_spins(values: &Values) -> Result<Figure> {
     });
     let [clockwise, other] = runs;
     let runs = [clockwise?, other?];
-    let side = [0, 1].map(|k| passage(&runs[k], |s| s.tilt().to_degrees(), 90.0));
-    let last = [0, 1].map(|k| runs[k][600].1.tilt().to_degrees());
-    let most = [0, 1].map(|k| {
-        let tilts = runs[k].iter().map(|r| r.1.tilt().to_degrees());
-        tilts.fold(0.0, f64::max)
-    });
+    let side = [0, 1].map(|k| passage(&runs[k], degrees, 90.0));
+    let last = [0, 1].map(|k| degrees(&runs[k][600].1));
+    let most = [0, 1].map(|k| greatest_tilt(&runs[k]));
     let over = [0, 1].map(|k| side[k].is_some() && last[k] > 150.0);
     let claim = match over {
         [true, false] => {
@@ -63,38 +60,24 @@ pub fn both_spins(values: &Values) -> Result<Figure> {
             ),
         });
     let told = told.collect::<Vec<_>>().join(" ");
-    let words = Words {
-        claim: claim.to_owned(),
-        details: format!(
-            "Tilt of the chiral top, a ball of $R = 2$ cm with a skew inertia matrix, released at {tilt:.0}° with {} rad/s about the vertical, $\\mu = {mu:.2}$. {told}",
-            number(spin, 1),
-        ),
-        alt: format!(
-            "Tilt in degrees against time up to {END} seconds. Both curves, black clockwise and grey anticlockwise, start at {tilt:.0} degrees. {told}"
-        ),
-    };
+    let spun = number(spin, 1);
+    let words = words!(
+        "{claim}",
+        "Tilt of the chiral top, a ball of $R = 2$ cm with a skew inertia matrix, released at {tilt:.0}° with {spun} rad/s about the vertical, $\\mu = {mu:.2}$. {told}",
+        "Tilt in degrees against time up to {END} seconds. Both curves, black clockwise and grey anticlockwise, start at {tilt:.0} degrees. {told}"
+    );
     let made = figure("chiral-top", 402.0, words, |pen| {
-        let frame = Frame {
-            x: Axis::linear([0.0, END], [58.0, 572.0]),
-            y: Axis::linear([0.0, 180.0], [350.0, 34.0]),
-        };
+        let frame = Frame::linear([0.0, END], [0.0, 180.0], [58.0, 572.0, 350.0, 34.0]);
         tilt_against_time(pen, &frame);
-        let styles = [inked(DATA), stroke(Role::Muted, DATA)];
+        let styles = [inked(DATA), muted(DATA)];
         for (rows, style) in runs.iter().zip(styles) {
-            let curve = rows.iter().map(|(t, s)| (*t, s.tilt().to_degrees()));
-            frame.curve(pen, curve, style);
+            frame.curve(pen, tilts(rows), style);
         }
         // Each name at the right, as near to its curve as there is room.
-        let curves = [0, 1].map(|k| -> Vec<Point> {
-            let rows = runs[k].iter().step_by(4);
-            let line: Vec<Point> = rows
-                .map(|(t, s)| frame.at(*t, s.tilt().to_degrees()))
-                .collect();
-            along(&line, 6.0)
-        });
+        let curves = [0, 1].map(|k: usize| along(&frame.trace(tilts(&runs[k]).step_by(4)), 6.0));
         let mut taken = curves.concat();
         let names = ["clockwise, seen from above", "anticlockwise"];
-        for (k, role) in [Role::Ink, Role::Muted].into_iter().enumerate() {
+        for (k, role) in [Ink, Muted].into_iter().enumerate() {
             let half = [3.9 * names[k].len() as f64, 8.0];
             let x = 572.0 - half[0];
             let end = curves[k].last().map_or(0.0, |p| p[1]);
@@ -103,14 +86,14 @@ pub fn both_spins(values: &Values) -> Result<Figure> {
             let places = heights.into_iter().map(|y| [x, y]);
             let [x, y] = roomiest(places, half, &taken);
             taken.extend(along(&[[x - half[0], y], [x + half[0], y]], 6.0));
-            pen.text([572.0, y + 5.0], Anchor::End, names[k], label(role));
+            pen.text([572.0, y + 5.0], End, names[k], label(role));
         }
     });
-    let columns = ["time (s)", "tilt (°)"];
-    let rows = |k: usize| runs[k].iter().map(|(t, s)| vec![*t, s.tilt().to_degrees()]);
+    let columns = "time (s) | tilt (°)";
+    let rows = |k: usize| tilts(&runs[k]);
     Ok(made
-        .data("clockwise", &columns, rows(0))
-        .data("anticlockwise", &columns, rows(1))
+        .data("clockwise", columns, rows(0))
+        .data("anticlockwise", columns, rows(1))
         .value("side", number(side[0].unwrap_or(0.0), 2))
         .value("most", number(most[1], 1)))
 }

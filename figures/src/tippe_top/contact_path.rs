@@ -1,11 +1,10 @@
 //! The path of the contact point on the ball.
 
-use nalgebra::Vector3;
 use spinning_bodies::Result;
 use spinning_bodies::scene::contact::Support;
 
-use super::{ALPHA, FRICTION, SPIN, run, toy_scene};
-use crate::solid::{View, ellipse};
+use super::{ALPHA, FRICTION, SPIN, degrees, run, toy_scene};
+use crate::solid::{Vector, View, latitude};
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -27,11 +26,11 @@ pub fn path(values: &Values) -> Result<Figure> {
         .filter(|row| row.1.support == Support::Airborne)
         .count();
     // The contact lies opposite to the vertical, seen from K in the body's axes.
-    let path: Vec<Vector3<f64>> = rows.iter().map(|(_, s)| -s.up().components()).collect();
+    let path: Vec<Vector> = rows.iter().map(|(_, s)| -s.up().components()).collect();
     let turns: f64 = path
         .windows(2)
         .map(|pair| {
-            let angle = |p: &Vector3<f64>| p.y.atan2(p.x);
+            let angle = |p: &Vector| p.y.atan2(p.x);
             let step = angle(&pair[1]) - angle(&pair[0]);
             (step + core::f64::consts::PI).rem_euclid(core::f64::consts::TAU)
                 - core::f64::consts::PI
@@ -39,7 +38,7 @@ pub fn path(values: &Values) -> Result<Figure> {
         .sum::<f64>()
         .abs()
         / core::f64::consts::TAU;
-    let tilt = rows[rows.len() - 1].1.tilt().to_degrees();
+    let tilt = degrees(&rows[rows.len() - 1].1);
     let claim = if tilt > 150.0 {
         "On the ball, the point of contact walks from the heavy pole to the light one.".to_owned()
     } else {
@@ -47,50 +46,43 @@ pub fn path(values: &Values) -> Result<Figure> {
             "On the ball, the point of contact walks away from the heavy pole, by {tilt:.0} degrees so far."
         )
     };
-    let words = Words {
-        claim,
-        details: format!(
-            "A ball of $R = 2$ cm, $\\alpha = {alpha:.2}$, $\\mu = {mu:.3}$, spun about the vertical at {spin:.0} rad/s: the place that touches the table, seen from \
-             the ball, during {end:.2} s. The ball turns about the vertical meanwhile, so the path goes round only {} times while the tilt grows to {tilt:.0}°{}.",
-            number(turns, 1),
-            match aloft {
-                0 => ", and it never leaves the table".to_owned(),
-                _ => format!("; at {aloft} of the samples it is in the air"),
-            },
-        ),
-        alt: format!(
-            "A ball with the centre of mass below its centre. A line on its surface starts near the south pole, goes round {} times and ends {tilt:.0} degrees from there; \
-             behind the ball it is faint.",
-            number(turns, 1)
-        ),
+    let rounds = number(turns, 1);
+    let flight = match aloft {
+        0 => ", and it never leaves the table".to_owned(),
+        _ => format!("; at {aloft} of the samples it is in the air"),
     };
+    let words = words!(
+        "{claim}",
+        "A ball of $R = 2$ cm, $\\alpha = {alpha:.2}$, $\\mu = {mu:.3}$, spun about the vertical at {spin:.0} rad/s: the place that touches the table, seen from \
+         the ball, during {end:.2} s. The ball turns about the vertical meanwhile, so the path goes round only {rounds} times while the tilt grows to {tilt:.0}°{flight}.",
+        "A ball with the centre of mass below its centre. A line on its surface starts near the south pole, goes round {rounds} times and ends {tilt:.0} degrees from there; \
+         behind the ball it is faint."
+    );
     let made = figure("contact-path", 360.0, words, |pen| {
         let (center, radius): (Point, f64) = ([300.0, 180.0], 164.0);
         let view = View::new(0.4, 0.3, center, radius);
-        let seen = |p: &Vector3<f64>| p.dot(&view.toward) > 0.0;
-        pen.disc(center, radius, Role::Shade, 1.0);
-        let equator = ellipse(Vector3::zeros(), Vector3::x(), Vector3::y(), 120);
-        let [front, _] = view.split(&equator, seen);
-        pen.lines(front, stroke(Role::Muted, HAIR));
-        let [front, back] = view.split(&path, seen);
+        pen.disc(center, radius, Shade, 1.0);
+        let [front, _] = view.halves(&latitude(0.0, 1.0, 120));
+        pen.lines(front, muted(HAIR));
+        let [front, back] = view.halves(&path);
         pen.lines(back, inked(SECONDARY).alpha(0.45));
         pen.lines(front, inked(1.2));
         pen.ring(center, radius, inked(AXIS));
-        let pole = |z: f64| view.project(&Vector3::new(0.0, 0.0, z));
-        pen.line(&[pole(0.0), pole(-alpha)], inked(AXIS));
-        pen.disc(pole(0.0), 3.6, Role::Ink, 1.0);
-        pen.disc(pole(-alpha), 3.6, Role::Ink, 1.0);
+        let pole = |z: f64| view.project(&Vector::new(0.0, 0.0, z));
+        pen.line([pole(0.0), pole(-alpha)], inked(AXIS));
+        pen.dot(pole(0.0), 3.6);
+        pen.dot(pole(-alpha), 3.6);
         let [x, y] = pole(0.0);
-        pen.label([x + 8.0, y], Anchor::Start, "*K*");
+        pen.label([x + 8.0, y], Start, "*K*");
         let [x, y] = pole(-alpha);
-        pen.label([x + 8.0, y + 12.0], Anchor::Start, "*C*");
+        pen.label([x + 8.0, y + 12.0], Start, "*C*");
         let first = view.project(&path[0]);
-        pen.disc(first, 4.0, Role::Ink, 1.0);
-        pen.note([474.0, 316.0], Anchor::Start, "starts here");
-        pen.line(&[[470.0, 312.0], [first[0] + 6.0, first[1]]], inked(HAIR));
+        pen.dot(first, 4.0);
+        pen.note([474.0, 316.0], Start, "starts here");
+        pen.line([[470.0, 312.0], [first[0] + 6.0, first[1]]], inked(HAIR));
     });
-    let columns = ["time (s)", "x over R", "y over R", "z over R"];
+    let columns = "time (s) | x over R | y over R | z over R";
     let table = rows.iter().zip(&path).step_by(10);
-    let table = table.map(|((t, _), p)| vec![*t, p.x, p.y, p.z]);
-    Ok(made.data("contact on the ball", &columns, table))
+    let table = table.map(|((t, _), p)| [*t, p.x, p.y, p.z]);
+    Ok(made.data("contact on the ball", columns, table))
 }

@@ -5,8 +5,8 @@ use core::f64::consts::PI;
 use spinning_bodies::Result;
 use spinning_bodies::tippe_top::{Inversion, TippeTop};
 
-use super::{ALPHA, GAMMA, SPIN, run, tippe, tippe_scene};
-use crate::plot::{Axis, Frame};
+use super::{ALPHA, GAMMA, SPIN, degrees, run, tippe, tippe_scene};
+use crate::plot::Frame;
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -24,10 +24,11 @@ fn energy(top: &TippeTop, tilt: f64, spin: f64) -> f64 {
 }
 
 fn frame(top: &TippeTop) -> Frame {
-    Frame {
-        x: Axis::linear([0.0, WIDEST], [58.0, 560.0]),
-        y: Axis::linear([0.0, 1.03 * energy(top, 0.0, SPINS[1])], [360.0, 34.0]),
-    }
+    Frame::linear(
+        [0.0, WIDEST],
+        [0.0, 1.03 * energy(top, 0.0, SPINS[1])],
+        [58.0, 560.0, 360.0, 34.0],
+    )
 }
 
 fn chosen(values: &Values) -> Result<TippeTop> {
@@ -50,11 +51,11 @@ pub fn energies(values: &Values) -> Result<Figure> {
     let mut falls = Vec::new();
     for spin in spins {
         let rows = run(&tippe_scene(&top, spin, 0.3)?, 14.0, 28, 1e-2)?;
-        let path: Vec<(f64, f64)> = rows
-            .iter()
-            .map(|(_, s)| (s.jellett / unit, 1e3 * s.energy))
-            .collect();
-        falls.push((path, number(rows[28].1.tilt().to_degrees(), 1)));
+        let path = rows.iter().map(|(_, s)| [s.jellett / unit, 1e3 * s.energy]);
+        falls.push((
+            path.collect::<Vec<Point>>(),
+            number(degrees(&rows[28].1), 1),
+        ));
     }
     let named = spins.map(|spin| number(spin, 0));
     let branch = match (rise, invert) {
@@ -68,56 +69,43 @@ pub fn energies(values: &Values) -> Result<Figure> {
             "No tilted branch leaves the upright one: that is stable at every spin.".to_owned()
         }
     };
-    let words = Words {
-        claim: "Friction takes energy and leaves Jellett's integral alone, so every top falls down a plumb line.".to_owned(),
-        details: format!(
-            "Energy of the steady states of a tippe top with $\\alpha = {}$, $I_1/I_3 = {}$ against Jellett's integral $J$, given as the spin \
-             $J/RI_3(1-\\alpha)$ of the upright top. Solid: stable; dashed: not. {branch} Arrows: three runs released at 0.1 rad, spun at {}, {} and {} \
-             rad/s; after 14 s they are at {}°, {}° and {}°.",
-            number(values.of(&DIAGRAM[1]), 2),
-            number(values.of(&GAMMA), 3),
-            named[0],
-            named[1],
-            named[2],
-            falls[0].1,
-            falls[1].1,
-            falls[2].1,
-        ),
-        alt: format!(
-            "Energy against spin. Two parabolas: the steep one, upright, is solid {}; the flat one, upside down, is {}. {branch} Three vertical arrows fall from \
-             the upright parabola, to tilts of {}, {} and {} degrees.",
-            match rise {
-                Some(rise) => format!("up to {rise:.0} radians a second and dashed beyond"),
-                None => "all the way".to_owned(),
-            },
-            match (invert, top.inversion()) {
-                (Some(invert), _) => format!("dashed up to {invert:.0} and solid beyond"),
-                (None, Inversion::Never) => "solid from where it is steady".to_owned(),
-                (None, _) => "dashed all the way".to_owned(),
-            },
-            falls[0].1,
-            falls[1].1,
-            falls[2].1,
-        ),
+    let (alpha, gamma) = (
+        number(values.of(&DIAGRAM[1]), 2),
+        number(values.of(&GAMMA), 3),
+    );
+    let [slow, chosen, fast] = named;
+    let [a, b, c] = [0, 1, 2].map(|k: usize| &falls[k].1);
+    let steep = match rise {
+        Some(rise) => format!("up to {rise:.0} radians a second and dashed beyond"),
+        None => "all the way".to_owned(),
     };
-    let steady = |tilt: f64| -> Vec<(f64, f64)> {
-        spaced([0.0, WIDEST], 120)
-            .map(|spin| (spin, energy(&top, tilt, spin)))
-            .collect()
+    let flat = match (invert, top.inversion()) {
+        (Some(invert), _) => format!("dashed up to {invert:.0} and solid beyond"),
+        (None, Inversion::Never) => "solid from where it is steady".to_owned(),
+        (None, _) => "dashed all the way".to_owned(),
     };
-    let tilted: Vec<(f64, f64)> = (0..=240)
-        .filter_map(|k| {
-            let tilt = PI * f64::from(k) / 240.0;
-            let spin = top.steady_jellett(tilt)? / unit;
-            Some((spin, energy(&top, tilt, spin)))
-        })
-        .collect();
+    let words = words!(
+        "Friction takes energy and leaves Jellett's integral alone, so every top falls down a plumb line.",
+        "Energy of the steady states of a tippe top with $\\alpha = {alpha}$, $I_1/I_3 = {gamma}$ against Jellett's integral $J$, given as the spin \
+         $J/RI_3(1-\\alpha)$ of the upright top. Solid: stable; dashed: not. {branch} Arrows: three runs released at 0.1 rad, spun at {slow}, {chosen} and {fast} \
+         rad/s; after 14 s they are at {a}°, {b}° and {c}°.",
+        "Energy against spin. Two parabolas: the steep one, upright, is solid {steep}; the flat one, upside down, is {flat}. {branch} Three vertical arrows fall from \
+         the upright parabola, to tilts of {a}, {b} and {c} degrees."
+    );
+    let steady = |tilt: f64| {
+        let spins = spaced([0.0, WIDEST], 120);
+        spins.map(move |spin| [spin, energy(&top, tilt, spin)])
+    };
+    let tilted = (0..=240).filter_map(|k| {
+        let tilt = PI * f64::from(k) / 240.0;
+        let spin = top.steady_jellett(tilt)? / unit;
+        Some([spin, energy(&top, tilt, spin)])
+    });
+    let tilted: Vec<Point> = tilted.collect();
     let made = figure("tippe-diagram", 412.0, words, |pen| {
         let frame = frame(&top);
-        frame.draw_round(
-            pen,
-            ["*J*, as the spin of the upright top, rad/s", "energy, mJ"],
-        );
+        let across = "*J*, as the spin of the upright top, rad/s";
+        frame.draw_round(pen, [across, "energy, mJ"]);
         let solid = inked(DATA);
         let broken = inked(SECONDARY).dashed();
         // The head is stable above its own least λ even where nothing that starts upright gets there.
@@ -126,54 +114,41 @@ pub fn energies(values: &Values) -> Result<Figure> {
             [(0.0, rise, solid, broken), (PI, on_head, broken, solid)]
         {
             let border = border.unwrap_or(f64::INFINITY);
-            let points = steady(tilt);
-            let edge = (border, energy(&top, tilt, border.min(WIDEST)));
-            let first = points.iter().copied().filter(|p| p.0 < border);
-            frame.curve(
-                pen,
-                first.chain([edge].into_iter().filter(|p| p.0 < WIDEST)),
-                below,
-            );
-            let second = points.iter().copied().filter(|p| p.0 > border);
+            let edge = [border, energy(&top, tilt, border.min(WIDEST))];
+            let first = steady(tilt).filter(|p| p[0] < border);
+            let end = Some(edge).filter(|p| p[0] < WIDEST);
+            frame.curve(pen, first.chain(end), below);
+            let second = steady(tilt).filter(|p| p[0] > border);
             frame.curve(pen, [edge].into_iter().chain(second), above);
         }
         // A tilted top is stable where more of J tilts it further.
         for pair in tilted.windows(2) {
-            let style = if pair[1].0 > pair[0].0 {
-                solid
-            } else {
-                inked(SECONDARY).alpha(0.5)
+            let style = match pair[1][0] > pair[0][0] {
+                true => solid,
+                false => inked(SECONDARY).alpha(0.5),
             };
             frame.curve(pen, pair.iter().copied(), style);
         }
         for (spin, tilt) in [(rise, 0.0), (invert, PI)] {
-            let seen = spin.filter(|spin| *spin < WIDEST);
-            if let Some(spin) = seen {
-                pen.disc(
-                    frame.at(spin, energy(&top, tilt, spin)),
-                    4.5,
-                    Role::Ink,
-                    1.0,
-                );
+            if let Some(spin) = spin.filter(|spin| *spin < WIDEST) {
+                pen.dot(frame.at(spin, energy(&top, tilt, spin)), 4.5);
             }
         }
         for (path, _) in &falls {
-            let drawn: Vec<Point> = path.iter().map(|&(x, y)| frame.at(x, y)).collect();
+            let drawn = frame.trace(path.iter().copied());
             let (start, end) = (drawn[0], drawn[drawn.len() - 1]);
-            let heavy = stroke(Role::Muted, 1.4 * DATA);
+            let heavy = muted(1.4 * DATA);
             pen.line(&drawn, heavy);
             if end[1] - start[1] > 20.0 {
                 pen.arrow(between(start, end, 0.5), between(start, end, 0.6), heavy);
             }
-            pen.disc(start, 3.4, Role::Muted, 1.0);
-            pen.disc(end, 5.0, Role::Muted, 1.0);
+            pen.disc(start, 3.4, Muted, 1.0);
+            pen.disc(end, 5.0, Muted, 1.0);
         }
         let low = |spin: f64| {
-            let near = tilted.iter().filter(|p| (p.0 - spin).abs() < 3.0);
-            near.map(|p| p.1).fold(
-                energy(&top, PI, spin).min(energy(&top, 0.0, spin)),
-                f64::min,
-            )
+            let near = tilted.iter().filter(|p| (p[0] - spin).abs() < 3.0);
+            let least = energy(&top, PI, spin).min(energy(&top, 0.0, spin));
+            near.map(|p| p[1]).fold(least, f64::min)
         };
         let (fall, _) = &falls[2];
         let last = fall.len() - 1;
@@ -181,37 +156,31 @@ pub fn energies(values: &Values) -> Result<Figure> {
             (
                 (80.0, energy(&top, 0.0, 80.0)),
                 [-12.0, 0.0],
-                Anchor::End,
+                End,
                 "upright",
-                label(Role::Ink),
+                label(Ink),
             ),
             (
                 (1.0, energy(&top, PI, 1.0)),
                 [6.0, -10.0],
-                Anchor::Start,
+                Start,
                 "upside down",
-                label(Role::Ink),
+                label(Ink),
             ),
+            ((60.0, low(60.0)), [8.0, 26.0], Start, "tilted", label(Ink)),
             (
-                (60.0, low(60.0)),
-                [8.0, 26.0],
-                Anchor::Start,
-                "tilted",
-                label(Role::Ink),
-            ),
-            (
-                (100.0, 0.5 * (fall[0].1 + fall[last].1)),
+                (100.0, 0.5 * (fall[0][1] + fall[last][1])),
                 [9.0, 5.0],
-                Anchor::Start,
+                Start,
                 "friction",
-                small(Role::Muted),
+                small(Muted),
             ),
         ] {
             let [x, y] = frame.at(at.0, at.1);
             // Nothing is tilted where no branch is, and nothing falls that is stable.
             let there = match text {
                 "tilted" => rise.is_some(),
-                "friction" => frame.y.at(fall[last].1) - frame.y.at(fall[0].1) > 20.0,
+                "friction" => frame.y.at(fall[last][1]) - frame.y.at(fall[0][1]) > 20.0,
                 _ => true,
             };
             if there {
@@ -219,17 +188,13 @@ pub fn energies(values: &Values) -> Result<Figure> {
             }
         }
     });
-    let columns = ["J as a spin (rad/s)", "energy (mJ)"];
-    let rows =
-        |curve: &[(f64, f64)]| -> Vec<Vec<f64>> { curve.iter().map(|p| vec![p.0, p.1]).collect() };
+    let columns = "J as a spin (rad/s) | energy (mJ)";
     let made = made
-        .data("upright", &columns, rows(&steady(0.0)))
-        .data("upside down", &columns, rows(&steady(PI)))
-        .data("tilted", &columns, rows(&tilted));
-    Ok(spins
-        .iter()
-        .zip(&falls)
-        .fold(made, |made, (spin, (path, _))| {
-            made.data(format!("run at {spin} rad/s"), &columns, rows(path))
-        }))
+        .data("upright", columns, steady(0.0))
+        .data("upside down", columns, steady(PI))
+        .data("tilted", columns, tilted);
+    let runs = spins.into_iter().zip(falls);
+    Ok(runs.fold(made, |made, (spin, (path, _))| {
+        made.data(format!("run at {spin} rad/s"), columns, path)
+    }))
 }

@@ -7,7 +7,7 @@ use spinning_bodies::scene::contact::passage;
 
 use super::ball::table;
 use super::{FRICTION, TURNS, egg_scene, run};
-use crate::plot::{Axis, Frame, marks};
+use crate::plot::{Frame, marks};
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -74,17 +74,13 @@ pub fn egg_film(values: &Values) -> Result<Figure> {
             )
         })
         .collect();
-    let words = Words {
-        claim,
-        details: format!(
-            "Picture h of the tutorial. An egg of 6 by 4 cm and 60 g at {turns:.0} turns a second, $\\mu = {mu:.2}$, drawn when its long axis first stands at \
-             the angles marked; the camera goes round with it."
-        ),
-        alt: format!(
-            "Pictures of an egg on a table, from left to right with its long axis this far from the vertical: {}.",
-            times.join(", ")
-        ),
-    };
+    let times = times.join(", ");
+    let words = words!(
+        "{claim}",
+        "Picture h of the tutorial. An egg of 6 by 4 cm and 60 g at {turns:.0} turns a second, $\\mu = {mu:.2}$, drawn when its long axis first stands at \
+         the angles marked; the camera goes round with it.",
+        "Pictures of an egg on a table, from left to right with its long axis this far from the vertical: {times}."
+    );
     let made = figure("egg-film", 178.0, words, |pen| {
         let floor = 128.0;
         table(pen, 8.0, 592.0, floor);
@@ -92,8 +88,8 @@ pub fn egg_film(values: &Values) -> Result<Figure> {
             one(pen, [66.0 + 117.0 * k as f64, floor], time, tilt);
         }
     });
-    let table = rows.iter().map(|(t, s)| vec![*t, slope(s.tilt())]);
-    Ok(made.data("egg", &["time (s)", "angle from the vertical (°)"], table))
+    let table = rows.iter().map(|(t, s)| [*t, slope(s.tilt())]);
+    Ok(made.data("egg", "time (s) | angle from the vertical (°)", table))
 }
 
 fn one(pen: &mut Pen, foot: Point, time: f64, tilt: f64) {
@@ -103,24 +99,20 @@ fn one(pen: &mut Pen, foot: Point, time: f64, tilt: f64) {
         .iter()
         .map(|p| [center[0] + p[0], center[1] + p[1]])
         .collect();
-    pen.fill(&moved, Role::Ink, 0.09);
+    pen.fill(&moved, Ink, 0.09);
     pen.outline(&moved, inked(1.4));
     let tip = |sign: f64| {
         let [x, y] = polar([0.0, 0.0], HALF[0], FRAC_PI_2 - tilt);
         [center[0] + sign * x, center[1] + sign * y]
     };
-    pen.line(&[tip(1.0), tip(-1.0)], inked(HAIR).alpha(0.7));
-    pen.disc(center, 2.8, Role::Ink, 1.0);
+    pen.line([tip(1.0), tip(-1.0)], inked(HAIR).alpha(0.7));
+    pen.dot(center, 2.8);
     pen.note(
         [foot[0], foot[1] + 22.0],
-        Anchor::Middle,
+        Middle,
         &format!("{}°", number(tilt.to_degrees(), 0)),
     );
-    pen.remark(
-        [foot[0], foot[1] + 41.0],
-        Anchor::Middle,
-        &format!("{time:.2} s"),
-    );
+    pen.remark([foot[0], foot[1] + 41.0], Middle, &format!("{time:.2} s"));
 }
 
 /// A sluggish egg rises part of the way, then rolls. Seven runs of eight seconds: a constant figure.
@@ -130,34 +122,27 @@ pub fn how_far_eggs_rise() -> Result<Figure> {
         Ok(slope(rows[8].1.tilt()))
     };
     let ends = SPINS.iter().map(|&n| one(n)).collect::<Result<Vec<_>>>()?;
-    let words = Words {
-        claim: "An egg that is spun too sluggishly rises part of the way, or not at all.".to_owned(),
-        details: format!(
-            "Angle between the long axis and the vertical after 8 s, against the spin given to the lying egg ($6\\times4$ cm, 60 g, $\\mu = 0.1$). At 8 \
-             turns a second it stays at {}°, at 10 it rests at {}°, at 20 at {}°.",
-            number(ends[0], 0),
-            number(ends[2], 0),
-            number(ends[6], 1),
-        ),
-        alt: "Final angle from the vertical against turns a second. Up to nine turns the egg stays at about 89 degrees. Then the angle falls: about 64 \
-              at ten turns, and near zero at twenty."
-            .to_owned(),
-    };
+    let [eight, ten] = numbers([ends[0], ends[2]], 0);
+    let twenty = number(ends[6], 1);
+    let words = words!(
+        "An egg that is spun too sluggishly rises part of the way, or not at all.",
+        "Angle between the long axis and the vertical after 8 s, against the spin given to the lying egg ($6\\times4$ cm, 60 g, $\\mu = 0.1$). At 8 \
+         turns a second it stays at {eight}°, at 10 it rests at {ten}°, at 20 at {twenty}°.",
+        "Final angle from the vertical against turns a second. Up to nine turns the egg stays at about 89 degrees. Then the angle falls: about 64 \
+         at ten turns, and near zero at twenty."
+    );
     Ok(figure("egg-angle", 348.0, words, |pen| {
-        let frame = Frame {
-            x: Axis::linear([7.0, 21.0], [62.0, 572.0]),
-            y: Axis::linear([0.0, 95.0], [296.0, 34.0]),
-        };
+        let frame = Frame::linear([7.0, 21.0], [0.0, 95.0], [62.0, 572.0, 296.0, 34.0]);
         frame.draw(
             pen,
             &marks(&[8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0], ""),
             &marks(&[0.0, 30.0, 60.0, 90.0], "°"),
             ["turns a second", "angle from the vertical"],
         );
-        let curve = SPINS.iter().copied().zip(ends.iter().copied());
+        let curve = SPINS.into_iter().zip(ends).map(|(turns, end)| [turns, end]);
         frame.curve(pen, curve.clone(), inked(AXIS).dotted());
-        for (turns, end) in curve {
-            pen.disc(frame.at(turns, end), 4.6, Role::Ink, 1.0);
+        for [turns, end] in curve {
+            pen.dot(frame.at(turns, end), 4.6);
             if let 10.0 | 14.0 = turns {
                 let [x, y] = frame.at(turns, end);
                 let (points, _) = outline(end.to_radians());
@@ -165,11 +150,11 @@ pub fn how_far_eggs_rise() -> Result<Figure> {
                     .iter()
                     .map(|p| [x + 62.0 + 0.62 * p[0], y - 12.0 + 0.62 * p[1]])
                     .collect();
-                pen.fill(&small_egg, Role::Ink, 0.09);
+                pen.fill(&small_egg, Ink, 0.09);
                 pen.outline(&small_egg, inked(DATA * 0.6));
             }
         }
-        pen.label(frame.at(8.0, 80.0), Anchor::Middle, "lies");
-        pen.label(frame.at(20.0, 7.0), Anchor::Middle, "stands");
+        pen.label(frame.at(8.0, 80.0), Middle, "lies");
+        pen.label(frame.at(20.0, 7.0), Middle, "stands");
     }))
 }

@@ -3,8 +3,8 @@
 use spinning_bodies::Result;
 use spinning_bodies::scene::contact::{State, passage};
 
-use super::{ALPHA, GAMMA, SPIN, VISCOUS, run, tippe, tippe_scene};
-use crate::plot::{Axis, Frame, apart};
+use super::{ALPHA, GAMMA, SPIN, VISCOUS, degrees, run, tippe, tippe_scene};
+use crate::plot::{Frame, apart};
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -21,11 +21,11 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
     let scene = tippe_scene(&tippe(alpha, GAMMA.default)?, spin, friction)?;
     let rows = run(&scene, END, 400, 1e-3)?;
     let (first, last) = (rows[0].1, rows[rows.len() - 1].1);
-    let half = passage(&rows, |s| s.tilt().to_degrees(), 90.0);
+    let half = passage(&rows, degrees, 90.0);
     let weight = 0.02 * super::G_TIPPE;
     let gain = weight * (last.position.z() - first.position.z());
     let loss = first.energy - last.energy;
-    let ends = number(last.tilt().to_degrees(), 0);
+    let ends = number(degrees(&last), 0);
     let paid = if gain > 0.05 * weight * 0.02 * alpha {
         format!(
             "its energy falls: the spin pays the climb, and friction takes {} times as much.",
@@ -49,56 +49,42 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
     let steady = rows
         .windows(2)
         .all(|pair| pair[1].1.energy <= pair[0].1.energy * (1.0 + 1e-6));
-    let words = Words {
-        claim,
-        details: format!(
-            "Tippe top of 20 g, $R = 2$ cm, $\\alpha = {alpha:.2}$, spun at {spin:.0} rad/s about its axis, viscous friction {friction:.2} s/m. $C$ goes from {} to {} mm. \
-             {side}. The height costs {} mJ. The energy falls from {} to {} mJ{}",
-            number(1e3 * first.position.z(), 2),
-            number(1e3 * last.position.z(), 2),
-            number(1e3 * gain, 2),
-            number(1e3 * first.energy, 2),
-            number(1e3 * last.energy, 2),
-            if steady {
-                ", at no instant rising."
-            } else {
-                "."
-            },
-        ),
-        alt: format!(
-            "Two curves against time from 0 to {END} seconds. The upper one, total energy, falls from {} to {} millijoules. The lower one, dashed, the potential energy, \
-             goes from {} to {}. {side}. The gap between the curves is the kinetic energy.",
-            number(1e3 * first.energy, 1),
-            number(1e3 * last.energy, 1),
-            number(1e3 * weight * first.position.z(), 1),
-            number(1e3 * weight * last.position.z(), 1),
-        ),
+    let [low, high] = numbers([first, last].map(|s| 1e3 * s.position.z()), 2);
+    let climb = number(1e3 * gain, 2);
+    let energies = [first, last].map(|s| 1e3 * s.energy);
+    let [before, after] = numbers(energies, 2);
+    let falls = if steady {
+        ", at no instant rising."
+    } else {
+        "."
     };
+    let [more, less] = numbers(energies, 1);
+    let [lower, upper] = numbers([first, last].map(|s| 1e3 * weight * s.position.z()), 1);
+    let words = words!(
+        "{claim}",
+        "Tippe top of 20 g, $R = 2$ cm, $\\alpha = {alpha:.2}$, spun at {spin:.0} rad/s about its axis, viscous friction {friction:.2} s/m. $C$ goes from {low} to {high} mm. \
+         {side}. The height costs {climb} mJ. The energy falls from {before} to {after} mJ{falls}",
+        "Two curves against time from 0 to {END} seconds. The upper one, total energy, falls from {more} to {less} millijoules. The lower one, dashed, the potential energy, \
+         goes from {lower} to {upper}. {side}. The gap between the curves is the kinetic energy."
+    );
     let height = |s: &State| 1e3 * weight * s.position.z();
     let made = figure("tippe-energy", 380.0, words, |pen| {
         let top = 1.08 * 1e3 * first.energy;
-        let frame = Frame {
-            x: Axis::linear([0.0, END], [62.0, 486.0]),
-            y: Axis::linear([0.0, top], [330.0, 34.0]),
-        };
+        let frame = Frame::linear([0.0, END], [0.0, top], [62.0, 486.0, 330.0, 34.0]);
         frame.draw_round(pen, ["time, s", "energy, mJ"]);
-        let mut gap: Vec<_> = rows
-            .iter()
-            .map(|(t, s)| frame.at(*t, 1e3 * s.energy))
-            .collect();
-        gap.extend(rows.iter().rev().map(|(t, s)| frame.at(*t, height(s))));
-        pen.fill(&gap, Role::Ink, 0.08);
-        let energy = rows.iter().map(|(t, s)| (*t, 1e3 * s.energy));
+        let energy = rows.iter().map(|(t, s)| [*t, 1e3 * s.energy]);
+        let lower = rows.iter().map(|(t, s)| [*t, height(s)]);
+        let gap = energy.clone().chain(lower.clone().rev());
+        pen.fill(frame.trace(gap), Ink, 0.08);
         frame.curve(pen, energy, inked(DATA));
-        let lower = rows.iter().map(|(t, s)| (*t, height(s)));
         frame.curve(pen, lower, inked(DATA).dashed());
         if let Some(half) = half {
             let line = [frame.at(half, 0.0), frame.at(half, top)];
-            pen.line(&line, stroke(Role::Muted, HAIR).dotted());
+            pen.line(line, muted(HAIR).dotted());
             let (side, anchor) = if half < 6.0 {
-                (6.0, Anchor::Start)
+                (6.0, Start)
             } else {
-                (-6.0, Anchor::End)
+                (-6.0, End)
             };
             let place = [line[1][0] + side, line[1][1] + 8.0];
             pen.remark(place, anchor, "on its side");
@@ -111,22 +97,20 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
             (places[1], "*Mg* × height"),
             (of, "of *C*"),
         ] {
-            pen.label([490.0, y + 5.0], Anchor::Start, text);
+            pen.label([490.0, y + 5.0], Start, text);
         }
         // In the early gap, which is the wider one.
         let early = &rows[95].1;
         let (upper, lower) = (frame.y.at(1e3 * early.energy), frame.y.at(height(early)));
         if lower - upper > 30.0 {
             let place = [frame.x.at(0.15 * END), 0.5 * (upper + lower) + 5.0];
-            pen.text(place, Anchor::Middle, "in the motion", label(Role::Muted));
+            pen.text(place, Middle, "in the motion", label(Muted));
         }
     });
-    let columns = ["time (s)", "energy (mJ)", "potential energy (mJ)"];
-    let table = rows
-        .iter()
-        .map(|(t, s)| vec![*t, 1e3 * s.energy, height(s)]);
+    let columns = "time (s) | energy (mJ) | potential energy (mJ)";
+    let table = rows.iter().map(|(t, s)| [*t, 1e3 * s.energy, height(s)]);
     Ok(made
-        .data("tippe top", &columns, table)
+        .data("tippe top", columns, table)
         .value("climb", number(1e3 * gain, 2))
         .value("before", number(1e3 * first.energy, 2))
         .value("after", number(1e3 * last.energy, 2)))

@@ -5,7 +5,7 @@ use spinning_bodies::tippe_top::bodies::{chiral_top, eccentric_ball};
 use spinning_bodies::tippe_top::{Regularised, quasi_steady};
 
 use super::{ALPHA, G};
-use crate::plot::{Axis, Frame, beaded, marks, powers};
+use crate::plot::{Frame, beaded, marks, powers};
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -73,27 +73,18 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
     };
     let told =
         slopes.map(|slope| slope.map_or("not to be had".to_owned(), |slope| number(slope, 2)));
-    let words = Words {
-        claim,
-        details: format!(
-            "Growth rates of the chiral top's slow swing about its quasi-steady state, in units of $\\sqrt{{g/R}}$, at ${spin:.1}\\sqrt{{g/R}}$, $\\alpha = {alpha:.2}$, the \
-             products of inertia {} times the book's: half the difference of the two senses and their mean. At the left end the slopes are {} and {}. Dotted: slopes 2 and 1. \
-             Where a curve falls off it changes sign.",
-            number(skew, 2),
-            told[0],
-            told[1],
-        ),
-        alt: format!(
-            "Two curves on doubly logarithmic axes, friction from 0.001 to 0.25. The half difference of the growth rates, black, starts with slope {}. The mean, grey, \
-             with slope {}. Dotted lines of slopes two and one for comparison.",
-            told[0], told[1]
-        ),
-    };
+    let times = number(skew, 2);
+    let [first, second] = &told;
+    let words = words!(
+        "{claim}",
+        "Growth rates of the chiral top's slow swing about its quasi-steady state, in units of $\\sqrt{{g/R}}$, at ${spin:.1}\\sqrt{{g/R}}$, $\\alpha = {alpha:.2}$, the \
+         products of inertia {times} times the book's: half the difference of the two senses and their mean. At the left end the slopes are {first} and {second}. Dotted: slopes 2 and 1. \
+         Where a curve falls off it changes sign.",
+        "Two curves on doubly logarithmic axes, friction from 0.001 to 0.25. The half difference of the growth rates, black, starts with slope {first}. The mean, grey, \
+         with slope {second}. Dotted lines of slopes two and one for comparison."
+    );
     let made = figure("chiral-growth", 392.0, words, |pen| {
-        let frame = Frame {
-            x: Axis::log(MU, [74.0, 560.0]),
-            y: Axis::log(RATE, [342.0, 16.0]),
-        };
+        let frame = Frame::log(MU, RATE, [74.0, 560.0, 342.0, 16.0]);
         let across = marks(&[1e-3, 1e-2, 1e-1], "");
         let up = powers((1..=6).map(|k| -k));
         frame.draw(pen, &across, &up, ["friction *μ*", ""]);
@@ -105,15 +96,15 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
         };
         let mut taken: Vec<Point> = [0, 1].iter().flat_map(|k| along(&curve(*k), 8.0)).collect();
         for (which, power) in [(0, 2.0), (1, 1.0)] {
-            let role = [Role::Ink, Role::Muted][which];
+            let role = [Ink, Muted][which];
             let seen = |p: &&(f64, [f64; 2])| shown(p.1[which]);
             if let Some((mu, rates)) = points.iter().find(seen) {
                 let ray = (0..=20).map(|t| mu * (MU[1] / mu).powf(f64::from(t) / 20.0));
-                let ray = ray.map(|at| (at, rates[which] * (at / mu).powf(power)));
-                let inside: Vec<(f64, f64)> = ray.filter(|p| p.1 < RATE[1]).collect();
-                taken.extend(inside.iter().map(|p| frame.at(p.0, p.1)));
-                let dotted = stroke(Role::Muted, SECONDARY).dotted();
-                frame.curve(pen, inside.into_iter(), dotted);
+                let ray = ray.map(|at| [at, rates[which] * (at / mu).powf(power)]);
+                let inside = ray.filter(|p| p[1] < RATE[1]);
+                taken.extend(frame.trace(inside.clone()));
+                let dotted = muted(SECONDARY).dotted();
+                frame.curve(pen, inside, dotted);
             }
             for piece in points.split(|p| !shown(p.1[which])) {
                 let line: Vec<Point> = piece.iter().map(|p| frame.at(p.0, p.1[which])).collect();
@@ -122,7 +113,7 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
         }
         // Each name as near to the middle of its curve as there is room, the steep one rather below it.
         for which in [0, 1] {
-            let role = [Role::Ink, Role::Muted][which];
+            let role = [Ink, Muted][which];
             let text = match slopes[which] {
                 Some(slope) => format!("{}: slope {}", texts_of[which], number(slope, 1)),
                 None => texts_of[which].to_owned(),
@@ -149,16 +140,10 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
             });
             let [x, y] = roomiest(places, half, &taken);
             taken.extend(along(&[[x - half[0], y], [x + half[0], y]], 8.0));
-            pen.text([x, y + 5.0], Anchor::Middle, &text, label(role));
+            pen.text([x, y + 5.0], Middle, &text, label(role));
         }
     });
-    let columns = [
-        "friction",
-        "half the difference over √(g/R)",
-        "mean over √(g/R)",
-    ];
-    let rows = points
-        .iter()
-        .map(|(mu, [half, mean])| vec![*mu, *half, *mean]);
-    Ok(made.data("slow swing", &columns, rows))
+    let columns = "friction | half the difference over √(g/R) | mean over √(g/R)";
+    let rows = points.iter().map(|(mu, [half, mean])| [*mu, *half, *mean]);
+    Ok(made.data("slow swing", columns, rows))
 }

@@ -55,45 +55,31 @@ pub fn hoop_with_clay(values: &Values) -> Result<Figure> {
     };
     let dips = torques.map(|n| number((n.z() / n.x()).atan().to_degrees(), 0));
     let named = degrees.map(|tilt| number(tilt, 0));
-    let words = Words {
-        claim,
-        details: format!(
-            "Pictures i and j of the tutorial. The hoop spins about the vertical, anticlockwise from above, {} times a second. At tilts of {}° and {}° the \
-             contact plunges into the page, with {} and {} m/s in the toy if $CK$ were {} of $R$; so friction comes out of it, and its \
-             torque $N$ about $C$ points left and {}° and {}° down. It turns the axis $CK$ away from $L$ both times.",
-            number(values.of(&TURNS), 0),
-            named[0],
-            named[1],
-            number(slips[0].y(), 2),
-            number(slips[1].y(), 2),
-            number(values.of(&OFFSET), 2),
-            dips[0],
-            dips[1],
-        ),
-        alt: format!(
-            "Two hoops on a table, seen along it, each with a lump of clay on its rim. On the left the clay is low and to the left, on the right \
-             high and to the left. K is the hoop's centre, C lies between K and the clay. The vertical arrow L and the axis from C through K \
-             enclose the angle theta, {} and {} degrees. Below K, where the hoop touches the table, friction comes out of the page. \
-             A torque arrow points left from C and slightly down, in both pictures.",
-            named[0], named[1]
-        ),
-    };
+    let turns = number(values.of(&TURNS), 0);
+    let ([low, high], [dip, dive]) = (&named, &dips);
+    let [first, second] = numbers(slips.map(|slip| slip.y()), 2);
+    let off = number(values.of(&OFFSET), 2);
+    let words = words!(
+        "{claim}",
+        "Pictures i and j of the tutorial. The hoop spins about the vertical, anticlockwise from above, {turns} times a second. At tilts of {low}° and {high}° the \
+         contact plunges into the page, with {first} and {second} m/s in the toy if $CK$ were {off} of $R$; so friction comes out of it, and its \
+         torque $N$ about $C$ points left and {dip}° and {dive}° down. It turns the axis $CK$ away from $L$ both times.",
+        "Two hoops on a table, seen along it, each with a lump of clay on its rim. On the left the clay is low and to the left, on the right \
+         high and to the left. K is the hoop's centre, C lies between K and the clay. The vertical arrow L and the axis from C through K \
+         enclose the angle theta, {low} and {high} degrees. Below K, where the hoop touches the table, friction comes out of the page. \
+         A torque arrow points left from C and slightly down, in both pictures."
+    );
     let made = figure("hoop-with-clay", 314.0, words, |pen| {
-        pen.line(&[[14.0, FLOOR], [586.0, FLOOR]], inked(SECONDARY));
+        pen.line([[14.0, FLOOR], [586.0, FLOOR]], inked(SECONDARY));
         for k in 0..2 {
             one(pen, center(k), values.of(&OFFSET), (tilts[k], torques[k]));
         }
     });
-    let columns = [
-        "tilt (°)",
-        "slip (m/s)",
-        "torque to the right (N m)",
-        "torque upwards (N m)",
-    ];
-    let row = |k: usize| vec![degrees[k], slips[k].y(), torques[k].x(), torques[k].z()];
+    let columns = "tilt (°) | slip (m/s) | torque to the right (N m) | torque upwards (N m)";
+    let row = |k: usize| [degrees[k], slips[k].y(), torques[k].x(), torques[k].z()];
     Ok(made
-        .data("clay below", &columns, [row(0)])
-        .data("clay above", &columns, [row(1)]))
+        .data("clay below", columns, [row(0)])
+        .data("clay above", columns, [row(1)]))
 }
 
 fn one(pen: &mut Pen, k: Point, alpha: f64, (tilt, torque): (f64, SpaceVector)) {
@@ -112,63 +98,55 @@ fn one(pen: &mut Pen, k: Point, alpha: f64, (tilt, torque): (f64, SpaceVector)) 
             down + 0.34 * part,
         )
     }));
-    pen.fill(&lump, Role::Ink, 0.6);
+    pen.fill(&lump, Ink, 0.6);
     // The axis, not through the table.
     let reach = (1.22 * RADIUS).min(0.96 * RADIUS / (-c).max(1e-3));
-    pen.line(&[along(-RADIUS), along(reach)], inked(AXIS).dotted());
+    pen.line([along(-RADIUS), along(reach)], inked(AXIS).dotted());
     let top = k[1] - 1.22 * RADIUS;
-    pen.line(
-        &[[mass[0], mass[1]], [mass[0], top + 30.0]],
-        stroke(Role::Muted, HAIR),
-    );
+    pen.line([[mass[0], mass[1]], [mass[0], top + 30.0]], muted(HAIR));
     pen.arrow(
         mass,
         [mass[0], mass[1] - 0.86 * RADIUS],
-        stroke(Role::AngularMomentum, DATA),
+        stroke(AngularMomentum, DATA),
     );
     pen.text(
         [mass[0] - 8.0, mass[1] - 0.74 * RADIUS],
-        Anchor::End,
+        End,
         "*L*",
-        label(Role::AngularMomentum),
+        label(AngularMomentum),
     );
     pen.arc(mass, 34.0, FRAC_PI_2 - tilt, FRAC_PI_2, inked(AXIS));
     let half = FRAC_PI_2 - 0.5 * tilt;
     let [x, y] = polar(mass, 46.0, half);
-    pen.label([x, y + 5.0], Anchor::Middle, "*θ*");
+    pen.label([x, y + 5.0], Middle, "*θ*");
     // The torque, in the plane of the picture.
     let scale = 0.5 * RADIUS / torque.norm();
     let tip = [mass[0] + scale * torque.x(), mass[1] - scale * torque.z()];
-    pen.arrow(mass, tip, stroke(Role::Torque, DATA));
+    pen.arrow(mass, tip, stroke(Torque, DATA));
     // Letters stand off the axis, which falls to the right where the clay is above.
     let above = tilt > FRAC_PI_2;
     let [x, y] = crate::style::between(mass, tip, 0.5);
     let beside = if above { 21.0 } else { -9.0 };
-    pen.text(
-        [x - 4.0, y + beside],
-        Anchor::Middle,
-        "*N*",
-        label(Role::Torque),
-    );
-    pen.disc(mass, 4.0, Role::Ink, 1.0);
-    pen.disc(k, 4.0, Role::Ink, 1.0);
+    pen.text([x - 4.0, y + beside], Middle, "*N*", label(Torque));
+    pen.dot(mass, 4.0);
+    pen.dot(k, 4.0);
     let [x, y] = match above {
         true => polar([mass[0], mass[1] + 5.0], 17.0, half),
         false => [mass[0] + 14.0, mass[1] + 19.0],
     };
-    pen.label([x, y], Anchor::Middle, "*C*");
+    pen.label([x, y], Middle, "*C*");
     let ([dx, dy], anchor) = match above {
-        true => ([-6.0, 22.0], Anchor::End),
-        false => ([11.0, 19.0], Anchor::Start),
+        true => ([-6.0, 22.0], End),
+        false => ([11.0, 19.0], Start),
     };
     pen.label([k[0] + dx, k[1] + dy], anchor, "*K*");
     let foot = [k[0], k[1] + RADIUS];
-    pen.disc(foot, 7.5, Role::Ink, 0.18);
+    pen.disc(foot, 7.5, Ink, 0.18);
     pen.ring(foot, 7.5, inked(1.4));
-    pen.disc(foot, 2.2, Role::Ink, 1.0);
+    pen.dot(foot, 2.2);
     pen.note(
         [foot[0], foot[1] + 29.0],
-        Anchor::Middle,
+        Middle,
         "friction, out of the page",
     );
 }

@@ -47,19 +47,15 @@ pub fn outcomes() -> Result<Figure> {
             )
         })
         .collect();
-    let words = Words {
-        claim: "Clockwise it turns over from every release; anticlockwise only if you let it lean.".to_owned(),
-        details: format!(
-            "Outcome after {END:.1} s of {total} releases each way: the ring gives the tilt of the release, 2°, 5°, 10°, 15°, 20° and 30°, the direction its \
-             azimuth in the body. Full discs turn over: {} of {total} clockwise, {} of {total} anticlockwise ({}). $\\mu = 0.3$, 132.9 rad/s.",
-            count(&minus),
-            count(&plus),
-            by_ring.join(", "),
-        ),
-        alt: "Two targets of six rings with eight discs each. On the left, clockwise, all discs are full. On the right, anticlockwise, the \
-              inner rings are empty and some discs of the outer rings are full."
-            .to_owned(),
-    };
+    let [clockwise, other] = [&minus, &plus].map(|rings| count(rings));
+    let by_ring = by_ring.join(", ");
+    let words = words!(
+        "Clockwise it turns over from every release; anticlockwise only if you let it lean.",
+        "Outcome after {END:.1} s of {total} releases each way: the ring gives the tilt of the release, 2°, 5°, 10°, 15°, 20° and 30°, the direction its \
+         azimuth in the body. Full discs turn over: {clockwise} of {total} clockwise, {other} of {total} anticlockwise ({by_ring}). $\\mu = 0.3$, 132.9 rad/s.",
+        "Two targets of six rings with eight discs each. On the left, clockwise, all discs are full. On the right, anticlockwise, the \
+         inner rings are empty and some discs of the outer rings are full."
+    );
     Ok(figure("chiral-map", 330.0, words, |pen| {
         target(pen, [155.0, 168.0], &minus, "clockwise");
         target(pen, [445.0, 168.0], &plus, "anticlockwise");
@@ -69,12 +65,12 @@ pub fn outcomes() -> Result<Figure> {
 fn target(pen: &mut Pen, center: Point, rings: &[Vec<bool>], name: &str) {
     let reach = |k: usize| 22.0 + 21.0 * k as f64;
     for (k, ring) in rings.iter().enumerate() {
-        pen.ring(center, reach(k), stroke(Role::Muted, HAIR));
+        pen.ring(center, reach(k), muted(HAIR));
         for (j, over) in ring.iter().enumerate() {
             let angle = TAU * j as f64 / f64::from(AZIMUTHS);
             let at = polar(center, reach(k), angle);
             if *over {
-                pen.disc(at, 5.6, Role::Ink, 1.0);
+                pen.dot(at, 5.6);
             } else {
                 pen.ring(at, 5.0, inked(AXIS));
             }
@@ -82,16 +78,8 @@ fn target(pen: &mut Pen, center: Point, rings: &[Vec<bool>], name: &str) {
         // The innermost ring has no room for a name.
         if k == 2 || k == 5 {
             let [x, y] = polar(center, reach(k), 1.18);
-            pen.remark(
-                [x, y - 1.0],
-                Anchor::Middle,
-                &format!("{}°", number(TILTS[k], 0)),
-            );
+            pen.remark([x, y - 1.0], Middle, &format!("{}°", number(TILTS[k], 0)));
         }
     }
-    pen.label(
-        [center[0], center[1] + reach(5) + 29.0],
-        Anchor::Middle,
-        name,
-    );
+    pen.label([center[0], center[1] + reach(5) + 29.0], Middle, name);
 }

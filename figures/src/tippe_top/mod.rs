@@ -12,7 +12,7 @@ use spinning_bodies::scene::{Request, Scene};
 use spinning_bodies::tippe_top::{ConvexBody, HoopWithClay, Start, TippeTop, bodies};
 
 use crate::plot::{Frame, marks};
-use crate::style::{Pen, spaced};
+use crate::style::{Pen, Point, spaced};
 use crate::{Entry, constant, of};
 
 mod animated;
@@ -81,6 +81,21 @@ fn run(scene: &TableTop, end: f64, samples: u32, accuracy: f64) -> Result<Rows> 
     let times: Vec<f64> = spaced([0.0, end], samples).collect();
     let motion = scene.simulate(&Request::at(times)?.to_accuracy(accuracy)?)?;
     Ok(motion.rows)
+}
+
+/// The tilt of a top, °.
+fn degrees(state: &State) -> f64 {
+    state.tilt().to_degrees()
+}
+
+/// The times of a run and its tilts, °.
+fn tilts(rows: &[(f64, State)]) -> impl Iterator<Item = Point> + Clone {
+    rows.iter().map(|(time, state)| [*time, degrees(state)])
+}
+
+/// The greatest of them, °.
+fn greatest_tilt(rows: &[(f64, State)]) -> f64 {
+    tilts(rows).map(|[_, tilt]| tilt).fold(0.0, f64::max)
 }
 
 parameters! {

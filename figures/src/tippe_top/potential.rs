@@ -6,7 +6,7 @@ use spinning_bodies::Result;
 use spinning_bodies::tippe_top::{Inversion, TippeTop};
 
 use super::{ALPHA, G_TIPPE, GAMMA, SPIN, TILTS, tippe};
-use crate::plot::{Axis, Frame, apart, marks};
+use crate::plot::{Frame, apart, marks};
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -36,10 +36,11 @@ fn frame(top: &TippeTop) -> Frame {
         .map(|tilt| height(top, SPINS[0], tilt))
         .fold(0.0, f64::max);
     let room = 0.06 * (high - low);
-    Frame {
-        x: Axis::linear([0.0, 180.0], [58.0, 500.0]),
-        y: Axis::linear([low - room, high + room], [352.0, 36.0]),
-    }
+    Frame::linear(
+        [0.0, 180.0],
+        [low - room, high + room],
+        [58.0, 500.0, 352.0, 36.0],
+    )
 }
 
 /// Where the heavy curve ends.
@@ -90,22 +91,15 @@ pub fn effective(values: &Values) -> Result<Figure> {
         None => "the head is never reached".to_owned(),
     };
     let listed: Vec<String> = ends.iter().map(|&tilt| degrees(tilt)).collect();
-    let words = Words {
-        claim,
-        details: format!(
-            "Effective potential $V(\\theta)$ of a tippe top with $\\alpha = {}$, $I_1/I_3 = {}$, less $V(0)$, over $MgR$, for {} spins about the upright axis \
-             in rad/s, each with its Jellett integral; heavy: {chosen:.1}. Discs: the minima where a top ends, at {}. {lost}, {reached}.",
-            number(values.of(&ALPHA), 2),
-            number(values.of(&GAMMA), 3),
-            spins.len(),
-            listed.join(", "),
-        ),
-        alt: format!(
-            "Curves over the tilt from 0 to 180 degrees, all from the same point at 0; the faster the spin, the lower the curve. A disc marks the place where a top of each ends: \
-             from the slowest to the fastest at {}.",
-            listed.join(", ")
-        ),
-    };
+    let (alpha, gamma) = (number(values.of(&ALPHA), 2), number(values.of(&GAMMA), 3));
+    let (count, listed) = (spins.len(), listed.join(", "));
+    let words = words!(
+        "{claim}",
+        "Effective potential $V(\\theta)$ of a tippe top with $\\alpha = {alpha}$, $I_1/I_3 = {gamma}$, less $V(0)$, over $MgR$, for {count} spins about the upright axis \
+         in rad/s, each with its Jellett integral; heavy: {chosen:.1}. Discs: the minima where a top ends, at {listed}. {lost}, {reached}.",
+        "Curves over the tilt from 0 to 180 degrees, all from the same point at 0; the faster the spin, the lower the curve. A disc marks the place where a top of each ends: \
+         from the slowest to the fastest at {listed}."
+    );
     let made = figure("tippe-potential", 400.0, words, |pen| {
         let frame = frame(&top);
         let names = ["tilt *θ*", "(*V* − *V* (0))/*MgR*"];
@@ -117,22 +111,22 @@ pub fn effective(values: &Values) -> Result<Figure> {
         let labels = apart(&right, 18.0, 352.0);
         for (k, &spin) in spins.iter().enumerate() {
             let (width, role) = match spin == chosen {
-                true => (1.5 * DATA, Role::Ink),
-                false => (SECONDARY, Role::Muted),
+                true => (1.5 * DATA, Ink),
+                false => (SECONDARY, Muted),
             };
             let curve = (0..=180).map(f64::from);
-            let curve = curve.map(|tilt| (tilt, height(&top, spin, tilt.to_radians())));
+            let curve = curve.map(|tilt| [tilt, height(&top, spin, tilt.to_radians())]);
             frame.curve(pen, curve, stroke(role, width));
             let at = frame.at(ends[k].to_degrees(), height(&top, spin, ends[k]));
-            pen.disc(at, 5.0, Role::Ink, 1.0);
+            pen.dot(at, 5.0);
             let text = format!("{spin:.0} rad/s");
-            pen.text([512.0, labels[k] + 5.0], Anchor::Start, &text, small(role));
+            pen.text([512.0, labels[k] + 5.0], Start, &text, small(role));
         }
     });
-    let columns = ["tilt (°)", "(V − V(0))/MgR"];
+    let columns = "tilt (°) | (V − V(0))/MgR";
     Ok(spins.iter().fold(made, |made, &spin| {
         let rows = (0..=180).map(f64::from);
-        let rows = rows.map(|tilt| vec![tilt, height(&top, spin, tilt.to_radians())]);
-        made.data(format!("{spin} rad/s"), &columns, rows)
+        let rows = rows.map(|tilt| [tilt, height(&top, spin, tilt.to_radians())]);
+        made.data(format!("{spin} rad/s"), columns, rows)
     }))
 }

@@ -1,10 +1,10 @@
 //! The rattleback's two reversals.
 
-use spinning_bodies::scene::contact::passage;
+use spinning_bodies::scene::contact::{State, passage};
 use spinning_bodies::{Error, Result};
 
 use super::{Rows, SPIN, run, stone_scene};
-use crate::plot::{Axis, Frame};
+use crate::plot::Frame;
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -33,6 +33,11 @@ fn followed(spin: f64, tilt: f64) -> Result<(Rows, bool)> {
             rows => return Ok((rows?, leaves)),
         }
     }
+}
+
+/// Times and spins.
+fn spins(rows: &[(f64, State)]) -> impl Iterator<Item = Point> {
+    rows.iter().map(|(time, state)| [*time, state.spin()])
 }
 
 /// It turns back from one sense quickly, from the other slowly.
@@ -78,54 +83,39 @@ pub fn reversals(values: &Values) -> Result<Figure> {
         .chain(&slow)
         .map(|(_, s)| s.spin().abs())
         .fold(spin, f64::max);
-    let words = Words {
-        claim,
-        details: format!(
-            "Spin about the vertical of Kane and Levinson's stone in pure rolling without any loss, released at ±{} rad/s {}° off level. First reversals \
-             {} and {}.",
-            number(spin, 1),
-            number(tilt, 1),
-            told[0],
-            told[1],
-        ),
-        alt: format!(
-            "Spin against time up to {END} seconds. The black curve starts at minus {} radians a second, trembles and crosses zero {}. The grey one starts at plus {} and crosses zero \
-             {}.",
-            number(spin, 1),
-            told[0],
-            number(spin, 1),
-            told[1]
-        ),
-    };
+    let [spun, askew] = numbers([spin, tilt], 1);
+    let [wrong, right] = &told;
+    let words = words!(
+        "{claim}",
+        "Spin about the vertical of Kane and Levinson's stone in pure rolling without any loss, released at ±{spun} rad/s {askew}° off level. First reversals \
+         {wrong} and {right}.",
+        "Spin against time up to {END} seconds. The black curve starts at minus {spun} radians a second, trembles and crosses zero {wrong}. The grey one starts at plus {spun} and crosses zero \
+         {right}."
+    );
     let made = figure("rattleback", 372.0, words, |pen| {
-        let frame = Frame {
-            x: Axis::linear([0.0, END], [58.0, 572.0]),
-            y: Axis::linear([-1.3 * greatest, 1.3 * greatest], [322.0, 34.0]),
-        };
+        let frame = Frame::linear(
+            [0.0, END],
+            [-1.3 * greatest, 1.3 * greatest],
+            [58.0, 572.0, 322.0, 34.0],
+        );
         frame.draw_round(pen, ["time, s", "spin, rad/s"]);
-        pen.line(&[frame.at(0.0, 0.0), frame.at(END, 0.0)], inked(AXIS));
-        for (rows, role) in [(&slow, Role::Muted), (&quick, Role::Ink)] {
-            let curve = rows.iter().map(|(t, s)| (*t, s.spin()));
-            frame.curve(pen, curve, stroke(role, DATA * 0.8));
+        pen.line([frame.at(0.0, 0.0), frame.at(END, 0.0)], inked(AXIS));
+        for (rows, role) in [(&slow, Muted), (&quick, Ink)] {
+            frame.curve(pen, spins(rows), stroke(role, DATA * 0.8));
         }
         let least = 1.22 * greatest;
         for (at, text, role) in [
-            (-least, "the wrong way", Role::Ink),
-            (least, "the right way", Role::Muted),
+            (-least, "the wrong way", Ink),
+            (least, "the right way", Muted),
         ] {
             let [x, y] = frame.at(0.6, at);
-            pen.text([x, y + 5.0], Anchor::Start, text, label(role));
+            pen.text([x, y + 5.0], Start, text, label(role));
         }
     });
-    let columns = ["time (s)", "spin (rad/s)"];
-    let rows = |run: &Rows| {
-        run.iter()
-            .map(|(t, s)| vec![*t, s.spin()])
-            .collect::<Vec<_>>()
-    };
+    let columns = "time (s) | spin (rad/s)";
     Ok(made
-        .data("the wrong way", &columns, rows(&quick))
-        .data("the right way", &columns, rows(&slow))
+        .data("the wrong way", columns, spins(&quick))
+        .data("the right way", columns, spins(&slow))
         .value("wrong", number(back[0].unwrap_or(0.0), 2))
         .value("right", number(back[1].unwrap_or(0.0), 2)))
 }

@@ -62,28 +62,20 @@ pub fn two_pairs_of_axes(values: &Values) -> Result<Figure> {
         _ if angle == 0.0 => "With its axes of inertia in line with those of its belly, rattling grows in neither sense of spin.".to_owned(),
         _ => format!("At this spin rattling grows in neither sense, though the stone's axes stand {out}° out of line."),
     };
-    let words = Words {
-        claim,
-        details: format!(
-            "Kane and Levinson's stone from above, half axes 20 and 3 cm, to scale. Dashed: the axes of the belly; solid: the principal axes of inertia, from moments of 2 and 16 cm² and a \
-             product of ${}$ cm² a unit mass; in the lens the tip, {} times as large. Steady spin of {} rad/s in pure rolling: clockwise rattling {}, anticlockwise it {}.",
-            short(product, 2).replace('\u{2212}', "-"),
-            LENS.2,
-            short(spin, 2),
-            told[0],
-            told[1],
-        ),
-        alt: format!(
-            "The outline of a long stone from above with two crosses of axes through its middle, one dashed along the outline and one solid, turned by {out} degrees. A lens enlarges the tip, \
-             where the dashed axis meets the outline and the solid one {}. Two bent arrows tell what each sense of spin does: clockwise rattling {}, anticlockwise it {}.",
-            match angle == 0.0 {
-                true => "lies on it",
-                false => "passes beside it",
-            },
-            told[0],
-            told[1]
-        ),
+    let off = short(product, 2).replace('\u{2212}', "-");
+    let (times, spun) = (LENS.2, short(spin, 2));
+    let [clockwise, other] = &told;
+    let passes = match angle == 0.0 {
+        true => "lies on it",
+        false => "passes beside it",
     };
+    let words = words!(
+        "{claim}",
+        "Kane and Levinson's stone from above, half axes 20 and 3 cm, to scale. Dashed: the axes of the belly; solid: the principal axes of inertia, from moments of 2 and 16 cm² and a \
+         product of ${off}$ cm² a unit mass; in the lens the tip, {times} times as large. Steady spin of {spun} rad/s in pure rolling: clockwise rattling {clockwise}, anticlockwise it {other}.",
+        "The outline of a long stone from above with two crosses of axes through its middle, one dashed along the outline and one solid, turned by {out} degrees. A lens enlarges the tip, \
+         where the dashed axis meets the outline and the solid one {passes}. Two bent arrows tell what each sense of spin does: clockwise rattling {clockwise}, anticlockwise it {other}."
+    );
     let made = figure("rattleback-stone", 322.0, words, |pen| {
         let belly = inked(SECONDARY).dashed();
         let inertia = inked(DATA);
@@ -95,12 +87,12 @@ pub fn two_pairs_of_axes(values: &Values) -> Result<Figure> {
             .iter()
             .map(|p| [MIDDLE[0] + p[0], MIDDLE[1] - p[1]])
             .collect();
-        pen.fill(&placed, Role::Ink, 0.08);
+        pen.fill(&placed, Ink, 0.08);
         pen.outline(&placed, inked(SECONDARY));
         let cross = |pen: &mut Pen, turned: f64, style: Stroke| {
             for (turned, half) in [(turned, 284.0), (turned + FRAC_PI_2, 70.0)] {
                 pen.line(
-                    &[
+                    [
                         polar(MIDDLE, half, turned + PI),
                         polar(MIDDLE, half, turned),
                     ],
@@ -110,7 +102,7 @@ pub fn two_pairs_of_axes(values: &Values) -> Result<Figure> {
         };
         cross(pen, 0.0, belly);
         cross(pen, angle, inertia);
-        pen.disc(MIDDLE, 3.5, Role::Ink, 1.0);
+        pen.dot(MIDDLE, 3.5);
         lens(pen, &outline, angle, [belly, inertia]);
         for (k, (way, text)) in [("clockwise", &told[0]), ("anticlockwise", &told[1])]
             .into_iter()
@@ -119,18 +111,14 @@ pub fn two_pairs_of_axes(values: &Values) -> Result<Figure> {
             let center = [54.0, 204.0 + 74.0 * k as f64];
             let (from, to) = [(2.6, 0.5), (0.5, 2.6)][k];
             pen.arc_arrow([center[0], center[1] + 6.0], 24.0, from, to, inked(DATA));
-            pen.label([center[0] + 44.0, center[1] - 4.0], Anchor::Start, way);
+            pen.label([center[0] + 44.0, center[1] - 4.0], Start, way);
             let text = format!("rattling {text}");
-            pen.note([center[0] + 44.0, center[1] + 18.0], Anchor::Start, &text);
+            pen.note([center[0] + 44.0, center[1] + 18.0], Start, &text);
         }
     });
-    let columns = [
-        "angle (°)",
-        "growth clockwise (1/s)",
-        "growth anticlockwise (1/s)",
-    ];
-    let row = vec![angle.to_degrees(), rates[0], rates[1]];
-    Ok(made.data("stone", &columns, [row]).value("angle", out))
+    let columns = "angle (°) | growth clockwise (1/s) | growth anticlockwise (1/s)";
+    let row = [angle.to_degrees(), rates[0], rates[1]];
+    Ok(made.data("stone", columns, [row]).value("angle", out))
 }
 
 /// The tip enlarged, with both axes that leave it.
@@ -144,19 +132,19 @@ fn lens(pen: &mut Pen, outline: &[Point], angle: f64, [belly, inertia]: [Stroke;
             center[1] - times * p[1],
         ]
     };
-    let within = |p: &Point| (p[0] - center[0]).hypot(p[1] - center[1]) < radius - 1.0;
+    let within = |p: &Point| distance(*p, center) < radius - 1.0;
     let axis = |turned: f64| -> Vec<Point> {
         (-400..=400)
             .map(|k| tip + 0.05 * f64::from(k))
             .map(|x| [x, x * turned.tan()])
             .collect()
     };
-    pen.disc([MIDDLE[0] + tip, MIDDLE[1]], 3.5, Role::Ink, 1.0);
-    pen.ring(center, radius, stroke(Role::Muted, AXIS));
+    pen.dot([MIDDLE[0] + tip, MIDDLE[1]], 3.5);
+    pen.ring(center, radius, muted(AXIS));
     let to = [MIDDLE[0] + tip, MIDDLE[1] + 8.0];
     pen.line(
-        &[to, [to[0] - 4.0, center[1] - radius]],
-        stroke(Role::Muted, AXIS).dotted(),
+        [to, [to[0] - 4.0, center[1] - radius]],
+        muted(AXIS).dotted(),
     );
     let curves = [
         (outline.to_vec(), inked(SECONDARY)),

@@ -4,7 +4,7 @@ use spinning_bodies::Result;
 use spinning_bodies::scene::contact::State;
 
 use super::ball::{ball, table};
-use super::{BOTH_SPINS, chiral_scene, run};
+use super::{BOTH_SPINS, chiral_scene, degrees, run, tilts};
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -28,37 +28,32 @@ pub fn strobed(values: &Values) -> Result<Figure> {
     });
     let [over, stays] = rows;
     let rows = [over?, stays?];
-    let tilts = |k: usize| -> Vec<String> {
-        let tilts = rows[k].iter().map(|(_, s)| s.tilt().to_degrees());
-        tilts.map(|tilt| number(tilt, 0)).collect()
+    let told = |k: usize| -> Vec<String> {
+        let tilts = tilts(&rows[k]);
+        tilts.map(|[_, tilt]| number(tilt, 0)).collect()
     };
-    let words = Words {
-        claim: "Seven looks at one top: clockwise above, anticlockwise below.".to_owned(),
-        details: format!(
-            "The chiral top every {step:.2} s, released at {tilt:.0}° with {} rad/s, $\\mu = {mu:.2}$. The dark cap is on the light side of the ball, so it is on top of one that \
-             stands on its foot and at the bottom of one that has turned over. Under each ball its tilt.",
-            number(spin, 1),
-        ),
-        alt: format!(
-            "Two rows of seven balls with a dark cap, {step:.2} seconds apart. In the upper row the cap is tilted by {} degrees, in the lower row by {}.",
-            tilts(0).join(", "),
-            tilts(1).join(", ")
-        ),
-    };
+    let spun = number(spin, 1);
+    let [above, below] = [0, 1].map(|k| told(k).join(", "));
+    let words = words!(
+        "Seven looks at one top: clockwise above, anticlockwise below.",
+        "The chiral top every {step:.2} s, released at {tilt:.0}° with {spun} rad/s, $\\mu = {mu:.2}$. The dark cap is on the light side of the ball, so it is on top of one that \
+         stands on its foot and at the bottom of one that has turned over. Under each ball its tilt.",
+        "Two rows of seven balls with a dark cap, {step:.2} seconds apart. In the upper row the cap is tilted by {above} degrees, in the lower row by {below}."
+    );
     let made = figure("chiral-strobe", 300.0, words, |pen| {
         row(pen, &rows[0], 106.0, "clockwise");
         row(pen, &rows[1], 240.0, "anticlockwise");
     });
-    let columns = ["time (s)", "tilt (°)"];
-    let table = |k: usize| rows[k].iter().map(|(t, s)| vec![*t, s.tilt().to_degrees()]);
+    let columns = "time (s) | tilt (°)";
+    let table = |k: usize| tilts(&rows[k]);
     Ok(made
-        .data("clockwise", &columns, table(0))
-        .data("anticlockwise", &columns, table(1)))
+        .data("clockwise", columns, table(0))
+        .data("anticlockwise", columns, table(1)))
 }
 
 fn row(pen: &mut Pen, rows: &[(f64, State)], floor: f64, name: &str) {
     table(pen, 8.0, 592.0, floor);
-    pen.label([10.0, floor - 2.0 * RADIUS - 14.0], Anchor::Start, name);
+    pen.label([10.0, floor - 2.0 * RADIUS - 14.0], Start, name);
     let x = 116.0;
     let y = floor - 2.0 * RADIUS - 19.0;
     let arrow = inked(DATA);
@@ -72,11 +67,11 @@ fn row(pen: &mut Pen, rows: &[(f64, State)], floor: f64, name: &str) {
     for (k, (time, state)) in rows.iter().enumerate() {
         let center = [50.0 + 83.3 * k as f64, floor - RADIUS];
         ball(pen, &state.attitude, center, RADIUS, 0.6);
-        let text = format!("{}°", number(state.tilt().to_degrees(), 0));
-        pen.note([center[0], floor + 20.0], Anchor::Middle, &text);
+        let text = format!("{}°", number(degrees(state), 0));
+        pen.note([center[0], floor + 20.0], Middle, &text);
         if floor > 200.0 {
             let text = format!("{} s", number(*time, if *time > 0.0 { 2 } else { 0 }));
-            pen.remark([center[0], floor + 42.0], Anchor::Middle, &text);
+            pen.remark([center[0], floor + 42.0], Middle, &text);
         }
     }
 }

@@ -5,8 +5,8 @@ use core::f64::consts::{PI, TAU};
 use spinning_bodies::Result;
 use spinning_bodies::scene::contact::passage;
 
-use super::{ALPHA, FRICTION, TURNS, run, tilt_against_time, toy, toy_scene};
-use crate::plot::{Axis, Frame};
+use super::{ALPHA, FRICTION, TURNS, degrees, run, tilt_against_time, tilts, toy, toy_scene};
+use crate::plot::Frame;
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -41,7 +41,7 @@ pub fn tip_over(values: &Values) -> Result<Figure> {
     ];
     // Between 30° and 150°, if it gets there.
     let mean = |k: usize| -> Option<f64> {
-        let at = |level: f64| passage(&runs[k], |s| s.tilt().to_degrees(), level);
+        let at = |level: f64| passage(&runs[k], degrees, level);
         Some(120.0 / (at(150.0)? - at(30.0)?))
     };
     let means = [mean(0), mean(1)];
@@ -67,93 +67,76 @@ pub fn tip_over(values: &Values) -> Result<Figure> {
         Some(mean) => format!("{}°", number(mean, 1)),
         None => "too few degrees to tell".to_owned(),
     });
-    let words = Words {
-        claim,
-        details: format!(
-            "Tilt of the tutorial's toy, a ball with $R = 2$ cm, $I = \\frac25MR^2$, {} turns a second, $\\mu = {mu:.3}$, released at {START} rad. \
-             Dashed: the estimate, {}° a second. Between 30° and 150° the full motion makes {} a second for \
-             $\\alpha = {}$ and {} for $\\alpha = {}$. Dotted: the rate that Jellett's integral gives for $\\alpha = {}$.",
-            number(values.of(&TURNS), 0),
-            number(rate.to_degrees(), 2),
-            told[0],
-            named[0],
-            told[1],
-            named[1],
-            named[1],
-        ),
-        alt: format!(
-            "Tilt in degrees against time in seconds. A dashed straight line rises from near zero to 180 degrees at {} seconds. A grey curve, for the lighter clay, starts \
-             late, and a black one, for the heavier clay, climbs beside it; after {end:.2} seconds they stand at {} and {} degrees. \
-             A dotted curve is the refined estimate for the heavier clay.",
-            number((PI - START) / rate, 1),
-            number(runs[0][250].1.tilt().to_degrees(), 0),
-            number(runs[1][250].1.tilt().to_degrees(), 0),
-        ),
-    };
+    let (turns, slope) = (number(values.of(&TURNS), 0), number(rate.to_degrees(), 2));
+    let ([slow, fast], [light, heavy]) = (&told, &named);
+    let reached = number((PI - START) / rate, 1);
+    let [low, high] = [0, 1].map(|k: usize| number(degrees(&runs[k][250].1), 0));
+    let words = words!(
+        "{claim}",
+        "Tilt of the tutorial's toy, a ball with $R = 2$ cm, $I = \\frac25MR^2$, {turns} turns a second, $\\mu = {mu:.3}$, released at {START} rad. \
+         Dashed: the estimate, {slope}° a second. Between 30° and 150° the full motion makes {slow} a second for \
+         $\\alpha = {light}$ and {fast} for $\\alpha = {heavy}$. Dotted: the rate that Jellett's integral gives for $\\alpha = {heavy}$.",
+        "Tilt in degrees against time in seconds. A dashed straight line rises from near zero to 180 degrees at {reached} seconds. A grey curve, for the lighter clay, starts \
+         late, and a black one, for the heavier clay, climbs beside it; after {end:.2} seconds they stand at {low} and {high} degrees. \
+         A dotted curve is the refined estimate for the heavier clay."
+    );
     let made = figure("tip-over", 404.0, words, |pen| {
-        let frame = Frame {
-            x: Axis::linear([0.0, end], [58.0, 572.0]),
-            y: Axis::linear([0.0, 180.0], [352.0, 34.0]),
-        };
+        let frame = Frame::linear([0.0, end], [0.0, 180.0], [58.0, 572.0, 352.0, 34.0]);
         tilt_against_time(pen, &frame);
         let line = (0..=1).map(|k| {
             let t = f64::from(k) * (PI - START) / rate;
-            (t, (START + rate * t).to_degrees())
+            [t, (START + rate * t).to_degrees()]
         });
         frame.curve(pen, line, inked(SECONDARY).dashed());
         let refined = (0..=120).map(|k| {
             let tilt = START + (PI - START) * f64::from(k) / 120.0;
-            (hoop.refined_time(spin, START, tilt), tilt.to_degrees())
+            [hoop.refined_time(spin, START, tilt), tilt.to_degrees()]
         });
         frame.curve(pen, refined, inked(SECONDARY).dotted());
-        for (rows, role) in runs.iter().zip([Role::Muted, Role::Ink]) {
-            let curve = rows.iter().map(|(t, s)| (*t, s.tilt().to_degrees()));
-            frame.curve(pen, curve, stroke(role, DATA));
+        for (rows, role) in runs.iter().zip([Muted, Ink]) {
+            frame.curve(pen, tilts(rows), stroke(role, DATA));
         }
         // Each name in a free corner, and a hair to its curve.
         let on = |k: usize, level: f64| {
-            let row = runs[k].iter().find(|(_, s)| s.tilt().to_degrees() >= level);
+            let row = runs[k].iter().find(|(_, s)| degrees(s) >= level);
             let (t, s) = row.unwrap_or(&runs[k][250]);
-            frame.at(*t, s.tilt().to_degrees())
+            frame.at(*t, degrees(s))
         };
         let estimate = frame.at(56_f64.to_radians() / rate, 56.0 + START.to_degrees());
         for (place, anchor, on, text, lettering) in [
             (
                 frame.at(0.42 * end, 158.0),
-                Anchor::End,
+                End,
                 on(1, 140.0),
                 format!("*α* = {}", named[1]),
-                label(Role::Ink),
+                label(Ink),
             ),
             (
                 frame.at(0.76 * end, 66.0),
-                Anchor::Start,
+                Start,
                 on(0, 100.0),
                 format!("*α* = {}", named[0]),
-                label(Role::Muted),
+                label(Muted),
             ),
             (
                 frame.at(0.58 * end, 26.0),
-                Anchor::Start,
+                Start,
                 estimate,
                 "the estimate, *RμMg*/*IΩ*".to_owned(),
-                small(Role::Ink),
+                small(Ink),
             ),
         ] {
-            let side = if anchor == Anchor::End { 6.0 } else { -6.0 };
+            let side = if anchor == End { 6.0 } else { -6.0 };
             let from = [place[0] + side, place[1] - 5.0];
-            pen.line(
-                &[from, between(on, from, 0.04)],
-                stroke(Role::Muted, crate::style::HAIR),
-            );
+            pen.line([from, between(on, from, 0.04)], muted(crate::style::HAIR));
             pen.text(place, anchor, &text, lettering);
         }
     });
-    let columns = ["time (s)", "tilt (°)"];
-    let rows = |k: usize| runs[k].iter().map(|(t, s)| vec![*t, s.tilt().to_degrees()]);
+    let columns = "time (s) | tilt (°)";
+    let rows = |k: usize| tilts(&runs[k]);
     let made = made
-        .data(format!("alpha = {}", alphas[0]), &columns, rows(0))
-        .data(format!("alpha = {}", alphas[1]), &columns, rows(1));
+        .data(format!("alpha = {}", alphas[0]), columns, rows(0))
+        .data(format!("alpha = {}", alphas[1]), columns, rows(1));
     Ok(made
         .value("estimate", number(rate.to_degrees(), 2))
         .value("light", number(means[0].unwrap_or(0.0), 1))

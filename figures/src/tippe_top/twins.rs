@@ -6,7 +6,7 @@ use spinning_bodies::tippe_top::bodies;
 
 use super::ball::{ball, table};
 use super::beads::{inside, view};
-use super::{BOTH_SPINS, body_scene, run};
+use super::{BOTH_SPINS, body_scene, degrees, greatest_tilt, run, tilts};
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
@@ -35,11 +35,8 @@ pub fn twins(values: &Values) -> Result<Figure> {
     });
     let [first, second] = runs;
     let runs = [first?, second?];
-    let side = [0, 1].map(|k| passage(&runs[k], |s| s.tilt().to_degrees(), 90.0));
-    let most = [0, 1].map(|k| {
-        let tilts = runs[k].iter().map(|r| r.1.tilt().to_degrees());
-        tilts.fold(0.0, f64::max)
-    });
+    let side = [0, 1].map(|k| passage(&runs[k], degrees, 90.0));
+    let most = [0, 1].map(|k| greatest_tilt(&runs[k]));
     let claim = match side.map(|time| time.is_some()) {
         [true, false] => {
             "Spun the same way, the top goes over on its head, and its mirror image does not."
@@ -56,53 +53,43 @@ pub fn twins(values: &Values) -> Result<Figure> {
         Some(time) => format!("is on its side after {time:.2} s"),
         None => format!("stays below {}°", number(most[k], 1)),
     });
-    let words = Words {
-        claim: claim.to_owned(),
-        details: format!(
-            "Above: the three rods in the chiral top and in its image in a mirror between them. Below: both, spun clockwise at {} rad/s and {tilt:.0}° from the vertical, $\\mu = {mu:.2}$, every {} s. \
-             The top {}, its image {}.",
-            number(spin, 1),
-            number(END / (PICTURES - 1) as f64, 0),
-            told[0],
-            told[1],
-        ),
-        alt: format!(
-            "Left and right of a dotted line two transparent balls, each with three crossed rods that lean opposite ways. Below each a row of {PICTURES} balls with a dark cap, from release to {END} \
-             seconds later. The top on the left {}, its mirror image on the right {}.",
-            told[0], told[1]
-        ),
-    };
+    let (spun, every) = (number(spin, 1), number(END / (PICTURES - 1) as f64, 0));
+    let [own, image] = told;
+    let words = words!(
+        "{claim}",
+        "Above: the three rods in the chiral top and in its image in a mirror between them. Below: both, spun clockwise at {spun} rad/s and {tilt:.0}° from the vertical, $\\mu = {mu:.2}$, every {every} s. \
+         The top {own}, its image {image}.",
+        "Left and right of a dotted line two transparent balls, each with three crossed rods that lean opposite ways. Below each a row of {PICTURES} balls with a dark cap, from release to {END} \
+         seconds later. The top on the left {own}, its mirror image on the right {image}."
+    );
     let made = figure("chiral-twins", 346.0, words, |pen| {
-        pen.line(
-            &[[300.0, 12.0], [300.0, 334.0]],
-            stroke(Role::Muted, AXIS).dotted(),
-        );
+        pen.line([[300.0, 12.0], [300.0, 334.0]], muted(AXIS).dotted());
         let names = ["the top", "its mirror image"];
         for k in [0, 1] {
             let middle = 152.0 + 296.0 * k as f64;
             view(pen, ([middle, 90.0], 78.0), [0.95, -0.95][k], &rods[k]);
-            pen.label([middle, 198.0], Anchor::Middle, names[k]);
+            pen.label([middle, 198.0], Middle, names[k]);
             let floor = 290.0;
             table(pen, middle - 136.0, middle + 136.0, floor);
             for picture in 0..PICTURES {
                 let (time, state) = &runs[k][picture * 600 / (PICTURES - 1)];
                 let x = middle + 68.0 * (picture as f64 - 1.5);
                 ball(pen, &state.attitude, [x, floor - RADIUS], RADIUS, 0.6);
-                let tilt = format!("{}°", number(state.tilt().to_degrees(), 0));
-                pen.note([x, floor + 20.0], Anchor::Middle, &tilt);
+                let tilt = format!("{}°", number(degrees(state), 0));
+                pen.note([x, floor + 20.0], Middle, &tilt);
                 let time = format!("{} s", number(*time, 0));
-                pen.remark([x, floor + 42.0], Anchor::Middle, &time);
+                pen.remark([x, floor + 42.0], Middle, &time);
             }
             // Clockwise, seen from above: the near side goes to the left.
             let [from, to] = [middle + 18.0, middle - 18.0].map(|x| [x, 212.0]);
             pen.arrow(from, to, inked(DATA));
         }
     });
-    let columns = ["time (s)", "tilt (°)"];
-    let rows = |k: usize| runs[k].iter().map(|(t, s)| vec![*t, s.tilt().to_degrees()]);
+    let columns = "time (s) | tilt (°)";
+    let rows = |k: usize| tilts(&runs[k]);
     Ok(made
-        .data("the top", &columns, rows(0))
-        .data("its mirror image", &columns, rows(1)))
+        .data("the top", columns, rows(0))
+        .data("its mirror image", columns, rows(1)))
 }
 
 #[cfg(test)]

@@ -81,21 +81,17 @@ pub fn animated() -> Result<Figure> {
         x,
         y: Axis::linear([0.0, 320.0], [370.0, 244.0]),
     };
-    let words = Words {
-        claim: "Thrown, it sleeps at the end of its string; a jerk makes the string grip, and it climbs on the spin it has left.".to_owned(),
-        details: format!(
-            "To scale: radius 29 mm, axle of {} mm, a string of {} cm with a loop at its end, thrown at {THROW} m/s, asleep for {ASLEEP} s under a friction of \
-             {} mN m; one second in {SLOWNESS}. Greatest spin {fastest:.0} rad/s. Rest the pointer on the picture to stop it.",
-            number(1e3 * AXLE, 0),
-            number(1e2 * LENGTH, 0),
-            number(1e3 * FRICTION, 1),
-        ),
-        alt: "On the left a yo-yo on its string, with a spoke that shows its spin. It runs down, spins in place at the end of the string, and climbs back to the \
-              hand on the other side of the string. On the right its depth and its spin against time, with a marker that moves along: the depth rises to a \
-              plateau, the sleep, and returns; the spin rises on the way down, declines slowly in the sleep, drops a little at the jerk, and declines on the way up, \
-              without ever changing its sense. Without motion: the yo-yo asleep."
-            .to_owned(),
-    };
+    let [axle, length] = numbers([1e3 * AXLE, 1e2 * LENGTH], 0);
+    let friction = number(1e3 * FRICTION, 1);
+    let words = words!(
+        "Thrown, it sleeps at the end of its string; a jerk makes the string grip, and it climbs on the spin it has left.",
+        "To scale: radius 29 mm, axle of {axle} mm, a string of {length} cm with a loop at its end, thrown at {THROW} m/s, asleep for {ASLEEP} s under a friction of \
+         {friction} mN m; one second in {SLOWNESS}. Greatest spin {fastest:.0} rad/s. Rest the pointer on the picture to stop it.",
+        "On the left a yo-yo on its string, with a spoke that shows its spin. It runs down, spins in place at the end of the string, and climbs back to the \
+         hand on the other side of the string. On the right its depth and its spin against time, with a marker that moves along: the depth rises to a \
+         plateau, the sleep, and returns; the spin rises on the way down, declines slowly in the sleep, drops a little at the jerk, and declines on the way up, \
+         without ever changing its sense. Without motion: the yo-yo asleep."
+    );
     let asleep: Vec<f64> = pictures
         .iter()
         .filter(|p| p.1.phase == Phase::Asleep)
@@ -113,20 +109,15 @@ pub fn animated() -> Result<Figure> {
         let line: Vec<Point> = pictures.iter().map(|p| depth.at(p.0, p.1.depth)).collect();
         pen.line(&line, inked(DATA));
         let line: Vec<Point> = pictures.iter().map(|p| spin.at(p.0, p.1.omega)).collect();
-        pen.line(&line, stroke(Role::Omega, DATA));
+        pen.line(&line, stroke(Omega, DATA));
         let middle = 0.5 * (asleep[0] + asleep[asleep.len() - 1]);
         let [x, y] = depth.at(middle, 0.36);
-        pen.remark([x, y - 10.0], Anchor::Middle, "asleep");
+        pen.remark([x, y - 10.0], Middle, "asleep");
         pen.line(
-            &[[HAND[0] - 56.0, HAND[1]], [HAND[0] - 36.0, HAND[1]]],
+            [[HAND[0] - 56.0, HAND[1]], [HAND[0] - 36.0, HAND[1]]],
             inked(AXIS),
         );
-        pen.text(
-            [HAND[0] - 60.0, HAND[1] + 5.0],
-            Anchor::End,
-            "hand",
-            label(Role::Muted),
-        );
+        pen.text([HAND[0] - 60.0, HAND[1] + 5.0], End, "hand", label(Muted));
     });
     let picture = pictures.len() / 2;
     Ok(still.moving(&moving(&pictures, duration, picture, [&depth, &spin])))

@@ -72,7 +72,7 @@ pub fn string(values: &Values) -> Result<Figure> {
     };
     let mut place: Vec<Point> = Vec::new();
     let mut tension: Vec<Point> = Vec::new();
-    let mut kept: Vec<Vec<f64>> = Vec::new();
+    let mut kept: Vec<[f64; 3]> = Vec::new();
     for (t, state) in &rows {
         let at = depth.at(*t, state.depth);
         if place.last().is_none_or(|p| at[0] - p[0] >= 1.0) {
@@ -82,35 +82,24 @@ pub fn string(values: &Values) -> Result<Figure> {
         let far = |p: &Point| at[0] - p[0] >= 1.0 || (at[1] - p[1]).abs() >= 0.5;
         if tension.last().is_none_or(far) {
             tension.push(at);
-            kept.push(vec![*t, state.depth, state.tension]);
+            kept.push([*t, state.depth, state.tension]);
         }
     }
     let milliseconds = 1e3 * turn.duration;
-    let words = Words {
-        claim: format!(
-            "On the way down and on the way up the string pulls a little less than the weight; in the turn, for {milliseconds:.0} milliseconds, as hard as {} yo-yos.",
-            number(turn.mean_tension / weight, 0),
-        ),
-        details: format!(
-            "A yo-yo of 55 g and radius 29 mm on {} m of string round an axle of {} mm, let go. Pull while it winds: ${falling:.3} mg$. First turn: {milliseconds:.1} ms, mean \
-             pull ${} mg$, peak ${peak:.1} mg$. Every turn leaves ${}$ of the spin.",
-            short(length, 2),
-            short(axle, 2),
-            number(turn.mean_tension / weight, 1),
-            short(left, 2),
-        ),
-        alt: format!(
-            "Two diagrams over {SHOWN} seconds. Above, the depth: arcs of parabolas that meet in sharp points at {} m, and rise {}. \
-             Below, the pull of the string: flat just under one weight, with a needle at each of the sharp points, the first {peak:.0} \
-             weights high.",
-            short(length, 2),
-            if left < 1.0 {
-                "less high every time"
-            } else {
-                "all the way up every time"
-            }
-        ),
+    let [weights, mean] = [0, 1].map(|digits| number(turn.mean_tension / weight, digits));
+    let [long, thick, leaves] = shorts([length, axle, left], 2);
+    let rise = match left < 1.0 {
+        true => "less high every time",
+        false => "all the way up every time",
     };
+    let words = words!(
+        "On the way down and on the way up the string pulls a little less than the weight; in the turn, for {milliseconds:.0} milliseconds, as hard as {weights} yo-yos.",
+        "A yo-yo of 55 g and radius 29 mm on {long} m of string round an axle of {thick} mm, let go. Pull while it winds: ${falling:.3} mg$. First turn: {milliseconds:.1} ms, mean \
+         pull ${mean} mg$, peak ${peak:.1} mg$. Every turn leaves ${leaves}$ of the spin.",
+        "Two diagrams over {SHOWN} seconds. Above, the depth: arcs of parabolas that meet in sharp points at {long} m, and rise {rise}. \
+         Below, the pull of the string: flat just under one weight, with a needle at each of the sharp points, the first {peak:.0} \
+         weights high."
+    );
     let first = way.duration()? + 0.5 * turn.duration;
     let made = figure("yo-yo-string", 420.0, words, |pen| {
         let seconds = marks(&[0.0, 3.0, 6.0, 9.0, 12.0], "");
@@ -122,9 +111,9 @@ pub fn string(values: &Values) -> Result<Figure> {
         pen.line(&tension, inked(DATA));
         let [px, py] = pull.at(first, peak);
         let text = format!("the turn: {milliseconds:.0} ms");
-        pen.label([px - 4.0, py - 8.0], Anchor::Start, &text);
+        pen.label([px - 4.0, py - 8.0], Start, &text);
     });
-    Ok(made.data("yo-yo", &["time (s)", "depth (m)", "pull (N)"], kept))
+    Ok(made.data("yo-yo", "time (s) | depth (m) | pull (N)", kept))
 }
 
 /// Speed against depth for a thin and a thick string.
@@ -139,10 +128,11 @@ pub fn speed(values: &Values) -> Result<Figure> {
         .max_by(|&a, &b| thick.speed(a).total_cmp(&thick.speed(b)))
         .unwrap_or(0.0);
     let peak = thick.speed(fastest);
-    let frame = Frame {
-        x: Axis::linear([0.0, length], [66.0, 570.0]),
-        y: Axis::linear([0.0, 1.12 * peak.max(thin.speed(length))], [296.0, 40.0]),
-    };
+    let frame = Frame::linear(
+        [0.0, length],
+        [0.0, 1.12 * peak.max(thin.speed(length))],
+        [66.0, 570.0, 296.0, 40.0],
+    );
     let curve =
         |way: &Unwinding| -> Vec<Point> { depths().map(|x| frame.at(x, way.speed(x))).collect() };
     let curves = [curve(&thin), curve(&thick)];
@@ -151,37 +141,27 @@ pub fn speed(values: &Values) -> Result<Figure> {
         share if share < 1.0 => "On a thick string the yo-yo is fastest shortly before the end.",
         _ => "This string is too thin: the yo-yo is fastest at its end, as on any thin string.",
     };
-    let words = Words {
-        claim: claim.to_owned(),
-        details: format!(
-            "Speed on the way down. Thin string: axle of {} mm, {} m/s and {} rad/s after {} m, in {} s. Thick string, wound up to {} mm on an axle of {} mm: \
-             fastest with {peak:.4} m/s at {fastest:.3} m, {} m/s at the end with {} rad/s, in {} s.",
-            short(values.of(&AXLE), 2),
-            number(thin.speed(length), 4),
-            number(thin.omega(length), 0),
-            short(length, 2),
-            number(thin.duration()?, 4),
-            short(values.of(&WOUND), 2),
-            short(values.of(&CORE), 2),
-            number(thick.speed(length), 3),
-            number(thick.omega(length), 0),
-            number(thick.duration()?, 4),
-        ),
-        alt: format!(
-            "Speed against depth. The curve of the thin string is a parabola on its side that rises to the end. The curve of the thick string \
-             starts steeper, and is highest at {fastest:.2} m{}.",
-            match fastest < length {
-                true => "; then it falls off: near the end nearly all the energy is in the spin",
-                false => ", its end",
-            }
-        ),
+    let [axle, wound, core] = [AXLE, WOUND, CORE].map(|one| short(values.of(&one), 2));
+    let (long, last) = (short(length, 2), number(thick.speed(length), 3));
+    let [spin, whirl] = numbers([&thin, &thick].map(|way| way.omega(length)), 0);
+    let [end, after, later] = numbers([thin.speed(length), thin.duration()?, thick.duration()?], 4);
+    let off = match fastest < length {
+        true => "; then it falls off: near the end nearly all the energy is in the spin",
+        false => ", its end",
     };
+    let words = words!(
+        "{claim}",
+        "Speed on the way down. Thin string: axle of {axle} mm, {end} m/s and {spin} rad/s after {long} m, in {after} s. Thick string, wound up to {wound} mm on an axle of {core} mm: \
+         fastest with {peak:.4} m/s at {fastest:.3} m, {last} m/s at the end with {whirl} rad/s, in {later} s.",
+        "Speed against depth. The curve of the thin string is a parabola on its side that rises to the end. The curve of the thick string \
+         starts steeper, and is highest at {fastest:.2} m{off}."
+    );
     let made = figure("yo-yo-speed", 344.0, words, |pen| {
         frame.draw_round(pen, ["depth, m", "speed, m/s"]);
         pen.line(&curves[0], inked(SECONDARY).dashed());
         pen.line(&curves[1], inked(DATA));
         let top = frame.at(fastest, peak);
-        pen.disc(top, 4.0, Role::Ink, 1.0);
+        pen.dot(top, 4.0);
         let mut beside = |curve: &[Point], text: &str, lettering, half: f64| {
             let places = curve.iter().skip(60).step_by(4).flat_map(|p| {
                 [[half + 8.0, 16.0], [-half - 8.0, -16.0], [0.0, -18.0]]
@@ -192,17 +172,15 @@ pub fn speed(values: &Values) -> Result<Figure> {
             });
             pen.name(inside, text, lettering);
         };
-        beside(&[top; 61], "fastest", small(Role::Ink), 24.0);
-        beside(&curves[1], "thick string", label(Role::Ink), 45.0);
-        beside(&curves[0], "thin string", label(Role::Ink), 42.0);
+        beside(&[top; 61], "fastest", small(Ink), 24.0);
+        beside(&curves[1], "thick string", label(Ink), 45.0);
+        beside(&curves[0], "thin string", label(Ink), 42.0);
     });
-    let columns = ["depth (m)", "speed (m/s)", "angular velocity (rad/s)"];
-    let rows = |way: &Unwinding| -> Vec<Vec<f64>> {
-        depths()
-            .map(|x| vec![x, way.speed(x), way.omega(x)])
-            .collect()
+    let columns = "depth (m) | speed (m/s) | angular velocity (rad/s)";
+    let rows = |way: &Unwinding| -> Vec<[f64; 3]> {
+        depths().map(|x| [x, way.speed(x), way.omega(x)]).collect()
     };
     Ok(made
-        .data("thin string", &columns, rows(&thin))
-        .data("thick string", &columns, rows(&thick)))
+        .data("thin string", columns, rows(&thin))
+        .data("thick string", columns, rows(&thick)))
 }

@@ -32,26 +32,17 @@ pub fn turn(values: &Values) -> Result<Figure> {
     let peak = pictures[2].1.tension;
     let told = pictures.iter().map(|(_, s)| number(s.tension / weight, 1));
     let pulls: Vec<String> = told.collect();
-    let words = Words {
-        claim: format!(
-            "In {} milliseconds the centre swings half round the end of the thread: the velocity is reversed, the sense of the spin is not.",
-            number(1e3 * turn.duration, 1)
-        ),
-        details: format!(
-            "A yo-yo of 55 g and radius 29 mm on {} m of string round an axle of {} mm, to scale, at five equal steps of its turn. Arrows: the velocity of the centre; bars: the pull of the string, \
-             {} times the weight. The spin is {} rad/s at both ends and {} at the bottom.",
-            short(length, 2),
-            short(1e3 * axle, 2),
-            pulls.join(", "),
-            number(turn.omega, 1),
-            number(turn.fastest, 1),
-        ),
-        alt: format!(
-            "Five pictures of a disc on a thread. In the first the axle hangs on the right of the thread and moves down, in the third it is below the end of the thread and moves to the left, in the \
-             last it is on the left and moves up. A blue arrow shows the spin, clockwise in all five. The bar of the pull is short, longer, longest at {} weights, and shorter again.",
-            number(peak / weight, 1)
-        ),
-    };
+    let ends = [1e3 * turn.duration, turn.omega, turn.fastest, peak / weight];
+    let [lasts, spun, fastest, most] = numbers(ends, 1);
+    let [long, thick] = shorts([length, 1e3 * axle], 2);
+    let listed = pulls.join(", ");
+    let words = words!(
+        "In {lasts} milliseconds the centre swings half round the end of the thread: the velocity is reversed, the sense of the spin is not.",
+        "A yo-yo of 55 g and radius 29 mm on {long} m of string round an axle of {thick} mm, to scale, at five equal steps of its turn. Arrows: the velocity of the centre; bars: the pull of the string, \
+         {listed} times the weight. The spin is {spun} rad/s at both ends and {fastest} at the bottom.",
+        "Five pictures of a disc on a thread. In the first the axle hangs on the right of the thread and moves down, in the third it is below the end of the thread and moves to the left, in the \
+         last it is on the left and moves up. A blue arrow shows the spin, clockwise in all five. The bar of the pull is short, longer, longest at {most} weights, and shorter again."
+    );
     let made = figure("yo-yo-turn", 276.0, words, |pen| {
         for (k, (time, state)) in pictures.iter().enumerate() {
             let (sin, cos) = state.angle.sin_cos();
@@ -59,13 +50,13 @@ pub fn turn(values: &Values) -> Result<Figure> {
             let arm = METRE * axle;
             let center = [end[0] + arm * cos, end[1] + arm * sin];
             let radius = METRE * 0.029;
-            pen.disc(center, radius, Role::Ink, 0.1);
+            pen.disc(center, radius, Ink, 0.1);
             pen.ring(center, radius, inked(SECONDARY));
             pen.ring(center, arm, inked(AXIS));
-            pen.line(&[[end[0], 12.0], end], inked(AXIS));
-            pen.disc(end, 3.0, Role::Ink, 1.0);
+            pen.line([[end[0], 12.0], end], inked(AXIS));
+            pen.dot(end, 3.0);
             let pull = LONGEST * state.tension / peak;
-            pen.line(&[end, [end[0], end[1] - pull]], inked(5.0));
+            pen.line([end, [end[0], end[1] - pull]], inked(5.0));
             // The centre goes round the end of the thread.
             let speed = 0.5 * LONGEST * state.omega / turn.fastest;
             let velocity = [center[0] - speed * sin, center[1] + speed * cos];
@@ -76,39 +67,28 @@ pub fn turn(values: &Values) -> Result<Figure> {
                 0.8 * radius,
                 around[0],
                 around[1],
-                stroke(Role::Omega, DATA),
+                stroke(Omega, DATA),
             );
             let row = |pen: &mut crate::style::Pen, y: f64, text: &str, role| {
                 let at: Point = [64.0 + 118.0 * k as f64, y];
-                pen.text(at, Anchor::Middle, text, small(role));
+                pen.text(at, Middle, text, small(role));
             };
-            row(
-                pen,
-                232.0,
-                &format!("{} ms", number(1e3 * time, 1)),
-                Role::Muted,
-            );
-            row(pen, 256.0, &format!("pull {} *Mg*", pulls[k]), Role::Ink);
+            row(pen, 232.0, &format!("{} ms", number(1e3 * time, 1)), Muted);
+            row(pen, 256.0, &format!("pull {} *Mg*", pulls[k]), Ink);
         }
         let first = [64.0 + METRE * axle, END];
         let name = polar(first, 0.8 * METRE * 0.029 + 18.0, 0.8);
-        pen.text(name, Anchor::Start, "*Ω*", label(Role::Omega));
+        pen.text(name, Start, "*Ω*", label(Omega));
     });
-    let columns = [
-        "time (s)",
-        "angle (rad)",
-        "depth (m)",
-        "velocity downward (m/s)",
-        "spin (rad/s)",
-        "pull (N)",
-    ];
+    let columns =
+        "time (s) | angle (rad) | depth (m) | velocity downward (m/s) | spin (rad/s) | pull (N)";
     let rows = (0..=200)
         .map(|k| {
             let (time, s) = at(f64::from(k) / 200.0)?;
-            Ok(vec![time, s.angle, s.depth, s.velocity, s.omega, s.tension])
+            Ok([time, s.angle, s.depth, s.velocity, s.omega, s.tension])
         })
         .collect::<Result<Vec<_>>>()?;
-    Ok(made.data("turn", &columns, rows))
+    Ok(made.data("turn", columns, rows))
 }
 
 #[cfg(test)]

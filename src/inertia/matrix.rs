@@ -137,26 +137,6 @@ impl InertiaMatrix {
         Self::checked(particle_term(mass, &position.components()))
     }
 
-    /// The inertia matrix from the matrix of second moments S = ∫x xᵀρ: I = tr(S)δ − S (2.7).
-    ///
-    /// # Errors
-    /// As [`from_matrix`](Self::from_matrix).
-    ///
-    /// ```
-    /// use spinning_bodies::inertia::InertiaMatrix;
-    /// use nalgebra::Matrix3;
-    /// let inertia = InertiaMatrix::from_second_moments(Matrix3::from_diagonal(&[1.0, 2.0, 3.0].into()))?;
-    /// assert_eq!(inertia, InertiaMatrix::diagonal(5.0, 4.0, 3.0)?);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn from_second_moments(second_moments: Matrix3<f64>) -> Result<Self> {
-        let [x, y, z] = [0, 1, 2].map(|i| second_moments[(i, i)]);
-        let mut matrix = -second_moments;
-        // Sums of two, not the trace less one: the latter would cancel for a needle.
-        (matrix[(0, 0)], matrix[(1, 1)], matrix[(2, 2)]) = (y + z, z + x, x + y);
-        Self::from_matrix(matrix)
-    }
-
     /// A matrix built by this module from parts that are inertia matrices: only overflow is left to refuse.
     pub(super) fn checked(matrix: Matrix3<f64>) -> Result<Self> {
         finite("the trace of the inertia matrix", matrix.trace())?;

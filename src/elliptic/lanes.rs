@@ -242,27 +242,16 @@ impl<const W: usize> Places<W> {
     /// Real and imaginary part of a theta function made for this modulus.
     #[inline(always)]
     pub(crate) fn theta(&self, i: usize, modulus: &Modulus, theta: &Theta) -> [f64; 2] {
-        let (sine, cosine, z) = (self.sine[i], self.cosine[i], self.z[i]);
         match modulus.side {
             Side::Circular => {
+                let (sine, cosine) = (self.sine[i], self.cosine[i]);
                 let [real, imaginary] = &theta.even;
                 let square = sine * sine;
                 let aside = sine * cosine * polynomial(imaginary, square);
                 [polynomial(real, square), aside]
             }
             // Over e^x next to even multiples of K.
-            Side::Hyperbolic => {
-                let mask = (self.bits[i] & 1).wrapping_neg();
-                let [real, imaginary] = theta.chosen(mask);
-                // 4√q′ sinh cosh.
-                let root = modulus.series.root * self.growth[i];
-                let product = root * (root * sine) * cosine;
-                let aside = select(mask, product, sine) * polynomial(&imaginary, z);
-                [
-                    select(mask, 1.0, cosine) * polynomial(&real, z),
-                    f64::from_bits(aside.to_bits() ^ self.sign[i]),
-                ]
-            }
+            Side::Hyperbolic => self.theta_with_slope(i, modulus, theta, false)[0],
         }
     }
 

@@ -36,30 +36,6 @@ struct Exponentials {
     decay: Dd,
 }
 
-impl Exponentials {
-    /// From sinh x and the nome q.
-    #[inline(always)]
-    fn new(which: Which, sinh: Dd, q: Dd) -> Self {
-        let growth = sinh.add_alike(sinh.hypotenuse_with_one());
-        let decay = Dd::from(1.0).quotient(growth);
-        let lesser = decay * decay;
-        // No more than 10³⁰¹ is e^{2x}: if q has underflowed, this is zero.
-        let other = q * growth * growth;
-        // For ξ in place of η they change roles.
-        let (rho, epsilon) = match which {
-            Which::Eta => (other, lesser),
-            Which::Xi => (lesser, other),
-        };
-        Self {
-            rho,
-            epsilon,
-            sinh,
-            growth,
-            decay,
-        }
-    }
-}
-
 impl<N: Number> Elevation<N> {
     /// From `rise` and `run` of both: the smaller of them, with the `slope` that belongs to it.
     #[inline(always)]
@@ -80,28 +56,35 @@ impl<N: Number> Elevation<N> {
     /// For m ≤ 1/2.
     #[inline]
     fn exponentials(&self, landen: &Landen<N>, m: N) -> Exponentials {
-        let sinh = if self.run.is_zero() {
-            Dd::from(1e150)
-        } else {
-            self.hyperbolic_sine(landen, m)
-        };
-        Exponentials::new(self.which, sinh, landen.nome)
-    }
-
-    /// sinh(πη/2K), or of ξ, for m ≤ 1/2.
-    #[inline(always)]
-    fn hyperbolic_sine(&self, landen: &Landen<N>, m: N) -> Dd {
-        // sc² and dc² = 1 + m sc².
-        let sc2 = self.rise.quotient(self.run);
-        let dc2 = Dd::from(1.0).add_alike((m * sc2).narrow());
-        let sc = sc2.square_root().narrow();
         // Beyond this e^{−2x} is nothing to anything it is added to, and what follows might overflow.
-        let sc = if sc.leading() > 1e150 {
-            Dd::from(1e150)
+        let most = Dd::from(1e150);
+        let sinh = if self.run.is_zero() {
+            most
         } else {
-            sc
+            // sc² and dc² = 1 + m sc².
+            let sc2 = self.rise.quotient(self.run);
+            let dc2 = Dd::from(1.0).add_alike((m * sc2).narrow());
+            let sc = sc2.square_root().narrow();
+            let sc = if sc.exceeds(most) { most } else { sc };
+            landen.sine(sc, dc2.square_root(), -1.0)
         };
-        landen.hyperbolic_sine(sc, dc2.square_root())
+        let growth = sinh.add_alike(sinh.hypotenuse_with_one());
+        let decay = Dd::from(1.0).quotient(growth);
+        let lesser = decay * decay;
+        // No more than 10³⁰¹ is e^{2x}: if q has underflowed, this is zero.
+        let other = landen.nome * growth * growth;
+        // For ξ in place of η they change roles.
+        let (rho, epsilon) = match self.which {
+            Which::Eta => (other, lesser),
+            Which::Xi => (lesser, other),
+        };
+        Exponentials {
+            rho,
+            epsilon,
+            sinh,
+            growth,
+            decay,
+        }
     }
 
     /// Sine and cosine of v = πη/2K′, for mc < 1/2.
@@ -110,7 +93,7 @@ impl<N: Number> Elevation<N> {
         let one = Dd::from(1.0);
         let sn2 = self.rise.quotient(self.slope).narrow();
         let dn2 = one - mc.narrow() * sn2;
-        let lesser = landen.sine(sn2.square_root(), dn2.square_root());
+        let lesser = landen.sine(sn2.square_root(), dn2.square_root(), 1.0);
         let greater = (one - lesser * lesser).square_root();
         match self.which {
             Which::Eta => (lesser, greater),

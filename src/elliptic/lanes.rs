@@ -239,22 +239,6 @@ impl<const W: usize> Places<W> {
         }
     }
 
-    /// Real and imaginary part of a theta function made for this modulus.
-    #[inline(always)]
-    pub(crate) fn theta(&self, i: usize, modulus: &Modulus, theta: &Theta) -> [f64; 2] {
-        match modulus.side {
-            Side::Circular => {
-                let (sine, cosine) = (self.sine[i], self.cosine[i]);
-                let [real, imaginary] = &theta.even;
-                let square = sine * sine;
-                let aside = sine * cosine * polynomial(imaginary, square);
-                [polynomial(real, square), aside]
-            }
-            // Over e^x next to even multiples of K.
-            Side::Hyperbolic => self.theta_with_slope(i, modulus, theta, false)[0],
-        }
-    }
-
     /// The same with its derivative by the angle, `shifted` by a quarter period or not, over e^x where the sum of both parities is even. On the circular side
     /// the theta function holds the polynomials of the derivative in place of those next to odd multiples.
     #[inline(always)]

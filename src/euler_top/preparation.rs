@@ -1,12 +1,14 @@
 //! From moments and a start to the regime and the constants of the motion, in 106 bits and without a cancellation (tutorial 6.3, 6.6).
 
 use super::evaluation::{Constants, Renumbering};
+use crate::elliptic::Side;
 use crate::elliptic::lanes::Course;
 use crate::elliptic::modulus::{Descent, Squares};
 use crate::elliptic::turning::{Elevation, Turning, Which};
 use crate::error::{Error, Result};
 use crate::precise::{
-    DoubleDouble, Extended, Number, exponent_of, power_of_two_below, shifted, sum_of_products,
+    DoubleDouble, Extended, Number, RIGHT_ANGLE, exponent_of, power_of_two_below, shifted,
+    sum_of_products,
 };
 
 /// What kind of motion a free top makes.
@@ -314,12 +316,16 @@ fn constants<N: Number>(
 
     let descent = Descent::new(m, mc);
     let aspect = c[0].root_of_quotient(c[1]);
-    // sc η = P₃/P₁ against sc ξ = √(c₁/c₃).
-    let elevation = Elevation::smaller([steady, wobble], [c[0], c[2]], |which| match which {
-        Which::Eta => c[1] * size_squared,
-        Which::Xi => c[1],
+    // sc η = √(c₁/c₃) against sc ξ = P₃/P₁.
+    let elevation = Elevation::smaller([c[0], c[2]], [steady, wobble], |which| match which {
+        Which::Eta => c[1],
+        Which::Xi => c[1] * size_squared,
     });
-    let turning = Turning::fourth(&descent, &elevation);
+    let turning = Turning::new(&descent, &elevation);
+    let lag = match descent.side() {
+        Side::Circular => DoubleDouble::from(0.0),
+        Side::Hyperbolic => RIGHT_ANGLE - turning.lag,
+    };
     let amplitudes = [
         wobble.root_of_quotient(c[1]),
         wobble.root_of_quotient(c[0]),
@@ -344,6 +350,7 @@ fn constants<N: Number>(
         amplitudes,
         aspect,
         turning,
-        turning_rate: (base - slope).narrow(),
+        lag,
+        turning_rate: (base + slope).narrow(),
     }
 }

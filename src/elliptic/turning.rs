@@ -30,7 +30,7 @@ struct Exponentials {
     rho: Dd,
     /// ε = e^{−2w}.
     epsilon: Dd,
-    /// sinh x, e^x and e^{−x} of the smaller argument x, w or πξ/2K. One of ρ and ε is e^{−2x}, and 1 less it 2 sinh x · e^{−x}.
+    /// sinh x and e^{−x} of the smaller argument x, w or πξ/2K. One of ρ and ε is e^{−2x}, and 1 less it 2 sinh x · e^{−x}.
     sinh: Dd,
     decay: Dd,
 }

@@ -11,7 +11,8 @@
 //!
 //! ψ = ν t + arg Z(u) − arg (P₁ cn u + i P₂ sn u),
 //!
-//! where Z is ϑ₄(z + iw) for m ≤ 1/2, z + iw = π(u + iη)/(2K), and ϑ₂(v − ix), v − ix = π(η − iu)/(2K′), beyond. The rate is
+//! where Z̄ is ϑ₁(z + iw)/i for m ≤ 1/2, z + iw = π(u + iξ)/(2K), which is ϑ₄(π(u + iη)/(2K)) but for an even turn, and ϑ₂(ix − v),
+//! v = πξ/(2K′) − π/2, beyond. The rate is
 //! |L|/I₂, that of a body upright on its middle axis, and a theta quotient that vanishes at the separatrix: nothing
 //! is left that could cancel. (C. G. J. Jacobi, Sur la rotation d'un corps, 1849; that the rate is |L|/I₂ and a theta
 //! quotient follows from his formulas at u = K, where L₁ = 0.)

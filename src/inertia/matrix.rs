@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::principal::{PrincipalAxes, symmetric_axes};
+use super::principal::{PrincipalAxes, symmetric, symmetric_axes};
 use crate::error::{Error, Result, finite, not_negative};
 use crate::frame::{Attitude, BodyVector};
 
@@ -62,22 +62,9 @@ impl InertiaMatrix {
 
     /// The same with another slack, in units of the largest entry and of the largest moment.
     pub(super) fn with_slack(matrix: Matrix3<f64>, relative: f64) -> Result<Self> {
-        for entry in matrix.iter() {
-            finite("an entry of the inertia matrix", *entry)?;
-        }
         let slack = relative * matrix.amax();
-        for (row, column) in [(0, 1), (0, 2), (1, 2)] {
-            let (upper, lower) = (matrix[(row, column)], matrix[(column, row)]);
-            if (upper - lower).abs() > slack {
-                return Err(Error::NotSymmetric {
-                    row,
-                    column,
-                    upper,
-                    lower,
-                });
-            }
-        }
-        let symmetric = matrix * 0.5 + matrix.transpose() * 0.5;
+        symmetric("an entry of the inertia matrix", &matrix, slack)?;
+        let symmetric = symmetrised(&matrix);
         finite("the trace of the inertia matrix", symmetric.trace())?;
         // Judged in a smaller unit near the end of the range, where an indefinite matrix has moments without a number.
         let unit = if symmetric.amax() > 1e300 { 0.125 } else { 1.0 };

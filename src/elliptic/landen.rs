@@ -3,8 +3,6 @@
 //! Gauss's transformation goes from a parameter of at most 1/2 to parameter 0 in three steps and a remainder. Each step replaces the modulus k by k₁ = (1 − k′)/(1 + k′) and divides both K and u by 1 + k₁, so that z = πu/(2K) stays.
 //! At the end K is π/2 and sn z is sin z. The mean of 1 and k′, the nome and the functions of z all come from the same steps.
 
-use core::ops::{Add, Div, Mul};
-
 use super::parameter::Parameter;
 use crate::precise::{
     DoubleDouble as Dd, Number, RIGHT_ANGLE, logarithm, power_of_two_below, quick,
@@ -90,18 +88,6 @@ impl<N: Number> Landen<N> {
         logarithm.quotient(self.mean.scaled(2.0))
     }
 
-    /// sin z from sn u and dn u, z = πu/(2K).
-    #[inline(always)]
-    pub(crate) fn sine(&self, sn: Dd, dn: Dd) -> Dd {
-        self.descend(sn, dn, 1.0)
-    }
-
-    /// sinh x from −i sn(iy) = sc(y, k′) and dn(iy) = dc(y, k′), x = πy/(2K).
-    #[inline(always)]
-    pub(crate) fn hyperbolic_sine(&self, sc: Dd, dc: Dd) -> Dd {
-        self.descend(sc, dc, -1.0)
-    }
-
     /// sin z, or sinh x if `sign` is −1, as a double: good for one place, not for a rate.
     #[inline(always)]
     pub(crate) fn nearest_sine(&self, start: f64, delta: f64, sign: f64) -> f64 {
@@ -116,8 +102,9 @@ impl<N: Number> Landen<N> {
         s - 0.25 * s * (self.last - sign * ks * ks)
     }
 
+    /// sin z from sn u and dn u, z = πu/(2K); or with `sign` −1 sinh x from −i sn(iy) = sc(y, k′) and dn(iy) = dc(y, k′), x = πy/(2K).
     #[inline(always)]
-    fn descend(&self, start: Dd, delta: Dd, sign: f64) -> Dd {
+    pub(crate) fn sine(&self, start: Dd, delta: Dd, sign: f64) -> Dd {
         let one = Dd::from(1.0);
         let (mut s, mut d) = (start, delta);
         for (sum, modulus) in self.sums.iter().zip(&self.moduli) {
@@ -129,17 +116,12 @@ impl<N: Number> Landen<N> {
         s = (s * self.sums[2]).quotient(one.add_alike(d));
         // The rest of the way: (1 + k′₃)/(1 + √(1 − k₃² s²)) and one factor more, both 1 up to 4·10⁻¹⁰.
         let a = self.last;
-        let b = sign * (self.scaled_square(s, a));
+        // a s², where s² alone may overflow.
+        let root = a.sqrt() * s.leading();
+        let b = sign * (root * root);
         let correction =
             -0.25 * (a - b) + a * (-a / 16.0 - b / 16.0) + b * b / 8.0 - a * (a - b) / 64.0;
         s.add_alike(s * Dd::from(correction))
-    }
-
-    /// a s², where s² alone may overflow.
-    #[inline(always)]
-    fn scaled_square(&self, s: Dd, a: f64) -> f64 {
-        let root = a.sqrt() * s.leading();
-        root * root
     }
 }
 
@@ -321,49 +303,38 @@ impl Triple {
     fn square_root(self) -> Self {
         let root = self.leading().square_root();
         let near = Self::pair(root);
-        let rest = (self + (near * near).scaled(-1.0)).leading();
-        near + Self::pair(rest.scaled(0.5) / root)
+        let rest = self.plus(near.times(near).scaled(-1.0)).leading();
+        near.plus(Self::pair(rest.scaled(0.5) / root))
     }
-}
 
-impl Add for Triple {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
+    fn plus(self, other: Self) -> Self {
         let ([a, b, c], [d, e, f]) = (self.0, other.0);
         Self::sum([a, d, b, e, c, f])
     }
-}
 
-impl Mul for Triple {
-    type Output = Self;
-
-    fn mul(self, other: Self) -> Self {
+    fn times(self, other: Self) -> Self {
         let ([a, b, c], [d, e, f]) = (self.0, other.0);
-        let (ad, ae, bd) = (Dd::product(a, d), Dd::product(a, e), Dd::product(b, d));
-        let be = Dd::product(b, e);
+        let [ad, ae, bd, be] = [(a, d), (a, e), (b, d), (b, e)].map(|(x, y)| Dd::product(x, y));
         let small = a * f + c * d + (b * f + c * e);
+        let [below, beside] = [ae.low(), bd.low()];
+        let upper = [ad.high(), ad.low(), ae.high(), bd.high()];
         Self::sum([
-            ad.high(),
-            ad.low(),
-            ae.high(),
-            bd.high(),
-            ae.low(),
-            bd.low(),
+            upper[0],
+            upper[1],
+            upper[2],
+            upper[3],
+            below,
+            beside,
             be.high(),
             small,
         ])
     }
-}
 
-impl Div for Triple {
-    type Output = Self;
-
-    fn div(self, divisor: Self) -> Self {
+    fn over(self, divisor: Self) -> Self {
         let by = divisor.leading();
         let near = Self::pair(self.leading() / by);
-        let rest = (self + (near * divisor).scaled(-1.0)).leading();
-        near + Self::pair(rest / by)
+        let rest = self.plus(near.times(divisor).scaled(-1.0)).leading();
+        near.plus(Self::pair(rest / by))
     }
 }
 
@@ -387,16 +358,16 @@ fn quarter_period(parameter: Parameter) -> Triple {
     let mut b = mc.square_root().scaled(power);
     // Twelve rounds for the least mc there is. The gap left is squared once more by the last mean.
     for _ in 0..16 {
-        let next = (a + b).scaled(0.5);
-        let gap = (a + b.scaled(-1.0)).0[0];
+        let next = a.plus(b).scaled(0.5);
+        let gap = a.plus(b.scaled(-1.0)).0[0];
         if gap < 1e-25 * a.0[0] {
             a = next;
             break;
         }
-        b = (a * b).square_root();
+        b = a.times(b).square_root();
         a = next;
     }
-    HALF_PI / a
+    HALF_PI.over(a)
 }
 
 /// `u − count K`, where the prepared K leaves too few bits.

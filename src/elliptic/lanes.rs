@@ -239,33 +239,6 @@ impl<const W: usize> Places<W> {
         }
     }
 
-    /// Real and imaginary part of a theta function made for this modulus.
-    #[inline(always)]
-    pub(crate) fn theta(&self, i: usize, modulus: &Modulus, theta: &Theta) -> [f64; 2] {
-        let (sine, cosine, z) = (self.sine[i], self.cosine[i], self.z[i]);
-        match modulus.side {
-            Side::Circular => {
-                let [real, imaginary] = &theta.even;
-                let square = sine * sine;
-                let aside = sine * cosine * polynomial(imaginary, square);
-                [polynomial(real, square), aside]
-            }
-            // Over e^x next to even multiples of K.
-            Side::Hyperbolic => {
-                let mask = (self.bits[i] & 1).wrapping_neg();
-                let [real, imaginary] = theta.chosen(mask);
-                // 4√q′ sinh cosh.
-                let root = modulus.series.root * self.growth[i];
-                let product = root * (root * sine) * cosine;
-                let aside = select(mask, product, sine) * polynomial(&imaginary, z);
-                [
-                    select(mask, 1.0, cosine) * polynomial(&real, z),
-                    f64::from_bits(aside.to_bits() ^ self.sign[i]),
-                ]
-            }
-        }
-    }
-
     /// The same with its derivative by the angle, `shifted` by a quarter period or not, over e^x where the sum of both parities is even. On the circular side
     /// the theta function holds the polynomials of the derivative in place of those next to odd multiples.
     #[inline(always)]

@@ -84,26 +84,6 @@ impl Parameter {
         Ok(Self::exactly(mc).exchanged())
     }
 
-    /// The parameter m = k² from the modulus k, which is taken as exact; mc = (1 − k)(1 + k).
-    ///
-    /// # Errors
-    ///
-    /// If k is not finite or lies outside 0…1.
-    ///
-    /// ```
-    /// use spinning_bodies::elliptic::Parameter;
-    /// assert_eq!(Parameter::from_modulus(0.5)?.m(), 0.25);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn from_modulus(k: f64) -> Result<Self> {
-        let k = within_unit("modulus k", k)?;
-        let mc = DoubleDouble::difference(1.0, k) * DoubleDouble::sum(1.0, k);
-        Ok(Self {
-            m: DoubleDouble::product(k, k),
-            mc,
-        })
-    }
-
     /// The parameter from m and mc to 106 bits, each.
     pub(crate) fn from_both(m: DoubleDouble, mc: DoubleDouble) -> Self {
         Self { m, mc }
@@ -147,7 +127,7 @@ impl Parameter {
     ///
     /// ```
     /// use spinning_bodies::elliptic::Parameter;
-    /// assert_eq!(Parameter::from_modulus(0.5)?.mc(), 0.75);
+    /// assert_eq!(Parameter::from_parameter(0.25)?.mc(), 0.75);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn mc(self) -> f64 {

@@ -4,7 +4,7 @@
 use super::landen::Landen;
 use super::modulus::{Descent, Side};
 use crate::precise::quick::select;
-use crate::precise::{DoubleDouble as Dd, Number, RIGHT_ANGLE};
+use crate::precise::{DoubleDouble as Dd, Number};
 
 /// One of the two equivalent arguments η and ξ = K′ − η, by its functions for the complementary modulus.
 #[derive(Debug, Clone, Copy)]
@@ -30,34 +30,9 @@ struct Exponentials {
     rho: Dd,
     /// ε = e^{−2w}.
     epsilon: Dd,
-    /// sinh x, e^x and e^{−x} of the smaller argument x, w or πξ/2K. One of ρ and ε is e^{−2x}, and 1 less it 2 sinh x · e^{−x}.
+    /// sinh x and e^{−x} of the smaller argument x, w or πξ/2K. One of ρ and ε is e^{−2x}, and 1 less it 2 sinh x · e^{−x}.
     sinh: Dd,
-    growth: Dd,
     decay: Dd,
-}
-
-impl Exponentials {
-    /// From sinh x and the nome q.
-    #[inline(always)]
-    fn new(which: Which, sinh: Dd, q: Dd) -> Self {
-        let growth = sinh.add_alike(sinh.hypotenuse_with_one());
-        let decay = Dd::from(1.0).quotient(growth);
-        let lesser = decay * decay;
-        // No more than 10³⁰¹ is e^{2x}: if q has underflowed, this is zero.
-        let other = q * growth * growth;
-        // For ξ in place of η they change roles.
-        let (rho, epsilon) = match which {
-            Which::Eta => (other, lesser),
-            Which::Xi => (lesser, other),
-        };
-        Self {
-            rho,
-            epsilon,
-            sinh,
-            growth,
-            decay,
-        }
-    }
 }
 
 impl<N: Number> Elevation<N> {
@@ -80,28 +55,34 @@ impl<N: Number> Elevation<N> {
     /// For m ≤ 1/2.
     #[inline]
     fn exponentials(&self, landen: &Landen<N>, m: N) -> Exponentials {
-        let sinh = if self.run.is_zero() {
-            Dd::from(1e150)
-        } else {
-            self.hyperbolic_sine(landen, m)
-        };
-        Exponentials::new(self.which, sinh, landen.nome)
-    }
-
-    /// sinh(πη/2K), or of ξ, for m ≤ 1/2.
-    #[inline(always)]
-    fn hyperbolic_sine(&self, landen: &Landen<N>, m: N) -> Dd {
-        // sc² and dc² = 1 + m sc².
-        let sc2 = self.rise.quotient(self.run);
-        let dc2 = Dd::from(1.0).add_alike((m * sc2).narrow());
-        let sc = sc2.square_root().narrow();
         // Beyond this e^{−2x} is nothing to anything it is added to, and what follows might overflow.
-        let sc = if sc.leading() > 1e150 {
-            Dd::from(1e150)
+        let most = Dd::from(1e150);
+        let sinh = if self.run.is_zero() {
+            most
         } else {
-            sc
+            // sc² and dc² = 1 + m sc².
+            let sc2 = self.rise.quotient(self.run);
+            let dc2 = Dd::from(1.0).add_alike((m * sc2).narrow());
+            let sc = sc2.square_root().narrow();
+            let sc = if sc.exceeds(most) { most } else { sc };
+            landen.sine(sc, dc2.square_root(), -1.0)
         };
-        landen.hyperbolic_sine(sc, dc2.square_root())
+        let growth = sinh.add_alike(sinh.hypotenuse_with_one());
+        let decay = Dd::from(1.0).quotient(growth);
+        let lesser = decay * decay;
+        // No more than 10³⁰¹ is e^{2x}: if q has underflowed, this is zero.
+        let other = landen.nome * growth * growth;
+        // For ξ in place of η they change roles.
+        let (rho, epsilon) = match self.which {
+            Which::Eta => (other, lesser),
+            Which::Xi => (lesser, other),
+        };
+        Exponentials {
+            rho,
+            epsilon,
+            sinh,
+            decay,
+        }
     }
 
     /// Sine and cosine of v = πη/2K′, for mc < 1/2.
@@ -110,7 +91,7 @@ impl<N: Number> Elevation<N> {
         let one = Dd::from(1.0);
         let sn2 = self.rise.quotient(self.slope).narrow();
         let dn2 = one - mc.narrow() * sn2;
-        let lesser = landen.sine(sn2.square_root(), dn2.square_root());
+        let lesser = landen.sine(sn2.square_root(), dn2.square_root(), 1.0);
         let greater = (one - lesser * lesser).square_root();
         match self.which {
             Which::Eta => (lesser, greater),
@@ -199,65 +180,9 @@ pub(crate) struct Turning {
 }
 
 impl Turning {
-    /// Of ϑ₄(π(u + iη)/2K); beyond m = 1/2 of ϑ₂(v − ix) with v − ix = π(η − iu)/2K′.
-    ///
-    /// On the circular side it does not lag itself: the right angle told is that of cn u + i sn u, by which Euler's top divides it.
-    pub(crate) fn fourth<N: Number>(descent: &Descent<N>, elevation: &Elevation<N>) -> Self {
-        let landen = &descent.landen;
-        if descent.side() == Side::Hyperbolic {
-            let (sine, cosine) = elevation.angle(landen, descent.mc);
-            return Self::dual(landen, [sine, cosine], [sine, cosine]);
-        }
-        let Exponentials {
-            rho,
-            epsilon,
-            sinh,
-            growth,
-            ..
-        } = elevation.exponentials(landen, descent.m);
-        let slope = fourth_slope(landen, rho, epsilon);
-        let one_less_rho = match elevation.which {
-            Which::Xi => 2.0 * sinh.value() / growth.value(),
-            Which::Eta => 1.0 - rho.value(),
-        };
-        let (q, rho, epsilon) = (landen.nome.value(), rho.value(), epsilon.value());
-        // ϑ₄(iw) with the factor 1 − ρ in front: it vanishes with it.
-        let (x, r2) = (q * epsilon, rho * rho);
-        let (g1, g2, g3) = (1.0 + rho + r2, rho * r2 + r2 * r2, r2 * r2 * (rho + r2));
-        let (q2, q4) = (q * q, q * q * (q * q));
-        let at_zero =
-            one_less_rho * (1.0 - x * (g1 - q2 * x * ((g1 + g2) - q4 * x * (g1 + g2 + g3))));
-        // (−1)ⁿ (q^{n²−n} ρⁿ ± q^{n²} εⁿ).
-        let (up2, down2) = (q2 * r2, q2 * (x * x));
-        let (up3, down3) = (q4 * up2 * rho, q4 * down2 * x);
-        let (a1, b1) = (-(rho + x), -(rho - x));
-        let (a2, b2) = (up2 + down2, up2 - down2);
-        let (a3, b3) = (-(up3 + down3), -(up3 - down3));
-        let real = [
-            at_zero,
-            -2.0 * a1 - 8.0 * a2 - 18.0 * a3,
-            8.0 * a2 + 48.0 * a3,
-            -32.0 * a3,
-        ];
-        let imaginary = [
-            -(2.0 * b1 + 4.0 * b2 + 6.0 * b3),
-            8.0 * b2 + 32.0 * b3,
-            -32.0 * b3,
-            0.0,
-        ];
-        Self {
-            lag: RIGHT_ANGLE,
-            slope,
-            theta: Theta {
-                even: [real, imaginary],
-                odd: [real, imaginary],
-            },
-        }
-    }
-
     /// Of ϑ₁(π(u + iη)/2K), without the factor that grows with η; beyond m = 1/2 of ϑ₂(ix − v) with v = πη/2K′ − π/2. On the circular side there is no lag, and the
     /// second pair of polynomials is that of the derivatives.
-    pub(crate) fn first<N: Number>(descent: &Descent<N>, elevation: &Elevation<N>) -> Self {
+    pub(crate) fn new<N: Number>(descent: &Descent<N>, elevation: &Elevation<N>) -> Self {
         let landen = &descent.landen;
         if descent.side() == Side::Hyperbolic {
             let (sine, cosine) = elevation.angle(landen, descent.mc);
@@ -277,7 +202,7 @@ impl Turning {
             Which::Eta => sinh.scaled(2.0) * decay,
             Which::Xi => one - epsilon,
         };
-        // q^{n²} ρⁿ (1 ± ε^{2n+1}) for n = 0, 1, 2, 3.
+        // q^{n²} ρⁿ (1 ± ε^{2n+1}) for n = 0, 1, 2, 3, and 4 for the slope alone.
         let square = epsilon * epsilon;
         let e3 = epsilon * square;
         let e5 = e3 * square;
@@ -300,8 +225,9 @@ impl Turning {
         let e7 = e5.leading() * square.leading();
         let (plus3, minus3) = (factor3 * (1.0 + e7), factor3 * (1.0 - e7));
         // At z = π/2: cos(2n+1)z' sums with the sign that ϑ₂ has.
-        let numerator = sum_upward(7.0 * minus3, minus, [1.0, 3.0, 5.0]);
-        let denominator = sum_upward(plus3, plus, [1.0; 3]);
+        let factor4 = factor3 * rho.leading() * x.powi(7);
+        let numerator = sum_upward(7.0 * minus3 + 9.0 * factor4, minus, [1.0, 3.0, 5.0]);
+        let denominator = sum_upward(plus3 + factor4, plus, [1.0; 3]);
         let slope = -(landen.mean * numerator).quotient(denominator);
         let with_signs =
             |[x0, x1, x2]: [Dd; 3], x3: f64| [x0.value(), -x1.value(), x2.value(), -x3];
@@ -348,33 +274,6 @@ fn sum_upward(least: f64, terms: [Dd; 3], weights: [f64; 3]) -> Dd {
     (0..3).rev().fold(Dd::from(least), |sum, k| {
         sum.add_alike(terms[k].times(weights[k]))
     })
-}
-
-/// d arg ϑ₄(z + iw)/du at u = K: −(π/2K) Σ 4n q^{n²} sinh 2nw / ϑ₃(iw).
-fn fourth_slope<N: Number>(landen: &Landen<N>, rho: Dd, epsilon: Dd) -> Dd {
-    let q = landen.nome;
-    let q2 = q * q;
-    let (up1, down1) = (rho, q * epsilon);
-    let (up2, down2) = (q2 * (rho * rho), q2 * (down1 * down1));
-    let up3 = up2 * up1 * (q2 * q2);
-    let down3 = down2 * down1 * (q2 * q2);
-    let (x, r, e) = (q.leading(), rho.leading(), epsilon.leading());
-    let x3 = x * x * x;
-    let up4 = up3.leading() * x3 * x3 * r;
-    let down4 = down3.leading() * x3 * x3 * x * e;
-    let minus = [
-        up1.add_alike(-down1),
-        up2.add_alike(-down2),
-        up3.add_alike(-down3),
-    ];
-    let plus = [
-        up1.add_alike(down1),
-        up2.add_alike(down2),
-        up3.add_alike(down3),
-    ];
-    let half = sum_upward(4.0 * (up4 - down4), minus, [1.0, 2.0, 3.0]);
-    let denominator = sum_upward(up4 + down4, plus, [1.0; 3]).add_alike(Dd::from(1.0));
-    -(landen.mean * half.scaled(2.0)).quotient(denominator)
 }
 
 /// d arg ϑ₂(ix − v)/du at u = K: (π/2K′) Σ 4n q′^{n²} sin 2nv / ϑ₃(v).

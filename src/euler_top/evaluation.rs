@@ -11,7 +11,8 @@
 //!
 //! ψ = ν t + arg Z(u) − arg (P₁ cn u + i P₂ sn u),
 //!
-//! where Z is ϑ₄(z + iw) for m ≤ 1/2, z + iw = π(u + iη)/(2K), and ϑ₂(v − ix), v − ix = π(η − iu)/(2K′), beyond. The rate is
+//! where Z̄ is ϑ₁(z + iw)/i for m ≤ 1/2, z + iw = π(u + iξ)/(2K), which is ϑ₄(π(u + iη)/(2K)) but for an even turn, and ϑ₂(ix − v),
+//! v = πξ/(2K′) − π/2, beyond. The rate is
 //! |L|/I₂, that of a body upright on its middle axis, and a theta quotient that vanishes at the separatrix: nothing
 //! is left that could cancel. (C. G. J. Jacobi, Sur la rotation d'un corps, 1849; that the rate is |L|/I₂ and a theta
 //! quotient follows from his formulas at u = K, where L₁ = 0.)
@@ -110,9 +111,11 @@ pub(super) struct Constants {
     pub(super) amplitudes: [f64; 3],
     /// P₁/P₂.
     pub(super) aspect: f64,
-    /// Z.
+    /// Z̄, or iZ̄ on the circular side.
     pub(super) turning: Turning,
-    /// ψ = `turning_rate` t − quarters · lag + …
+    /// What Z falls behind with each quarter period.
+    pub(super) lag: DoubleDouble,
+    /// ψ = `turning_rate` t − quarters · `lag` + …
     pub(super) turning_rate: DoubleDouble,
 }
 
@@ -157,14 +160,14 @@ impl<const W: usize> Work<W> {
     pub(super) fn states(&mut self, body: &Moving, times: &[f64; W]) {
         let Constants {
             course,
-            turning,
+            lag,
             turning_rate,
             ..
         } = &body.constants;
         self.places.follow(course, times);
         for i in 0..W {
             let quarters = self.places.quarters[i];
-            let [high, low] = phase(*turning_rate, times[i], turning.lag, quarters);
+            let [high, low] = phase(*turning_rate, times[i], *lag, quarters);
             (self.sine[i], self.cosine[i]) = sine_cosine([0.5 * high, 0.5 * low]);
         }
         self.turn(body);
@@ -182,16 +185,29 @@ impl<const W: usize> Work<W> {
         } = &body.constants;
         self.places.evaluate(modulus);
         for i in 0..W {
-            let z = self.places.theta(i, modulus, &turning.theta);
-            (self.z[0][i], self.z[1][i]) = (z[0], z[1]);
+            let [value, _] = self
+                .places
+                .theta_with_slope(i, modulus, &turning.theta, false);
+            (self.z[0][i], self.z[1][i]) = (value[0], value[1]);
         }
+        // On the hyperbolic side Z does not turn with the quarter periods, and so much is taken off.
+        let turns = match modulus.side() {
+            Side::Circular => {
+                self.z.swap(0, 1);
+                0
+            }
+            Side::Hyperbolic => {
+                self.z[1] = self.z[1].map(|imaginary| -imaginary);
+                u64::MAX
+            }
+        };
         for i in 0..W {
             let [sn, cn, _] = self.places.functions(i);
             let (real, imaginary) = (self.z[0][i], self.z[1][i]);
-            // Z over P₁ cn + i P₂ sn, the quarter periods taken off both: an angle of at most a right one, and half of it.
+            // Z over P₁ cn + i P₂ sn, an angle of at most a right one, and half of it.
             let across = aspect * cn;
             let (aside, along) = in_quadrant(
-                self.places.bits[i],
+                self.places.bits[i] & turns,
                 imaginary * across - real * sn,
                 real * across + imaginary * sn,
             );
@@ -304,12 +320,12 @@ impl Moving {
         } else {
             let Constants {
                 course,
-                turning,
+                lag,
                 turning_rate,
                 ..
             } = &self.constants;
             work.places.follow_afar(course, t)?;
-            let lag = turning.lag * DoubleDouble::from(work.places.quarters[0]);
+            let lag = *lag * DoubleDouble::from(work.places.quarters[0]);
             let half = (*turning_rate * DoubleDouble::from(t) - lag).scaled(0.5);
             (work.sine[0], work.cosine[0]) = turned(half, t)?;
             work.turn(self);
@@ -338,7 +354,7 @@ impl Constants {
         if quarter.high() == f64::INFINITY {
             return self.turning_rate.value();
         }
-        let gain = RIGHT_ANGLE - self.turning.lag;
+        let gain = RIGHT_ANGLE - self.lag;
         let quarters = self.course.rate / quarter;
         (self.turning_rate + gain * quarters).value()
     }
@@ -363,9 +379,9 @@ impl Constants {
             // Near the separatrix the cone is wide: the closed form, which is Heuman's lambda function.
             Side::Hyperbolic => {
                 let mc = self.course.modulus.parameter().mc();
-                let share = mc * (p1 / p2) * (p3 / size) - self.turning.slope.value();
+                let share = mc * (p1 / p2) * (p3 / size) + self.turning.slope.value();
                 let quarter = self.course.modulus.quarter_period();
-                4.0 * (self.turning.lag.value() - quarter * share)
+                4.0 * (self.lag.value() - quarter * share)
             }
         };
         magnitude * self.course.rate.high().signum()

@@ -252,11 +252,6 @@ impl Poinsot {
         self.in_units(rate)
     }
 
-    /// √(L² − 2EI₁), √|L² − 2EI₂|, √(2EI₃ − L²), J s.
-    pub(super) fn difference_roots(&self) -> [f64; 3] {
-        self.roots.map(|root| shifted(root, self.units.l))
-    }
-
     /// |L|, over its unit.
     fn length(&self) -> f64 {
         norm(self.l)
@@ -369,25 +364,6 @@ impl Poinsot {
             _ => radius(d3, d2, i2, i3),
         };
         [inner, radius(d1, d3, i1, i3)]
-    }
-
-    /// Distance of the point of contact at the parameter `s` from the foot of L, rad/s: |L ∧ Ω|/|L|.
-    ///
-    /// The products in L ∧ Ω are (1/I_j − 1/I_i) L_i L_j, so nothing cancels next to an axis.
-    ///
-    /// ```
-    /// use spinning_bodies::{euler_top::Poinsot, frame::BodyVector};
-    /// let picture = Poinsot::new([1.0, 2.0, 3.0], BodyVector::new(0.4, 0.6, 3.0))?;
-    /// let [inner, outer] = picture.herpolhode_radii();
-    /// assert!((picture.herpolhode_radius(0.0) / outer - 1.0).abs() < 1e-15);
-    /// assert!((picture.herpolhode_radius(std::f64::consts::FRAC_PI_2) / inner - 1.0).abs() < 1e-15);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn herpolhode_radius(&self, s: f64) -> f64 {
-        let u = self.rate(s);
-        // (L ∧ Ω)_k is I_k times the rate of Ω_k.
-        let cross = [0, 1, 2].map(|k| u[k] * self.moments[k]);
-        self.in_units(norm(cross) / self.length())
     }
 
     /// Curvature of the herpolhode at the parameter `s`, s/rad; positive where it bends to the left seen from the tip of L (6.2).

@@ -1,12 +1,14 @@
 //! From moments and a start to the regime and the constants of the motion, in 106 bits and without a cancellation (tutorial 6.3, 6.6).
 
 use super::evaluation::{Constants, Renumbering};
+use crate::elliptic::Side;
 use crate::elliptic::lanes::Course;
 use crate::elliptic::modulus::{Descent, Squares};
 use crate::elliptic::turning::{Elevation, Turning, Which};
 use crate::error::{Error, Result};
 use crate::precise::{
-    DoubleDouble, Extended, Number, exponent_of, power, power_of_two_below, shifted,
+    DoubleDouble, Extended, Number, RIGHT_ANGLE, exponent_of, power_of_two_below, shifted,
+    sum_of_products,
 };
 
 /// What kind of motion a free top makes.
@@ -169,63 +171,18 @@ pub(super) fn separation<N: Number>(i: [f64; 3], order: [usize; 3], start: Start
         return difference;
     }
     // More than ten of the 106 bits have cancelled; from the exact products none is lost.
+    let sum = |a: f64, b: f64| {
+        sum_of_products(&[
+            [a, i[2], x[2], x[2]],
+            [-a, i[1], x[2], x[2]],
+            [-b, i[1], x[0], x[0]],
+            [b, i[0], x[0], x[0]],
+        ])
+    };
     N::from_extended(match start {
-        Start::AngularMomentum(_) => {
-            exact_difference([i[0], i[2], i[1], x[2]], [i[2], i[1], i[0], x[0]])
-        }
-        Start::Omega(_) => exact_difference([i[2], i[2], i[1], x[2]], [i[0], i[1], i[0], x[0]])
-            .times(i[0])
-            .times(i[2]),
+        Start::AngularMomentum(_) => sum(i[0], i[2]),
+        Start::Omega(_) => sum(i[2], i[0]).times(i[0]).times(i[2]),
     })
-}
-
-/// a (b − c) d² for the first four less the same for the second four, to 106 bits whatever cancels.
-fn exact_difference(minuend: [f64; 4], subtrahend: [f64; 4]) -> Extended {
-    let (third, exponent) = expansion(minuend);
-    let (first, other) = expansion(subtrahend);
-    let shift = power(other - exponent);
-    let mut terms = [0.0; 32];
-    for k in 0..16 {
-        terms[k] = third[k];
-        terms[k + 16] = -first[k] * shift;
-    }
-    // Error-free sums leave ever smaller remainders in front: after four rounds nothing of the first 200 bits is missing.
-    for _ in 0..4 {
-        for k in 1..32 {
-            let sum = DoubleDouble::sum(terms[k], terms[k - 1]);
-            terms[k] = sum.high();
-            terms[k - 1] = sum.low();
-        }
-    }
-    let total = terms.iter().fold(DoubleDouble::from(0.0), |sum, term| {
-        sum + DoubleDouble::from(*term)
-    });
-    let mut result = Extended::from(total);
-    if !result.is_zero() {
-        result.exponent += exponent;
-    }
-    result
-}
-
-/// a (b − c) d² as sixteen doubles and a power of two, exactly.
-fn expansion([a, b, c, d]: [f64; 4]) -> ([f64; 16], i32) {
-    let (a, d) = (Extended::from_double(a), Extended::from_double(d));
-    let difference = Extended::difference(b, c);
-    let square = DoubleDouble::product(d.digits.high(), d.digits.high());
-    let mut terms = [0.0; 16];
-    let mut place = 0;
-    for part in [difference.digits.high(), difference.digits.low()] {
-        let product = DoubleDouble::product(a.digits.high(), part);
-        for x in [product.high(), product.low()] {
-            for y in [square.high(), square.low()] {
-                let exact = DoubleDouble::product(x, y);
-                terms[place] = exact.high();
-                terms[place + 1] = exact.low();
-                place += 2;
-            }
-        }
-    }
-    (terms, a.exponent + difference.exponent + 2 * d.exponent)
 }
 
 /// 2⁻²⁰⁰: the fourth power of what is above it is a normal double.
@@ -359,12 +316,16 @@ fn constants<N: Number>(
 
     let descent = Descent::new(m, mc);
     let aspect = c[0].root_of_quotient(c[1]);
-    // sc η = P₃/P₁ against sc ξ = √(c₁/c₃).
-    let elevation = Elevation::smaller([steady, wobble], [c[0], c[2]], |which| match which {
-        Which::Eta => c[1] * size_squared,
-        Which::Xi => c[1],
+    // sc η = √(c₁/c₃) against sc ξ = P₃/P₁.
+    let elevation = Elevation::smaller([c[0], c[2]], [steady, wobble], |which| match which {
+        Which::Eta => c[1],
+        Which::Xi => c[1] * size_squared,
     });
-    let turning = Turning::fourth(&descent, &elevation);
+    let turning = Turning::new(&descent, &elevation);
+    let lag = match descent.side() {
+        Side::Circular => DoubleDouble::from(0.0),
+        Side::Hyperbolic => RIGHT_ANGLE - turning.lag,
+    };
     let amplitudes = [
         wobble.root_of_quotient(c[1]),
         wobble.root_of_quotient(c[0]),
@@ -389,6 +350,7 @@ fn constants<N: Number>(
         amplitudes,
         aspect,
         turning,
-        turning_rate: (base - slope).narrow(),
+        lag,
+        turning_rate: (base + slope).narrow(),
     }
 }

@@ -3,8 +3,7 @@
 //! The moments ascend, so x₁, x₂, x₃ are the axes of the smallest, the middle and the largest moment, and the components
 //! of Ω are along them. Differences of moments are taken first, so that nearly symmetric bodies keep their digits.
 
-use super::poinsot::{Poinsot, Sector};
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Result, finite, positive};
 use crate::frame::BodyVector;
 use crate::inertia::PrincipalMoments;
 use crate::precise::{DoubleDouble, Number, power_of_two_below};
@@ -137,51 +136,6 @@ pub fn lyapunov(moments: &PrincipalMoments, omega: BodyVector) -> [f64; 3] {
         (term(i3, i3, i2, z) - term(i1, i2, i1, x)).value() * unit * unit,
         (i1 * x) * ((i3 - i1) * x) + (i2 * y) * ((i3 - i2) * y),
     ]
-}
-
-/// Time from one side of the separatrix's crossing to the other, half the period of Ω, to leading order next to the separatrix, s:
-/// ln(16/m_c)/r (6.3, 6.6).
-///
-/// About the largest moment r² = (I₃−I₂)(L²−2EI₁)/(I₁I₂I₃) and m_c = (I₃−I₁)(L²−2EI₂)/((I₃−I₂)(L²−2EI₁)); about the smallest
-/// with 1 and 3 exchanged. The exact time is 2K/r, larger by the fraction m_c/4 at most. Every decade nearer to the separatrix
-/// costs the same: m_c goes as the square of the distance, so 2 ln 10/√λ. Infinite on the separatrix; a tilt of 10⁻³⁰⁰ is no trouble.
-/// Cost: that of a [`Poinsot`], a logarithm.
-///
-/// # Errors
-/// Those of [`Poinsot::new`]; [`Error::Condition`] for a body that is symmetric, which has no separatrix.
-///
-/// ```
-/// use spinning_bodies::{euler_top::stability::flip_time_asymptote, frame::BodyVector, inertia::PrincipalMoments};
-/// let moments = PrincipalMoments::new(1.0, 2.0, 3.0)?;
-/// let time = |tilt| flip_time_asymptote(&moments, BodyVector::new(tilt, 1.0, tilt));
-/// let beyond = 35.5072529694 / time(1e-4)? - 1.0; // the exact time, m_c = 2e-8
-/// assert!(beyond > 0.0 && beyond < 5e-9);
-/// let decade = (time(1e-300)? - time(1e-200)?) / 100.0;
-/// assert!((decade - 2.0 * 10f64.ln() * 3f64.sqrt()).abs() < 1e-13);
-/// # Ok::<(), spinning_bodies::Error>(())
-/// ```
-pub fn flip_time_asymptote(moments: &PrincipalMoments, omega: BodyVector) -> Result<f64> {
-    let [i1, i2, i3] = checked(moments)?;
-    if i1 == i2 || i2 == i3 {
-        return Err(Error::Condition {
-            condition: "the three moments must differ",
-            value: i2,
-        });
-    }
-    let l = BodyVector::new(i1 * omega.x(), i2 * omega.y(), i3 * omega.z());
-    let picture = Poinsot::new([i1, i2, i3], l)?;
-    let [d1, d2, d3] = picture.difference_roots();
-    let (rate, root) = match picture.sector {
-        Sector::AroundSmallest => (
-            ((i2 - i1) / i1).sqrt() * (d3 / i2.sqrt() / i3.sqrt()),
-            ((i3 - i1) / (i2 - i1)).sqrt() * (d2 / d3),
-        ),
-        _ => (
-            ((i3 - i2) / i3).sqrt() * (d1 / i1.sqrt() / i2.sqrt()),
-            ((i3 - i1) / (i3 - i2)).sqrt() * (d2 / d1),
-        ),
-    };
-    Ok(2.0 * (4.0 / root).ln() / rate)
 }
 
 fn checked(moments: &PrincipalMoments) -> Result<[f64; 3]> {

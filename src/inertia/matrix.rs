@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::principal::{PrincipalAxes, symmetric_axes};
+use super::principal::{PrincipalAxes, symmetric, symmetric_axes};
 use crate::error::{Error, Result, finite, not_negative};
 use crate::frame::{Attitude, BodyVector};
 
@@ -62,22 +62,9 @@ impl InertiaMatrix {
 
     /// The same with another slack, in units of the largest entry and of the largest moment.
     pub(super) fn with_slack(matrix: Matrix3<f64>, relative: f64) -> Result<Self> {
-        for entry in matrix.iter() {
-            finite("an entry of the inertia matrix", *entry)?;
-        }
         let slack = relative * matrix.amax();
-        for (row, column) in [(0, 1), (0, 2), (1, 2)] {
-            let (upper, lower) = (matrix[(row, column)], matrix[(column, row)]);
-            if (upper - lower).abs() > slack {
-                return Err(Error::NotSymmetric {
-                    row,
-                    column,
-                    upper,
-                    lower,
-                });
-            }
-        }
-        let symmetric = matrix * 0.5 + matrix.transpose() * 0.5;
+        symmetric("an entry of the inertia matrix", &matrix, slack)?;
+        let symmetric = symmetrised(&matrix);
         finite("the trace of the inertia matrix", symmetric.trace())?;
         // Judged in a smaller unit near the end of the range, where an indefinite matrix has moments without a number.
         let unit = if symmetric.amax() > 1e300 { 0.125 } else { 1.0 };
@@ -135,26 +122,6 @@ impl InertiaMatrix {
             finite("a coordinate of the particle", *coordinate)?;
         }
         Self::checked(particle_term(mass, &position.components()))
-    }
-
-    /// The inertia matrix from the matrix of second moments S = ∫x xᵀρ: I = tr(S)δ − S (2.7).
-    ///
-    /// # Errors
-    /// As [`from_matrix`](Self::from_matrix).
-    ///
-    /// ```
-    /// use spinning_bodies::inertia::InertiaMatrix;
-    /// use nalgebra::Matrix3;
-    /// let inertia = InertiaMatrix::from_second_moments(Matrix3::from_diagonal(&[1.0, 2.0, 3.0].into()))?;
-    /// assert_eq!(inertia, InertiaMatrix::diagonal(5.0, 4.0, 3.0)?);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn from_second_moments(second_moments: Matrix3<f64>) -> Result<Self> {
-        let [x, y, z] = [0, 1, 2].map(|i| second_moments[(i, i)]);
-        let mut matrix = -second_moments;
-        // Sums of two, not the trace less one: the latter would cancel for a needle.
-        (matrix[(0, 0)], matrix[(1, 1)], matrix[(2, 2)]) = (y + z, z + x, x + y);
-        Self::from_matrix(matrix)
     }
 
     /// A matrix built by this module from parts that are inertia matrices: only overflow is left to refuse.

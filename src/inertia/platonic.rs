@@ -21,8 +21,6 @@ pub enum PlatonicSolid {
 const P: f64 = core::f64::consts::GOLDEN_RATIO;
 /// φ² = φ + 1.
 const Q: f64 = 2.618_033_988_749_895;
-/// The unit in which the lists below are written; their edge is 2√2, 2, √2, 2, 2.
-const UNIT: f64 = 1.0;
 
 impl PlatonicSolid {
     /// All five, by number of faces.
@@ -54,14 +52,15 @@ impl PlatonicSolid {
     /// assert_eq!(PlatonicSolid::Dodecahedron.faces().len(), 12);
     /// assert!(PlatonicSolid::Dodecahedron.faces().iter().all(|face| face.len() == 5));
     /// ```
-    pub const fn faces(self) -> &'static [&'static [u32]] {
-        match self {
-            Self::Tetrahedron => TETRAHEDRON_FACES,
-            Self::Cube => CUBE_FACES,
-            Self::Octahedron => OCTAHEDRON_FACES,
-            Self::Dodecahedron => DODECAHEDRON_FACES,
-            Self::Icosahedron => ICOSAHEDRON_FACES,
-        }
+    pub fn faces(self) -> Vec<&'static [u32]> {
+        let (corners, numbers): (usize, &[u32]) = match self {
+            Self::Tetrahedron => (3, &TETRAHEDRON),
+            Self::Cube => (4, &CUBE),
+            Self::Octahedron => (3, &OCTAHEDRON),
+            Self::Dodecahedron => (5, &DODECAHEDRON),
+            Self::Icosahedron => (3, &ICOSAHEDRON),
+        };
+        numbers.chunks_exact(corners).collect()
     }
 
     /// The faces cut into triangles, as [`mesh_mass_properties`](super::mesh_mass_properties) wants them.
@@ -71,11 +70,11 @@ impl PlatonicSolid {
     /// assert_eq!(PlatonicSolid::Cube.triangles().len(), 12);
     /// ```
     pub fn triangles(self) -> Vec<[u32; 3]> {
-        let fan = |face: &&'static [u32]| {
-            let face = *face;
-            (2..face.len()).map(move |i| [face[0], face[i - 1], face[i]])
+        let fan = |face: &'static [u32]| {
+            let others = face[1..].windows(2);
+            others.map(|pair| [face[0], pair[0], pair[1]])
         };
-        self.faces().iter().flat_map(fan).collect()
+        self.faces().into_iter().flat_map(fan).collect()
     }
 
     /// The vertices for a given edge length, m, centred at the origin; each coordinate to 1 ulp.
@@ -93,136 +92,62 @@ impl PlatonicSolid {
     /// ```
     pub fn vertices(self, edge: f64) -> Result<Vec<[f64; 3]>> {
         positive("the edge", edge)?;
-        let (list, unit): (&[[f64; 3]], f64) = match self {
-            Self::Tetrahedron => (&TETRAHEDRON, core::f64::consts::FRAC_1_SQRT_2 / 2.0),
-            Self::Cube => (&CUBE, 0.5),
-            Self::Octahedron => (&OCTAHEDRON, core::f64::consts::FRAC_1_SQRT_2),
-            Self::Dodecahedron => (&DODECAHEDRON, 0.5),
-            Self::Icosahedron => (&ICOSAHEDRON, 0.5),
+        // Their edges are 2√2, 2, √2, 2 and 2 of these units.
+        let (list, unit): (Vec<[f64; 3]>, f64) = match self {
+            Self::Tetrahedron => {
+                let every_other = [0, 3, 5, 6].map(|bits| signed(bits, [1.0; 3]));
+                (every_other.into(), core::f64::consts::FRAC_1_SQRT_2 / 2.0)
+            }
+            Self::Cube => (cube(1.0).collect(), 0.5),
+            Self::Octahedron => {
+                let mut ends = [[0.0; 3]; 6];
+                for (k, end) in ends.iter_mut().enumerate() {
+                    end[k / 2] = if k % 2 == 0 { 1.0 } else { -1.0 };
+                }
+                (ends.into(), core::f64::consts::FRAC_1_SQRT_2)
+            }
+            Self::Dodecahedron => (cube(P).chain(rectangles(Q)).collect(), 0.5),
+            Self::Icosahedron => (rectangles(P).collect(), 0.5),
         };
-        Ok(list
-            .iter()
-            .map(|vertex| vertex.map(|coordinate| coordinate * unit * edge))
-            .collect())
+        let scaled = |vertex: [f64; 3]| vertex.map(|coordinate| coordinate * unit * edge);
+        Ok(list.into_iter().map(scaled).collect())
     }
 }
 
-const TETRAHEDRON: [[f64; 3]; 4] = [
-    [UNIT, UNIT, UNIT],
-    [UNIT, -UNIT, -UNIT],
-    [-UNIT, UNIT, -UNIT],
-    [-UNIT, -UNIT, UNIT],
-];
-const TETRAHEDRON_FACES: &[&[u32]] = &[&[0, 1, 2], &[0, 3, 1], &[0, 2, 3], &[1, 3, 2]];
+/// The vector with a minus before each component whose bit is set, the first component's bit being the highest of three.
+fn signed(bits: usize, vector: [f64; 3]) -> [f64; 3] {
+    core::array::from_fn(|k| match bits >> (2 - k) & 1 {
+        0 => vector[k],
+        _ => -vector[k],
+    })
+}
 
-const CUBE: [[f64; 3]; 8] = [
-    [UNIT, UNIT, UNIT],
-    [UNIT, UNIT, -UNIT],
-    [UNIT, -UNIT, UNIT],
-    [UNIT, -UNIT, -UNIT],
-    [-UNIT, UNIT, UNIT],
-    [-UNIT, UNIT, -UNIT],
-    [-UNIT, -UNIT, UNIT],
-    [-UNIT, -UNIT, -UNIT],
-];
-const CUBE_FACES: &[&[u32]] = &[
-    &[0, 2, 3, 1],
-    &[0, 1, 5, 4],
-    &[0, 4, 6, 2],
-    &[1, 3, 7, 5],
-    &[2, 6, 7, 3],
-    &[4, 5, 7, 6],
-];
+fn cube(half: f64) -> impl Iterator<Item = [f64; 3]> {
+    (0..8).map(move |bits| signed(bits, [half; 3]))
+}
 
-const OCTAHEDRON: [[f64; 3]; 6] = [
-    [UNIT, 0.0, 0.0],
-    [-UNIT, 0.0, 0.0],
-    [0.0, UNIT, 0.0],
-    [0.0, -UNIT, 0.0],
-    [0.0, 0.0, UNIT],
-    [0.0, 0.0, -UNIT],
-];
-const OCTAHEDRON_FACES: &[&[u32]] = &[
-    &[0, 2, 4],
-    &[0, 5, 2],
-    &[0, 4, 3],
-    &[0, 3, 5],
-    &[1, 4, 2],
-    &[1, 2, 5],
-    &[1, 3, 4],
-    &[1, 5, 3],
-];
+/// The corners of three rectangles of half edges 1 and `long`, one across each axis.
+fn rectangles(long: f64) -> impl Iterator<Item = [f64; 3]> {
+    let three = [[0.0, 1.0, long], [1.0, long, 0.0], [long, 0.0, 1.0]];
+    let signs = [[0, 1, 2, 3], [0, 2, 4, 6], [0, 1, 4, 5]];
+    let corners = three.into_iter().zip(signs);
+    corners.flat_map(|(corner, signs)| signs.map(|bits| signed(bits, corner)))
+}
 
-const DODECAHEDRON: [[f64; 3]; 20] = [
-    [P, P, P],
-    [P, P, -P],
-    [P, -P, P],
-    [P, -P, -P],
-    [-P, P, P],
-    [-P, P, -P],
-    [-P, -P, P],
-    [-P, -P, -P],
-    [0.0, UNIT, Q],
-    [0.0, UNIT, -Q],
-    [0.0, -UNIT, Q],
-    [0.0, -UNIT, -Q],
-    [UNIT, Q, 0.0],
-    [UNIT, -Q, 0.0],
-    [-UNIT, Q, 0.0],
-    [-UNIT, -Q, 0.0],
-    [Q, 0.0, UNIT],
-    [Q, 0.0, -UNIT],
-    [-Q, 0.0, UNIT],
-    [-Q, 0.0, -UNIT],
+/// The corners of the faces, one face after another.
+const TETRAHEDRON: [u32; 12] = [0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2];
+const CUBE: [u32; 24] = [
+    0, 2, 3, 1, 0, 1, 5, 4, 0, 4, 6, 2, 1, 3, 7, 5, 2, 6, 7, 3, 4, 5, 7, 6,
 ];
-const DODECAHEDRON_FACES: &[&[u32]] = &[
-    &[0, 16, 17, 1, 12],
-    &[0, 8, 10, 2, 16],
-    &[0, 12, 14, 4, 8],
-    &[17, 3, 11, 9, 1],
-    &[9, 5, 14, 12, 1],
-    &[13, 3, 17, 16, 2],
-    &[10, 6, 15, 13, 2],
-    &[3, 13, 15, 7, 11],
-    &[14, 5, 19, 18, 4],
-    &[18, 6, 10, 8, 4],
-    &[5, 9, 11, 7, 19],
-    &[6, 18, 19, 7, 15],
+const OCTAHEDRON: [u32; 24] = [
+    0, 2, 4, 0, 5, 2, 0, 4, 3, 0, 3, 5, 1, 4, 2, 1, 2, 5, 1, 3, 4, 1, 5, 3,
 ];
-
-const ICOSAHEDRON: [[f64; 3]; 12] = [
-    [0.0, UNIT, P],
-    [0.0, UNIT, -P],
-    [0.0, -UNIT, P],
-    [0.0, -UNIT, -P],
-    [UNIT, P, 0.0],
-    [UNIT, -P, 0.0],
-    [-UNIT, P, 0.0],
-    [-UNIT, -P, 0.0],
-    [P, 0.0, UNIT],
-    [P, 0.0, -UNIT],
-    [-P, 0.0, UNIT],
-    [-P, 0.0, -UNIT],
+const DODECAHEDRON: [u32; 60] = [
+    0, 16, 17, 1, 12, 0, 8, 10, 2, 16, 0, 12, 14, 4, 8, 17, 3, 11, 9, 1, 9, 5, 14, 12, 1, 13, 3,
+    17, 16, 2, 10, 6, 15, 13, 2, 3, 13, 15, 7, 11, 14, 5, 19, 18, 4, 18, 6, 10, 8, 4, 5, 9, 11, 7,
+    19, 6, 18, 19, 7, 15,
 ];
-const ICOSAHEDRON_FACES: &[&[u32]] = &[
-    &[0, 2, 8],
-    &[10, 2, 0],
-    &[0, 4, 6],
-    &[0, 8, 4],
-    &[6, 10, 0],
-    &[9, 3, 1],
-    &[1, 3, 11],
-    &[1, 6, 4],
-    &[4, 9, 1],
-    &[1, 11, 6],
-    &[2, 7, 5],
-    &[5, 8, 2],
-    &[2, 10, 7],
-    &[3, 5, 7],
-    &[3, 9, 5],
-    &[7, 11, 3],
-    &[4, 8, 9],
-    &[5, 9, 8],
-    &[6, 11, 10],
-    &[7, 10, 11],
+const ICOSAHEDRON: [u32; 60] = [
+    0, 2, 8, 10, 2, 0, 0, 4, 6, 0, 8, 4, 6, 10, 0, 9, 3, 1, 1, 3, 11, 1, 6, 4, 4, 9, 1, 1, 11, 6,
+    2, 7, 5, 5, 8, 2, 2, 10, 7, 3, 5, 7, 3, 9, 5, 7, 11, 3, 4, 8, 9, 5, 9, 8, 6, 11, 10, 7, 10, 11,
 ];

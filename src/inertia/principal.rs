@@ -70,20 +70,7 @@ impl PrincipalAxes {
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn principal_axes_of(matrix: &Matrix3<f64>) -> Result<PrincipalAxes> {
-    for entry in matrix.iter() {
-        finite("an entry of the matrix", *entry)?;
-    }
-    for (row, column) in [(0, 1), (0, 2), (1, 2)] {
-        let (upper, lower) = (matrix[(row, column)], matrix[(column, row)]);
-        if upper != lower {
-            return Err(Error::NotSymmetric {
-                row,
-                column,
-                upper,
-                lower,
-            });
-        }
-    }
+    symmetric("an entry of the matrix", matrix, 0.0)?;
     if matrix.amax() < 1e300 {
         return Ok(symmetric_axes(matrix));
     }
@@ -94,6 +81,25 @@ pub fn principal_axes_of(matrix: &Matrix3<f64>) -> Result<PrincipalAxes> {
             .map(|moment| (4.0 * moment).clamp(-f64::MAX, f64::MAX)),
         axes: quarter.axes,
     })
+}
+
+/// Refuses a matrix with entries that are not finite, or that differ from those beyond the diagonal by more than `slack`.
+pub(super) fn symmetric(entries: &'static str, matrix: &Matrix3<f64>, slack: f64) -> Result<()> {
+    for entry in matrix.iter() {
+        finite(entries, *entry)?;
+    }
+    for (row, column) in [(0, 1), (0, 2), (1, 2)] {
+        let (upper, lower) = (matrix[(row, column)], matrix[(column, row)]);
+        if (upper - lower).abs() > slack {
+            return Err(Error::NotSymmetric {
+                row,
+                column,
+                upper,
+                lower,
+            });
+        }
+    }
+    Ok(())
 }
 
 type V = [f64; 3];

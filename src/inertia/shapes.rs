@@ -194,38 +194,6 @@ pub fn elliptic_cylinder(mass: f64, [a, b]: [f64; 2], height: f64) -> Result<Mas
     from_means(mass, [(0.25, a), (0.25, b), (1.0 / 3.0, 0.5 * height)])
 }
 
-/// A thin cylindrical shell without lids: MR² about its axis, M(R²/2 + h²/12) across.
-///
-/// # Errors
-/// See the [module](self).
-///
-/// ```
-/// use spinning_bodies::inertia::shapes;
-/// let moments = shapes::cylindrical_shell(12.0, 1.0, 2.0)?.inertia().matrix().diagonal();
-/// assert_eq!(moments.as_slice(), [10.0, 10.0, 12.0]);
-/// # Ok::<(), spinning_bodies::Error>(())
-/// ```
-pub fn cylindrical_shell(mass: f64, radius: f64, height: f64) -> Result<MassProperties> {
-    let round = (0.5, radius);
-    from_means(mass, [round, round, (1.0 / 3.0, 0.5 * height)])
-}
-
-/// A thick tube without lids: M(r²+R²)/2 about its axis.
-///
-/// # Errors
-/// As [`thick_shell`].
-///
-/// ```
-/// use spinning_bodies::inertia::shapes;
-/// assert_eq!(shapes::tube(2.0, 1.0, 2.0, 5.0)?.inertia().matrix()[(2, 2)], 5.0);
-/// # Ok::<(), spinning_bodies::Error>(())
-/// ```
-pub fn tube(mass: f64, inner: f64, outer: f64, height: f64) -> Result<MassProperties> {
-    let s = ratio(inner, outer)?;
-    let round = (0.25 * (1.0 + s * s), outer);
-    from_means(mass, [round, round, (1.0 / 3.0, 0.5 * height)])
-}
-
 /// A thin straight rod along z: Ml²/12 across, nothing about itself (2.7).
 ///
 /// # Errors
@@ -254,7 +222,7 @@ pub fn rod(mass: f64, length: f64) -> Result<MassProperties> {
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn hoop(mass: f64, radius: f64) -> Result<MassProperties> {
-    cylindrical_shell(mass, radius, 0.0)
+    from_means(mass, [(0.5, radius), (0.5, radius), (0.0, 0.0)])
 }
 
 /// A flat disc in the plane of x and y: MR²/2 about its axis, MR²/4 about a diameter (2.7).
@@ -405,30 +373,6 @@ pub fn rectangle_lamina(mass: f64, edges: [f64; 2]) -> Result<MassProperties> {
 pub fn ellipse_lamina(mass: f64, semi_axes: [f64; 2]) -> Result<MassProperties> {
     let [a, b] = semi_axes;
     from_means(mass, [(0.25, a), (0.25, b), (0.0, 0.0)])
-}
-
-/// A regular polygon, all in-plane axes alike: normal (Mρ²/2)(1 − ⅔ sin²(π/n)), ρ the circumradius (2.6).
-///
-/// # Errors
-/// See the [module](self); [`Error::OutOfRange`] for fewer than three sides.
-///
-/// ```
-/// use spinning_bodies::inertia::shapes;
-/// // A square of edge 1, M(a² + b²)/12 about the normal.
-/// let square = shapes::regular_polygon_lamina(6.0, 4, 0.5_f64.sqrt())?;
-/// assert!((square.inertia().matrix()[(2, 2)] - 1.0).abs() < 1e-15);
-/// # Ok::<(), spinning_bodies::Error>(())
-/// ```
-pub fn regular_polygon_lamina(mass: f64, sides: u32, circumradius: f64) -> Result<MassProperties> {
-    within(
-        "the number of sides",
-        f64::from(sides),
-        3.0,
-        f64::from(u32::MAX),
-    )?;
-    let sine = (core::f64::consts::PI / f64::from(sides)).sin();
-    let round = (0.25 - sine * sine / 6.0, circumradius);
-    from_means(mass, [round, round, (0.0, 0.0)])
 }
 
 /// A triangular lamina with these corners in the plane of x and y (2.6).

@@ -1,7 +1,5 @@
 //! The attitude at any time: by theta functions, and where those are out of reach walked (8.2).
 
-use nalgebra::Quaternion;
-
 use super::exact::{Exact, Reason};
 use super::precession::Precession;
 use super::taylor::{Carried, about_third};
@@ -117,9 +115,9 @@ impl KovalevskayaTop {
     }
 
     /// To the units and axes of the body.
-    pub(super) fn placed(&self, (state, [w, i, j, k]): &Carried) -> State {
+    pub(super) fn placed(&self, (state, attitude): &Carried) -> State {
         let TopState { omega, up } = self.outward(state);
-        let turned = Quaternion::new(*w, *i, *j, *k) * about_third(-self.heading);
+        let turned = attitude * about_third(-self.heading);
         self.state(omega, up, Attitude::from_unit(turned / turned.norm()))
     }
 }

@@ -25,11 +25,7 @@ pub(super) struct Pendulum {
 
 impl Pendulum {
     /// None if the start is not in such a plane, exactly.
-    pub fn find(
-        constants: &Constants,
-        wide: &WidePhase,
-        &(_, [w, x, y, z]): &Carried,
-    ) -> Option<Self> {
+    pub fn find(constants: &Constants, wide: &WidePhase, &(_, start): &Carried) -> Option<Self> {
         let [p, q, r, z1, z2, z3] = *wide;
         let none = |all: &[DoubleDouble]| all.iter().all(|x| x.high() == 0.0);
         let axis = if none(&[p, r, z2]) {
@@ -61,7 +57,7 @@ impl Pendulum {
             top: LagrangeTop::exactly(moment, moment, &exact).ok()?,
             axis,
             back: Quaternion::new(a, -b, -c, -d),
-            start: Quaternion::new(w, x, y, z),
+            start,
         })
     }
 
@@ -78,11 +74,8 @@ impl Pendulum {
         let turned = self.back * state.attitude.quaternion().into_inner();
         let mut turn = [0.0; 3];
         turn[self.axis] = [turned.k, turned.i, turned.j][self.axis];
-        let Quaternion { coords } = self.start * Quaternion::from_parts(turned.w, turn.into());
+        let attitude = self.start * Quaternion::from_parts(turned.w, turn.into());
         let ([p, q, r], [z1, z2, z3]) = (omega, up);
-        Ok((
-            [p, q, r, z1, z2, z3],
-            [coords.w, coords.x, coords.y, coords.z],
-        ))
+        Ok(([p, q, r, z1, z2, z3], attitude))
     }
 }

@@ -80,13 +80,13 @@ impl Precession {
         let seen: Vec<[Number; 3]> = exact
             .trial
             .iter()
-            .map(|&(t, (state, [w, x, y, z]))| {
-                let sight = self.sight(constants, exact, t, &state, Quaternion::new(w, x, y, z));
+            .map(|&(t, (state, attitude))| {
+                let sight = self.sight(constants, exact, t, &state, attitude);
                 let [a, b] = self.rates.map(|rate| 2.0 * rate * t);
                 [
-                    sight.third * wave(-0.25 * (a + b)),
-                    sight.doubled[0] * wave(-a),
-                    sight.doubled[1] * wave(-b),
+                    sight.third * Number::cis(-0.25 * (a + b)),
+                    sight.doubled[0] * Number::cis(-a),
+                    sight.doubled[1] * Number::cis(-b),
                 ]
             })
             .collect();
@@ -165,8 +165,7 @@ impl Precession {
         } else {
             third
         };
-        let Quaternion { coords } = about_third(angle) * upright;
-        (state, [coords.w, coords.x, coords.y, coords.z])
+        (state, about_third(angle) * upright)
     }
 }
 
@@ -192,11 +191,6 @@ pub(super) fn horizontal(q: Quaternion<f64>) -> [Number; 3] {
     );
     let i = Number::new(0.0, 1.0);
     [third, axis1 + i * axis2, i * axis2 - axis1]
-}
-
-fn wave(angle: f64) -> Number {
-    let (sine, cosine) = angle.sin_cos();
-    Number::new(cosine, sine)
 }
 
 /// What advances evenly, where it is not rounding.

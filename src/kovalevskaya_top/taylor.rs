@@ -11,29 +11,20 @@ use crate::precise::DoubleDouble;
 pub(super) trait Numeral:
     Copy
     + From<f64>
+    + Into<DoubleDouble>
     + Add<Output = Self>
     + Sub<Output = Self>
     + Mul<Output = Self>
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    fn size(self) -> f64;
 }
 
-impl Numeral for f64 {
-    fn size(self) -> f64 {
-        self.abs()
-    }
-}
+impl Numeral for f64 {}
+impl Numeral for DoubleDouble {}
 
-impl Numeral for DoubleDouble {
-    fn size(self) -> f64 {
-        self.high().abs()
-    }
-}
-
-/// A state and its attitude quaternion (w, x, y, z).
-pub(super) type Carried = (Phase, [f64; 4]);
+/// A state and its attitude.
+pub(super) type Carried = (Phase, Quaternion<f64>);
 
 /// Power series of a motion about the time 0: of Ω and z, and as far as there are ten of the attitude, dq/dt = ½ qΩ.
 pub(super) struct Series<N, const K: usize> {
@@ -44,13 +35,15 @@ pub(super) struct Series<N, const K: usize> {
 
 impl Series<f64, 10> {
     pub fn of(c: f64, (state, attitude): &Carried) -> Self {
-        let whole = |i: usize| if i < 6 { state[i] } else { attitude[i - 6] };
-        Self::about(c, core::array::from_fn(whole), 24, 1e-17)
+        let [p, q, r, z1, z2, z3] = *state;
+        let Quaternion { coords } = attitude;
+        let start = [p, q, r, z1, z2, z3, coords.w, coords.x, coords.y, coords.z];
+        Self::about(c, start, 24, 1e-17)
     }
 
     pub fn carried(&self, h: f64) -> Carried {
         let [p, q, r, z1, z2, z3, w, x, y, z] = self.after(h);
-        ([p, q, r, z1, z2, z3], [w, x, y, z])
+        ([p, q, r, z1, z2, z3], Quaternion::new(w, x, y, z))
     }
 }
 
@@ -66,7 +59,10 @@ impl<N: Numeral, const K: usize> Series<N, K> {
         let terms = grown(c, start, order, |terms, n, m| {
             product(&terms[m], &terms[n - m])
         });
-        let size = |n: usize| terms[n].iter().fold(0.0_f64, |m, x| m.max(x.size()));
+        let size = |n: usize| {
+            let sizes = terms[n].map(|x| x.into().high().abs());
+            sizes.into_iter().fold(0.0, f64::max)
+        };
         let reach = [order - 1, order]
             .map(|n| (part * size(0) / size(n)).powf(1.0 / n as f64))
             .into_iter()

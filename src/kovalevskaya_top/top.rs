@@ -227,7 +227,7 @@ impl KovalevskayaTop {
         let constants = Constants::of(c, &wide);
         let heading = lever.y().atan2(lever.x());
         let turned = attitude.quaternion().into_inner() * about_third(heading);
-        let start = (start, [turned.w, turned.i, turned.j, turned.k]);
+        let start = (start, turned);
         let motion = if rounded == 0.0 {
             // Only the ratios count, so no moment or rate can be too small to square.
             let free = EulerTop::from_omega([2.0, 2.0, 1.0], omega / unit, attitude)?;

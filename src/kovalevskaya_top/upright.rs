@@ -24,7 +24,7 @@
 
 use core::f64::consts::PI;
 
-use nalgebra::{Complex, Quaternion};
+use nalgebra::Complex;
 
 use super::constants::{Constants, Phase, Root, WidePhase};
 use super::exact::{distance, tried};
@@ -208,8 +208,8 @@ impl Upright {
         upright.angles = [0, 1].map(|side| {
             let seen: Vec<Number> = trial
                 .iter()
-                .map(|(t, (state, [w, x, y, z]))| {
-                    let [_, eta @ ..] = horizontal(Quaternion::new(*w, *x, *y, *z));
+                .map(|(t, (state, attitude))| {
+                    let [_, eta @ ..] = horizontal(*attitude);
                     let bearing = upright.bearing(constants, state, side, *t);
                     eta[side] * (bearing * bearing).conj() * Number::cis(-constants.l.value() * t)
                 })
@@ -368,8 +368,7 @@ impl Upright {
             + constants.l.value() * t
             + 2.0 * self.bearing(constants, &state, side, t).arg()
             - eta[side].arg();
-        let Quaternion { coords } = about_third(angle) * upright;
-        (state, [coords.w, coords.x, coords.y, coords.z])
+        (state, about_third(angle) * upright)
     }
 }
 

@@ -75,7 +75,7 @@ impl<'a> Walk<'a> {
             next
         };
         let h = DoubleDouble::difference(next, self.time);
-        let (rounded, [w, i, j, k]) = series.carried(h.value());
+        let (rounded, carried) = series.carried(h.value());
         let grown = series.nearby(c.value(), &self.off, h.value());
         (self.time, self.wide) = (next, wide.after(h));
         self.off = core::array::from_fn(|n| {
@@ -88,13 +88,12 @@ impl<'a> Walk<'a> {
             });
         }
         let state = self.wide.map(DoubleDouble::value);
-        let carried = Quaternion::new(w, i, j, k);
         let carried = carried / carried.norm();
         let [.., z1, z2, z3] = state;
         // Where the body's z stands in space now it must stand upright.
         let vertical = carried * Quaternion::new(0.0, z1, z2, z3) * carried.conjugate();
         let upright = shortest([vertical.i, vertical.j, vertical.k]) * carried;
-        self.here = (state, [upright.w, upright.i, upright.j, upright.k]);
+        self.here = (state, upright);
         Ok(())
     }
 }

@@ -378,7 +378,7 @@ impl<N: Number> Top<N> {
         );
         let parameter = |x: N, elevation| Parameter {
             sense: if x.leading() > 0.0 { -1.0 } else { 1.0 },
-            turning: Turning::first(&descent, elevation),
+            turning: Turning::new(&descent, elevation),
         };
         let parameters = [parameter(d.sum, &lower), parameter(d.difference, &upper)];
         // The phases: α at u = K, where 1 + h is greatest, β at u = 0.

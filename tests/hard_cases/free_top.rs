@@ -102,7 +102,7 @@ impl Row {
 }
 
 /// Bar for the attitude (radians), L and Ω, at any time, on either side of the separatrix and on it.
-/// Observed: 9e-16, 4e-16, 4e-16, and 1.5e-15 for the attitude after 5·10¹⁶ turns of a body one unit in the last place from a sphere.
+/// Observed: 9e-16, 4e-16, 4e-16, and 1.8e-15 for the attitude after 5·10¹⁶ turns of a body one unit in the last place from a sphere.
 const BAR: f64 = 2e-15;
 
 /// In a batch of times the states are those of single calls to the last bit.

@@ -46,14 +46,14 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn shapes_never_panic(m in any(), a in any(), b in any(), c in any(), n in prop::num::u32::ANY, corner in prop::array::uniform3(prop::array::uniform2(any()))) {
+    fn shapes_never_panic(m in any(), a in any(), b in any(), c in any(), corner in prop::array::uniform3(prop::array::uniform2(any()))) {
         let mut all = vec![
             shapes::cuboid(m, [a, b, c]), shapes::hollow_box(m, [a, b, c]), shapes::wire_box(m, [a, b, c]),
             shapes::ball(m, a), shapes::spherical_shell(m, a),
             shapes::thick_shell(m, a, b), shapes::ellipsoid(m, [a, b, c]), shapes::cylinder(m, a, b), shapes::elliptic_cylinder(m, [a, b], c),
-            shapes::cylindrical_shell(m, a, b), shapes::tube(m, a, b, c), shapes::rod(m, a), shapes::hoop(m, a),
+            shapes::rod(m, a), shapes::hoop(m, a),
             shapes::disc(m, a), shapes::cone(m, a, b), shapes::torus(m, a, b), shapes::rectangle_lamina(m, [a, b]),
-            shapes::ellipse_lamina(m, [a, b]), shapes::regular_polygon_lamina(m, n, a), shapes::triangle_lamina(m, corner),
+            shapes::ellipse_lamina(m, [a, b]), shapes::triangle_lamina(m, corner),
         ];
         all.extend(PlatonicSolid::ALL.map(|solid| shapes::platonic(solid, m, a)));
         for body in all.iter().flatten() {
@@ -93,7 +93,7 @@ proptest! {
                 prop_assert!((found.axes.transpose() * found.axes - Matrix3::identity()).amax() <= 1e-15, "{:?}", matrix);
                 let _ = found.principal_moments();
             }
-            for inertia in [InertiaMatrix::from_matrix(matrix), InertiaMatrix::from_second_moments(matrix)].into_iter().flatten() {
+            if let Ok(inertia) = InertiaMatrix::from_matrix(matrix) {
                 let omega = vector(axis);
                 let _ = (inertia.angular_momentum(omega), inertia.rotational_energy(omega), inertia.second_moments());
                 let _ = (inertia.moment_about(omega), inertia.angle_between_l_and_omega(omega));

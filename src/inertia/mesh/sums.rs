@@ -2,6 +2,8 @@
 
 use nalgebra::Vector3;
 
+use crate::precise::{Extended, Number, power, shifted};
+
 /// Triangles gathered in registers before they are added to the next level.
 const BLOCK: usize = 128;
 /// Blocks gathered before they are added to the total.
@@ -86,11 +88,11 @@ impl Scale {
         if size == 0.0 {
             return Self::ONE;
         }
-        let exponent = exponent_of(size);
+        let exponent = Extended::from_double(size).exponent;
         let half = exponent / 2;
         Self {
             shrink,
-            factors: [power_of_two(-half), power_of_two(half - exponent)],
+            factors: [power(-half), power(half - exponent)],
             exponent: exponent + undo,
         }
     }
@@ -102,17 +104,11 @@ impl Scale {
 
     /// The same, times a positive density: in range wherever the result is.
     pub(super) fn restore_times(self, density: f64, value: f64, degree: i32) -> f64 {
-        let exponent = exponent_of(density);
-        let half = exponent / 2;
-        let mantissa = density * power_of_two(-half) * power_of_two(half - exponent);
-        let mut value = value * mantissa;
-        let mut left = self.exponent * degree + exponent;
-        while left != 0 {
-            let step = left.clamp(-900, 900);
-            value *= power_of_two(step);
-            left -= step;
-        }
-        value
+        let density = Extended::from_double(density);
+        shifted(
+            value * density.digits.high(),
+            self.exponent * degree + density.exponent,
+        )
     }
 
     /// Corner minus apex, in this unit.
@@ -121,20 +117,6 @@ impl Scale {
         let [f, g] = self.factors;
         [0, 1, 2].map(|i| (corner[i] * self.shrink - apex[i] * self.shrink) * f * g)
     }
-}
-
-/// ⌊log₂|x|⌋ of a finite number other than zero; subnormal numbers count as 2^-1074 and up.
-fn exponent_of(x: f64) -> i32 {
-    let biased = |x: f64| ((x.to_bits() >> 52) & 0x7ff) as i32;
-    match biased(x) {
-        0 => biased(x * power_of_two(200)) - 1023 - 200,
-        b => b - 1023,
-    }
-}
-
-/// 2^n for -1022 ≤ n ≤ 1023.
-fn power_of_two(n: i32) -> f64 {
-    f64::from_bits(((n + 1023) as u64) << 52)
 }
 
 /// One pass over the triangles; `None` if one names a vertex that does not exist.

@@ -177,6 +177,16 @@ impl<N> HeavySplitting<N> {
             order,
         })
     }
+
+    fn parts<T: Real, const UNEQUAL: bool>(&self) -> Kicked<'_, T, N, UNEQUAL> {
+        let axes = self.axes;
+        Kicked {
+            outer: axes.rate(axes.outer),
+            inner: axes.rate(axes.inner),
+            about_momentum: T::from_double(0.5) * T::from_double(axes.middle).reciprocal(),
+            torque: &self.torque,
+        }
+    }
 }
 
 impl<T: Real, N: Torque<T>> Integrator<T> for HeavySplitting<N> {
@@ -190,36 +200,19 @@ impl<T: Real, N: Torque<T>> Integrator<T> for HeavySplitting<N> {
 
     fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {
         let run = Run::new(phase, step)?;
-        let (axes, torque) = (self.axes, &self.torque);
-        let about_momentum = T::from_double(0.5) * T::from_double(axes.middle).reciprocal();
-        let (outer, inner) = (axes.rate(axes.outer), axes.rate(axes.inner));
         // What turns nothing is left out.
-        if axes.outer.1 == axes.middle {
+        if self.axes.outer.1 == self.axes.middle {
             let splitting = match self.order {
                 Order::Two => STRANG,
                 Order::Four => NYSTROM_6,
                 Order::Six => NYSTROM_11,
             };
-            let parts = Kicked::<T, N, false> {
-                outer,
-                inner,
-                about_momentum,
-                torque,
-            };
+            let parts: Kicked<T, N, false> = self.parts();
             return Ok(Alternating::boxed(parts, run, &splitting, step));
         }
-        let parts = Kicked::<T, N, true> {
-            outer,
-            inner,
-            about_momentum,
-            torque,
-        };
-        Ok(Alternating::boxed(
-            parts,
-            run,
-            &self.order.splitting(),
-            step,
-        ))
+        let parts: Kicked<T, N, true> = self.parts();
+        let splitting = self.order.splitting();
+        Ok(Alternating::boxed(parts, run, &splitting, step))
     }
 }
 

@@ -118,7 +118,7 @@ proptest! {
         if let Ok(picture) = Poinsot::new(i, vector(l)) {
             let [p, q] = [picture.polhode(s), picture.polhode_of_l(s)].map(|v| <[f64; 3]>::from(v.components()));
             prop_assert!(no_nan(&p) && no_nan(&q) && no_nan(&picture.semi_axes) && no_nan(&picture.herpolhode_radii()), "{picture:?} {s}");
-            prop_assert!(no_nan(&[picture.plane_distance, picture.start(), picture.pace(s), picture.herpolhode_radius(s)]), "{picture:?} {s}");
+            prop_assert!(no_nan(&[picture.plane_distance, picture.start(), picture.pace(s)]), "{picture:?} {s}");
         }
     }
 

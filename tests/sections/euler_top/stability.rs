@@ -1,9 +1,7 @@
 //! Paragraphs 6.3 and 6.7: which rotations last, how long the racket waits, and the factor that λ lacks.
 
 use super::*;
-use spinning_bodies::euler_top::stability::{
-    flip_time_asymptote, lambda, lyapunov, oscillations, saddle,
-};
+use spinning_bodies::euler_top::stability::{lambda, lyapunov, oscillations, saddle};
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 
@@ -136,7 +134,6 @@ fn s6_3_flip_time_over_sixteen_decades() {
     }
     // Sixteen decades, and on to the smallest numbers: a straight line on the logarithmic axis. √λ = 1/√3.
     let decade = 2.0 * 10f64.ln() * 3f64.sqrt();
-    let body = moments(MOMENTS);
     let mut last = None;
     for n in (1..=16).chain([60, 150, 200, 300]) {
         let d = 10f64.powi(-n);
@@ -163,8 +160,6 @@ fn s6_3_flip_time_over_sixteen_decades() {
                 beyond < factor * d * d / 4.0 + 1e-15 && beyond > -1e-15,
                 "{d}: {beyond:e}"
             );
-            let claimed = flip_time_asymptote(&body, vector(start)).unwrap();
-            observed!((claimed / asymptote - 1.0).abs(), 1e-16..=2e-15); // observed 4.4e-16
             // √3 from the separatrix on either side: the same line, shifted by ln 3/√λ.
             if about_largest {
                 if let Some((before, flip_before)) = last {
@@ -182,17 +177,6 @@ fn s6_3_flip_time_over_sixteen_decades() {
         }
     }
     assert_eq!(tilted(MOMENTS, [0.0, 1.0, 0.0]).period(), f64::INFINITY);
-    // Moments whose differences are not 1; and a round body has no middle axis to flip about.
-    let other = [0.7, 1.9, 2.2];
-    for start in [[0.0, 1.3, 1e-9], [1e-9, 1.3, 0.0]] {
-        let claimed = flip_time_asymptote(&moments(other), vector(start)).unwrap();
-        let flip = tilted(other, start).period() / 2.0;
-        observed!(relative(claimed, flip), 0.0..=1e-15);
-    }
-    for round in [[1.0, 1.0, 1.5], [1.0, 1.5, 1.5]] {
-        let asked = flip_time_asymptote(&moments(round), vector([0.1, 1.0, 0.1]));
-        refused!(asked, Condition);
-    }
 }
 
 /// λ as the tutorial prints it.

@@ -6,7 +6,8 @@ use spinning_bodies::Result;
 /// A symmetric matrix with random entries, made an inertia matrix by its second moments: S = A Aᵀ.
 fn random_inertia(uniform: &mut Uniform) -> Result<InertiaMatrix> {
     let a = Matrix3::from_fn(|_, _| uniform.signed());
-    InertiaMatrix::from_second_moments(a * a.transpose())
+    let second = a * a.transpose();
+    InertiaMatrix::from_matrix(Matrix3::identity() * second.trace() - second)
 }
 
 /// Mean of R I Rᵀ over the turns by 2πk/n about an axis, summed one by one.

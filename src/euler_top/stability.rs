@@ -25,7 +25,7 @@ pub struct Saddle {
 /// Five roundings. Cost: a few operations.
 ///
 /// # Errors
-/// [`Error::NotFinite`] for Ω₂; [`Error::NotPositive`] if I₁ = 0 and the body can turn about x₁ at no cost.
+/// [`Error::NotFinite`](crate::Error::NotFinite) for Ω₂; [`Error::NotPositive`](crate::Error::NotPositive) if I₁ = 0 and the body can turn about x₁ at no cost.
 ///
 /// ```
 /// use spinning_bodies::{euler_top::stability::lambda, inertia::PrincipalMoments};

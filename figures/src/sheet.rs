@@ -55,13 +55,7 @@ pub fn speeds(values: &Values) -> Result<Figure> {
         .first(Happening::RollingBegins)
         .filter(|event| event.time < leaves);
     let then = course.at(leaves);
-    let end = course.at(stops);
-    let place = end.position;
-    let still = end.velocity.abs() + end.rim_speed.abs() < 1e-9;
-    let claim = match still {
-        true => "Velocity and spin reach zero in the same instant: the ball stops dead.".to_owned(),
-        false => format!("The ball rolls on with {} m/s.", number(end.velocity, 2)),
-    };
+    let place = course.at(stops).position;
     let rolling = rolls.map_or(String::new(), |event| {
         format!(
             " from {} ms on it rolls there, and friction rests;",
@@ -84,7 +78,7 @@ pub fn speeds(values: &Values) -> Result<Figure> {
     let [velocity, rim] = numbers([then.velocity, then.rim_speed], 2);
     let [lowest, highest] = numbers([least, most], 1);
     let words = words!(
-        "{claim}",
+        "Velocity and spin reach zero in the same instant: the ball stops dead.",
         "A sheet jerked away at {pull} m/s, friction $\\mu = {on_sheet}$ on it and {on_table} on the table, $I = {inertia}\\,MR^2$. On the sheet friction drives the ball forward and spins it backward;{rolling} off it, after {gone} ms, the table's friction does \
          the opposite, in the same proportion. Rim speed and velocity stay in the ratio −{ratio} to 1 throughout, so both are zero after {end} ms, {way} mm from the start. \
          Below: the slip of the contact point over whatever it touches.",

@@ -3,6 +3,8 @@
 //! Gauss's transformation goes from a parameter of at most 1/2 to parameter 0 in three steps and a remainder. Each step replaces the modulus k by k₁ = (1 − k′)/(1 + k′) and divides both K and u by 1 + k₁, so that z = πu/(2K) stays.
 //! At the end K is π/2 and sn z is sin z. The mean of 1 and k′, the nome and the functions of z all come from the same steps.
 
+use core::ops::{Add, Div, Mul};
+
 use super::parameter::Parameter;
 use crate::precise::{
     DoubleDouble as Dd, Number, RIGHT_ANGLE, logarithm, power_of_two_below, quick,
@@ -303,38 +305,49 @@ impl Triple {
     fn square_root(self) -> Self {
         let root = self.leading().square_root();
         let near = Self::pair(root);
-        let rest = self.plus(near.times(near).scaled(-1.0)).leading();
-        near.plus(Self::pair(rest.scaled(0.5) / root))
+        let rest = (self + (near * near).scaled(-1.0)).leading();
+        near + Self::pair(rest.scaled(0.5) / root)
     }
+}
 
-    fn plus(self, other: Self) -> Self {
+impl Add for Triple {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
         let ([a, b, c], [d, e, f]) = (self.0, other.0);
         Self::sum([a, d, b, e, c, f])
     }
+}
 
-    fn times(self, other: Self) -> Self {
+impl Mul for Triple {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
         let ([a, b, c], [d, e, f]) = (self.0, other.0);
-        let [ad, ae, bd, be] = [(a, d), (a, e), (b, d), (b, e)].map(|(x, y)| Dd::product(x, y));
+        let (ad, ae, bd) = (Dd::product(a, d), Dd::product(a, e), Dd::product(b, d));
+        let be = Dd::product(b, e);
         let small = a * f + c * d + (b * f + c * e);
-        let [below, beside] = [ae.low(), bd.low()];
-        let upper = [ad.high(), ad.low(), ae.high(), bd.high()];
         Self::sum([
-            upper[0],
-            upper[1],
-            upper[2],
-            upper[3],
-            below,
-            beside,
+            ad.high(),
+            ad.low(),
+            ae.high(),
+            bd.high(),
+            ae.low(),
+            bd.low(),
             be.high(),
             small,
         ])
     }
+}
 
-    fn over(self, divisor: Self) -> Self {
+impl Div for Triple {
+    type Output = Self;
+
+    fn div(self, divisor: Self) -> Self {
         let by = divisor.leading();
         let near = Self::pair(self.leading() / by);
-        let rest = self.plus(near.times(divisor).scaled(-1.0)).leading();
-        near.plus(Self::pair(rest / by))
+        let rest = (self + (near * divisor).scaled(-1.0)).leading();
+        near + Self::pair(rest / by)
     }
 }
 
@@ -358,16 +371,16 @@ fn quarter_period(parameter: Parameter) -> Triple {
     let mut b = mc.square_root().scaled(power);
     // Twelve rounds for the least mc there is. The gap left is squared once more by the last mean.
     for _ in 0..16 {
-        let next = a.plus(b).scaled(0.5);
-        let gap = a.plus(b.scaled(-1.0)).0[0];
+        let next = (a + b).scaled(0.5);
+        let gap = (a + b.scaled(-1.0)).0[0];
         if gap < 1e-25 * a.0[0] {
             a = next;
             break;
         }
-        b = a.times(b).square_root();
+        b = (a * b).square_root();
         a = next;
     }
-    HALF_PI.over(a)
+    HALF_PI / a
 }
 
 /// `u − count K`, where the prepared K leaves too few bits.

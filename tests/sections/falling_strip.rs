@@ -223,10 +223,10 @@ fn chaos_has_averages() {
         })
         .collect();
     let mean = runs.iter().map(|run| run.descent).sum::<f64>() / runs.len() as f64;
-    assert!((mean - 0.58).abs() < 0.015, "{mean}");
+    observed!((mean - 0.58).abs(), 5e-3..=0.015, "{mean}");
     for run in &runs {
         assert_eq!((run.regime, run.period), (Regime::Mixed, None));
-        assert!((run.descent - mean).abs() < 0.06, "{}", run.descent);
+        observed!((run.descent - mean).abs(), 0.02..=0.06, "{}", run.descent);
         assert!(run.drift.abs() < 0.15, "{}", run.drift);
     }
 }

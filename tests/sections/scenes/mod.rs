@@ -3,6 +3,7 @@
 mod bodies;
 mod contact;
 mod files;
+mod film;
 mod meteorite;
 mod roller;
 mod shape;

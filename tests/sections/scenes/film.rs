@@ -1,0 +1,401 @@
+//! What a scene looks like is what its numbers tell: inertia, places, turns and floors, from the solids that are drawn.
+
+use nalgebra::{Isometry3, Matrix3, UnitQuaternion, Vector3};
+use spinning_bodies::scene::files::parse;
+use spinning_bodies::scene::{Around, Sight, Solid, Table};
+use std::fs;
+
+fn file_of_the_book(name: &str) -> String {
+    let scenes = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/scenes");
+    fs::read_to_string(format!("{scenes}/{name}")).unwrap()
+}
+
+/// A scene at these times, all that it tells of itself, and what it looks like.
+fn seen(name: &str, text: &str, times: &[f64]) -> (Table, Vec<Sight>) {
+    let before = text.split("[run]").next().unwrap();
+    let text = format!("{before}\n[run]\ntimes = {times:?}\naccuracy = 1e-9\n");
+    let (scene, request) = parse(name, &text).unwrap_or_else(|told| panic!("{told}\n{text}"));
+    let names: Vec<_> = scene.columns().iter().map(|column| column.name).collect();
+    let scene = scene.telling(&names).unwrap();
+    let table = scene.simulate(&request).unwrap();
+    let sight = |(_, row): (f64, Vec<f64>)| scene.sight(&table.columns, &row).unwrap();
+    let sights = table.rows().map(sight).collect();
+    (table, sights)
+}
+
+fn number(table: &Table, row: usize, name: &str) -> f64 {
+    let place = table.columns.iter().position(|column| column.name == name);
+    table.row(row).1[place.unwrap()]
+}
+
+/// The means of x and of x xᵀ over a homogeneous solid, from its origin along its own axes. A ring must have some width.
+fn means(solid: &Solid) -> (Vector3<f64>, Matrix3<f64>) {
+    let centered = |second| (Vector3::zeros(), second);
+    match solid {
+        Solid::Ellipsoid(half_axes) => centered(half_axes * half_axes.transpose() / 5.0),
+        Solid::Cuboid(edges) => centered(Matrix3::from_diagonal(&edges.map(|e| e * e / 12.0))),
+        Solid::Bar(to) => (to / 2.0, to * to.transpose() / 3.0),
+        Solid::Turned(outline) => {
+            let (mut volume, mut first, mut along, mut across) = (0.0, 0.0, 0.0, 0.0);
+            for pair in outline.windows(2) {
+                // Three points of Gauss and Legendre: exact for a straight edge.
+                for (at, weight) in [(-0.6_f64.sqrt(), 5.0), (0.0, 8.0), (0.6_f64.sqrt(), 5.0)] {
+                    let [z, r] = [0, 1].map(|k| {
+                        let (from, to) = (pair[0][k], pair[1][k]);
+                        from + 0.5 * (1.0 + at) * (to - from)
+                    });
+                    let slice = weight * (pair[1][0] - pair[0][0]) * r * r;
+                    volume += slice;
+                    first += slice * z;
+                    along += slice * z * z;
+                    across += slice * r * r / 4.0;
+                }
+            }
+            let second = Vector3::new(across, across, along) / volume;
+            let center = Vector3::z() * (first / volume);
+            (center, Matrix3::from_diagonal(&second))
+        }
+    }
+}
+
+/// The inertia of a homogeneous solid of 1 kg about a point of space.
+fn inertia((solid, stands): &(Solid, Isometry3<f64>), about: Vector3<f64>) -> Matrix3<f64> {
+    let (first, second) = means(solid);
+    let turn = stands.rotation.to_rotation_matrix();
+    let origin = stands.translation.vector - about;
+    let mixed = turn * first * origin.transpose();
+    let second = turn * second * turn.transpose();
+    let second = second + mixed + mixed.transpose() + origin * origin.transpose();
+    Matrix3::identity() * second.trace() - second
+}
+
+/// How low a solid reaches.
+fn lowest((solid, stands): &(Solid, Isometry3<f64>)) -> f64 {
+    // The vertical along the axes of the solid.
+    let up = stands.rotation.inverse() * Vector3::z();
+    let below = match solid {
+        Solid::Ellipsoid(half_axes) => -(half_axes.transpose() * up).norm(),
+        Solid::Cuboid(edges) => -0.5 * edges.component_mul(&up.abs()).sum(),
+        Solid::Bar(to) => to.dot(&up).min(0.0),
+        Solid::Turned(outline) => {
+            let level = |&[z, r]: &[f64; 2]| z * up.z - r * up.x.hypot(up.y);
+            outline.iter().map(level).fold(f64::INFINITY, f64::min)
+        }
+    };
+    stands.translation.z + below
+}
+
+fn lowest_of_all(sight: &Sight) -> f64 {
+    let solids = sight.solids.iter().map(lowest);
+    solids.fold(f64::INFINITY, f64::min)
+}
+
+/// Ω by the way in which a solid stands a little before and a little after.
+fn turning(sights: &[Sight; 3], solid: usize, apart: f64) -> Vector3<f64> {
+    let [before, _, after] = sights;
+    let turn = |sight: &Sight| sight.solids[solid].1.rotation;
+    (turn(after) * turn(before).inverse()).scaled_axis() / apart
+}
+
+#[test]
+fn a_body_is_drawn_with_the_inertia_that_it_has() {
+    let pivoted = "pivot = [0.1, -0.2, 0.05]";
+    let bodies = [
+        ("shape = \"ball\"\nradius = 0.3", pivoted, 1e-14),
+        (
+            "shape = \"cylinder\"\nradius = 0.3\nheight = 0.5",
+            pivoted,
+            1e-14,
+        ),
+        (
+            "shape = \"cone\"\nradius = 0.3\nheight = 0.5",
+            "pivot = [0.0, 0.0, 0.0]",
+            1e-14,
+        ),
+        (
+            "shape = \"cone\"\nradius = 0.3\nheight = 0.5",
+            pivoted,
+            1e-14,
+        ),
+        (
+            "shape = \"cuboid\"\nedges = [0.1, 0.2, 0.4]",
+            pivoted,
+            1e-14,
+        ),
+        (
+            "shape = \"ellipsoid\"\nsemi_axes = [0.1, 0.2, 0.4]",
+            pivoted,
+            1e-14,
+        ),
+        ("shape = \"egg\"\nlong = 0.3\nshort = 0.2", pivoted, 1e-14),
+        // Drawn with sixteen levels.
+        (
+            "shape = \"ball-without-cap\"\nradius = 0.3\ncut = 0.1",
+            pivoted,
+            0.02,
+        ),
+        ("moments = [0.3, 0.4, 0.5]", "", 1e-14),
+        (
+            "moments = [0.3, 0.4, 0.5]",
+            "center_of_mass = [0.1, -0.05, 0.02]",
+            1e-14,
+        ),
+        ("inertia = [0.3, 0.4, 0.5, 0.01, -0.02, 0.03]", "", 1e-14),
+        (
+            "inertia = [0.3, 0.4, 0.5, 0.01, -0.02, 0.03]",
+            "center_of_mass = [0.1, -0.05, 0.02]",
+            1e-14,
+        ),
+    ];
+    for (body, held, tolerance) in bodies {
+        let start =
+            "[initial]\nattitude = [0.1, 0.3, -0.5, 0.8062257748298549]\nomega = [1.0, 2.0, -3.0]";
+        let gravity = if held.is_empty() {
+            ""
+        } else {
+            "gravity = 9.81"
+        };
+        let text = format!("[body]\nmass = 2.0\n{body}\n{held}\n{start}\n[effects]\n{gravity}\n");
+        let (_, sights) = seen("mine.toml", &text, &[0.0, 0.4]);
+        for sight in sights {
+            let drawn = sight
+                .solids
+                .iter()
+                .find(|(solid, _)| !matches!(solid, Solid::Bar(_)));
+            let expected = inertia(drawn.unwrap(), Vector3::zeros()) * sight.omega * 2.0;
+            let off = (sight.angular_momentum.unwrap() - expected).norm() / expected.norm();
+            assert!(off < tolerance, "{body} {held}: {off}");
+            assert_eq!(
+                (sight.around, sight.place),
+                (Around::Pivot, Vector3::zeros())
+            );
+        }
+    }
+}
+
+#[test]
+fn everything_turns_as_omega_says() {
+    // The yo-yo and the superball do not tell how far they have turned; the feet of the crawler do not turn.
+    let scenes = [
+        ("billiard-shot.toml", 0),
+        ("cat.toml", 2),
+        ("chiral-top.toml", 0),
+        ("egg.toml", 0),
+        ("heavy-body.toml", 0),
+        ("heavy-body.toml", 1),
+        ("meteorite.toml", 0),
+        ("nutation-dies.toml", 0),
+        ("paper-cat.toml", 0),
+        ("racket.toml", 0),
+        ("rattleback.toml", 0),
+        ("skater.toml", 0),
+        ("skater.toml", 1),
+        ("skater.toml", 4),
+        ("sleeping-top.toml", 0),
+        ("spool.toml", 0),
+        ("spool.toml", 2),
+        ("strip.toml", 0),
+        ("swivel.toml", 0),
+        ("tippe-top.toml", 0),
+        ("withdrawn-sheet.toml", 0),
+    ];
+    for (name, solid) in scenes {
+        for t in [0.11, 0.27] {
+            let apart = 2e-4;
+            let times = [t - 0.5 * apart, t, t + 0.5 * apart];
+            let (_, sights) = seen(name, &file_of_the_book(name), &times);
+            let sights: [Sight; 3] = sights.try_into().unwrap();
+            let told = sights[1].omega;
+            let off = (turning(&sights, solid, apart) - told).norm();
+            assert!(
+                sights[1].turned && off <= 1e-3 * told.norm(),
+                "{name} at {t}: {off}"
+            );
+        }
+    }
+}
+
+#[test]
+fn what_is_on_a_floor_touches_it() {
+    let times: Vec<f64> = (0..21).map(|k| 0.05 * f64::from(k)).collect();
+    for name in [
+        "billiard-shot.toml",
+        "chiral-top.toml",
+        "egg.toml",
+        "hoop-with-clay.toml",
+        "rattleback.toml",
+        "sliding-ball.toml",
+        "spool.toml",
+        "tippe-top.toml",
+        "withdrawn-sheet.toml",
+        "crawler.toml",
+    ] {
+        let (_, sights) = seen(name, &file_of_the_book(name), &times);
+        for (t, sight) in times.iter().zip(&sights) {
+            let low = lowest_of_all(sight);
+            assert!(
+                sight.around == Around::Floor && low.abs() < 1e-12,
+                "{name} at {t}: {low}"
+            );
+        }
+    }
+    // Here one disc is above the other, or a core below the arms.
+    for name in ["swivel.toml", "skater.toml"] {
+        let (_, sights) = seen(name, &file_of_the_book(name), &times);
+        for sight in sights {
+            let low = lowest_of_all(&sight);
+            let size = sight.place.z;
+            assert!(low >= -1e-15 && low < 0.2 * size, "{name}: {low}");
+        }
+    }
+}
+
+#[test]
+fn a_superball_touches_floor_and_ceiling_where_it_bounces() {
+    let text = file_of_the_book("superball.toml");
+    let times: Vec<f64> = (0..101).map(|k| 0.01 * f64::from(k)).collect();
+    let (table, sights) = seen("superball.toml", &text, &times);
+    for (row, sight) in sights.iter().enumerate() {
+        let height = number(&table, row, "height");
+        let Around::Under(ceiling) = sight.around else {
+            panic!("{:?}", sight.around)
+        };
+        let low = lowest_of_all(sight);
+        assert!((low - height).abs() < 1e-15);
+        // Seen from above.
+        let mut over = sight.clone();
+        let half_turn = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), core::f64::consts::PI);
+        for (_, stands) in &mut over.solids {
+            *stands = Isometry3::from_parts(Vector3::zeros().into(), half_turn) * *stands;
+        }
+        let room = ceiling + lowest_of_all(&over);
+        assert!((room - (0.6 - height)).abs() < 1e-15, "{room} {height}");
+        // L = 2/5 M R² Ω: the radius is not told, the quotient of the two is.
+        let radius = sight.place.z - low;
+        let l = sight.angular_momentum.unwrap();
+        assert!((l - sight.omega * (0.4 * 0.05 * radius * radius)).norm() < 1e-15);
+        assert!(!sight.turned);
+    }
+}
+
+/// Where a bar ends.
+fn end((solid, stands): &(Solid, Isometry3<f64>)) -> Vector3<f64> {
+    let Solid::Bar(to) = solid else {
+        panic!("{solid:?}")
+    };
+    (stands * nalgebra::Point3::from(*to)).coords
+}
+
+fn place((_, stands): &(Solid, Isometry3<f64>)) -> Vector3<f64> {
+    stands.translation.vector
+}
+
+/// The moment of a solid of 1 kg about a line through its centre.
+fn moment(solid: &(Solid, Isometry3<f64>), line: Vector3<f64>) -> f64 {
+    line.dot(&(inertia(solid, place(solid)) * line)) / line.norm_squared()
+}
+
+#[test]
+fn a_cat_is_two_cylinders_that_meet_at_its_joint() {
+    let (_, sights) = seen("cat.toml", &file_of_the_book("cat.toml"), &[0.0, 0.08, 0.2]);
+    for sight in sights {
+        let [spines @ .., front, rear] = &sight.solids[..] else {
+            panic!()
+        };
+        let joint = end(&spines[0]);
+        assert!((joint - end(&spines[1])).norm() < 1e-15);
+        // Halves of the same mass.
+        assert!((place(front) + place(rear) - 2.0 * sight.place).norm() < 1e-15);
+        for (spine, half) in spines.iter().zip([front, rear]) {
+            assert!((place(spine) - place(half)).norm() < 1e-15);
+            let along = joint - place(half);
+            assert!((along.norm() - 0.11).abs() < 1e-15);
+            let across = along.cross(&Vector3::new(0.3, -0.5, 0.7));
+            let [axial, transverse] = [along, across].map(|line| 1.5 * moment(half, line));
+            assert!((axial - 0.0025).abs() < 1e-16 && (transverse - 0.01).abs() < 1e-16);
+        }
+        assert_eq!(sight.angular_momentum, None);
+    }
+}
+
+#[test]
+fn shapes_that_change_are_drawn_as_they_are() {
+    let text = file_of_the_book("swivel.toml");
+    let (table, sights) = seen("swivel.toml", &text, &[0.0, 0.9, 1.7, 3.3]);
+    for (row, sight) in sights.iter().enumerate() {
+        let told = |name| number(&table, row, name);
+        let [lower, upper] = [0, 1].map(|k| &sight.solids[k]);
+        assert!((moment(lower, Vector3::z()) - 0.6).abs() < 1e-15);
+        assert!((moment(upper, Vector3::z()) - told("upper_moment")).abs() < 1e-15);
+        let turn = upper.1.rotation.scaled_axis().z - told("upper");
+        assert!((turn / core::f64::consts::TAU).fract().abs() < 1e-14);
+        assert_eq!(place(upper), sight.place);
+    }
+
+    let text = file_of_the_book("skater.toml");
+    let (table, sights) = seen("skater.toml", &text, &[0.0, 0.9, 1.2, 1.7]);
+    for (row, sight) in sights.iter().enumerate() {
+        let told = |name| number(&table, row, name);
+        let [core, left_arm, left, right_arm, right] = &sight.solids[..] else {
+            panic!()
+        };
+        let (sine, cosine) = told("angle").sin_cos();
+        let reach = Vector3::new(cosine, sine, 0.0) * told("reach");
+        for (side, arm, hand) in [(-1.0, left_arm, left), (1.0, right_arm, right)] {
+            assert!((place(hand) - sight.place - reach * side).norm() < 1e-14);
+            assert!((end(arm) - place(hand)).norm() < 1e-15 && place(arm) == sight.place);
+        }
+        // Both hands, 2.5 kg each, on the rim of the core would have its 0.8 kg m².
+        let girth_squared = 2.0 * moment(core, Vector3::z());
+        assert!((2.0 * 2.5 * girth_squared - 0.8).abs() < 1e-15);
+        let l = sight.angular_momentum.unwrap();
+        let all = 0.8 + 2.0 * 2.5 * reach.norm_squared();
+        assert!((l - sight.omega * all).norm() < 1e-13);
+    }
+
+    let text = file_of_the_book("crawler.toml");
+    let (table, sights) = seen("crawler.toml", &text, &[0.0, 0.5, 1.1]);
+    for (row, sight) in sights.iter().enumerate() {
+        let [muscle, rear, front] = &sight.solids[..] else {
+            panic!()
+        };
+        assert_eq!((place(muscle), end(muscle)), (place(rear), place(front)));
+        let [behind, before] = ["rear", "front"].map(|name| number(&table, row, name));
+        assert_eq!((place(rear).x, place(front).x), (behind, before));
+        let center = (3.0 * behind + before) / 4.0;
+        assert!((sight.place.x - center).abs() < 1e-15);
+        // As balls of their masses.
+        let volumes = [rear, front].map(|foot| place(foot).z.powi(3));
+        assert!((volumes[0] / volumes[1] - 3.0).abs() < 1e-14);
+    }
+}
+
+#[test]
+fn where_nothing_slips_the_lowest_point_rests() {
+    let scenes = [
+        ("rattleback.toml", [0.3, 2.1]),
+        ("billiard-shot.toml", [0.8, 2.0]),
+    ];
+    for (name, times) in scenes {
+        for t in times {
+            let apart = 2e-4;
+            let times = [t - 0.5 * apart, t, t + 0.5 * apart];
+            let (_, sights) = seen(name, &file_of_the_book(name), &times);
+            let [before, now, after] = &sights[..] else {
+                panic!()
+            };
+            // Where the vertical leaves the ellipsoid.
+            let (solid, stands) = &now.solids[0];
+            let Solid::Ellipsoid(half_axes) = solid else {
+                panic!("{solid:?}")
+            };
+            let half_axes = stands.rotation.to_rotation_matrix() * half_axes;
+            let down = half_axes.transpose() * -Vector3::z();
+            let touching = place(&now.solids[0]) + half_axes * down / down.norm();
+            let way = after.place - before.place;
+            let speed = way / apart + now.omega.cross(&(touching - now.place));
+            let pace = now.omega.norm() * (touching - now.place).norm();
+            assert!(speed.norm() < 1e-5 * pace, "{name} at {t}: {speed:?}");
+        }
+    }
+}

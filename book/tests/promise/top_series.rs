@@ -184,11 +184,17 @@ impl Top {
         self.motion_to(start, times, LAST)
     }
 
-    /// By how much the motion may be off, radians or parts of `unit`: three times as much as steps of other lengths make of the roundings.
+    /// By how much the motion may be off, radians or parts of `unit`: three times as much as steps of other lengths make of the roundings, at these times
+    /// or on the way. Runs that have parted may meet again, as beside a separatrix, where all of them rest for most of the time.
     pub fn doubt(&self, start: &Whole, times: &[f64], unit: f64) -> f64 {
-        let fine = self.motion(start, times);
+        const ON_THE_WAY: u32 = 256;
+        let parts = (1..=ON_THE_WAY).map(|k| f64::from(k) / f64::from(ON_THE_WAY));
+        let times: Vec<f64> = parts
+            .flat_map(|part| times.iter().map(move |t| t * part))
+            .collect();
+        let fine = self.motion(start, &times);
         let apart = [5.0, 30.0, 180.0].map(|longer| {
-            let other = self.motion_to(start, times, longer * LAST);
+            let other = self.motion_to(start, &times, longer * LAST);
             let pairs = fine.states.iter().zip(&other.states);
             let apart = pairs.map(|(a, b)| {
                 let [x, y, z, u, v, w] = a.to(b);

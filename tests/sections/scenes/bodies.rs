@@ -204,6 +204,25 @@ fn a_body_is_given_by_what_it_is() {
             "shape = \"racket\"\nhead = 0.3\nhandle = 0.8",
             2.0 * PI * r + h,
         ),
+        ("shape = \"hoop\"\nradius = 0.3", 2.0 * PI * r),
+        ("shape = \"disc\"\nradius = 0.3", PI * r * r),
+        (
+            "shape = \"cylinder\"\nradius = 0.3\nheight = 0.8",
+            PI * r * r * h,
+        ),
+        ("shape = \"cuboid\"\nedges = [2, 3, 7]", 42.0),
+        ("shape = \"ellipsoid\"\nsemi_axes = [2, 3, 7]", 56.0 * PI),
+        ("shape = \"egg\"\nlong = 3\nshort = 2", 16.0 * PI),
+        // ∫ π(R² − z²) dz from −R to the cut.
+        (
+            "shape = \"ball-without-cap\"\nradius = 3\ncut = 1",
+            PI * (9.0 * 4.0 - 28.0 / 3.0),
+        ),
+        // A quarter of the mass is the weight, three quarters are the ball.
+        (
+            "shape = \"ball-with-weight\"\nradius = 3\nweight = 0.25\nweight_at = [0, 0, 2]",
+            36.0 * PI / 0.75,
+        ),
     ] {
         let by_mass = moments(&format!("mass = {:?}\n{sized}", 7.0 * measure));
         let by_density = moments(&format!("density = 7.0\n{sized}"));

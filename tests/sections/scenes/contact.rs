@@ -156,8 +156,10 @@ fn a_struck_ball_slides_until_it_rolls() {
     assert_eq!(phases.len(), 2);
     assert_eq!(phases[1].support, Support::Rolling);
     assert!((phases[1].start - known.time).abs() < 1e-8);
+    let sliding = end(&scene, 0.5 * known.time, 1e-9);
+    assert!((sliding.friction - 0.2 * sliding.reaction).abs() < 1e-15 * sliding.reaction);
     let state = end(&scene, 2.0, 1e-9);
-    assert!((state.velocity.x() - 0.5).abs() < 1e-8);
+    assert!((state.velocity.x() - 0.5).abs() < 1e-8 && state.friction < 1e-8);
 }
 
 fn rocker() -> ConvexBody {

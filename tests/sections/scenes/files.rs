@@ -84,6 +84,53 @@ fn the_key_that_is_to_blame_is_named_first() {
 }
 
 /// Nothing that somebody may type brings the reader down, and what it tells is one line each.
+/// A slip of the pen is one mistake, not a strange key and a missing one.
+#[test]
+fn what_is_wrong_is_told_once() {
+    let roller = "kind = \"roller\"\n[body]\nmass = 1\nradus = 0.1\n[effects]\ngravity = 9.81\n[run]\nuntil = 1\n";
+    let table_top = "kind = \"table-top\"\n[body]\nmass = 1\nshape = \"ball\"\nradius = 0.1\n\
+                     [initial]\ntilt = 0.1\nomega = [1, 2, 3]\n[run]\nuntil = 1\n";
+    for (text, line, words) in [
+        (roller.to_owned(), 4, "did you mean `radius`?"),
+        (
+            table_top.to_owned(),
+            8,
+            "goes with `attitude`, not with `tilt`",
+        ),
+        (RACKET.replace("[0.0, 5.0]", "[]"), 6, "1 to "),
+        (
+            format!("{RACKET}columns = []\n"),
+            7,
+            "must name one number at least",
+        ),
+    ] {
+        let told = mistakes(&text);
+        let expected = format!("mine.toml:{line}: ");
+        assert!(
+            told.len() == 1 && told[0].starts_with(&expected) && told[0].contains(words),
+            "{told:?}"
+        );
+    }
+}
+
+#[test]
+fn the_last_of_the_times_is_the_one_asked_for() {
+    for (until, samples) in [(52.0, 521), (1e308, 101), (-1e308, 11), (0.1, 2)] {
+        let text = RACKET.replace(
+            "times = [0.0, 5.0]",
+            &format!("until = {until:e}\nsamples = {samples}"),
+        );
+        let (_, request) = parse("mine.toml", &text).unwrap();
+        let times = request.times();
+        assert_eq!(
+            (times.len(), times[0], times[samples - 1]),
+            (samples, 0.0, until)
+        );
+        let step = until / (samples - 1) as f64;
+        assert!((times[1] / step - 1.0).abs() < 1e-15);
+    }
+}
+
 #[test]
 fn strange_texts_are_refused_and_nothing_panics() {
     let values = r#"nan|-inf|1e999|99999999999999999999|0x7f|-0.0|true|""|''|[]|[[]]|[1, "a"]|{}|{ a = 1 }|1979-05-27|[nan, 0, 0]|[{}]|"\u0000\n"|5e-324"#;

@@ -174,6 +174,23 @@ fn a_body_is_drawn_with_the_inertia_that_it_has() {
 }
 
 #[test]
+fn a_planet_is_drawn_about_its_centre_of_mass() {
+    let text = "kind = \"meteorite\"\n[body]\nmass = 2.0\nshape = \"cone\"\nradius = 0.3\nheight = 0.5\n\
+                [initial]\nvelocity = [3.0, 0.0, 1.0]\nomega = [1.0, 2.0, -3.0]\n";
+    let (table, sights) = seen("mine.toml", text, &[0.0, 0.4]);
+    for (row, sight) in sights.iter().enumerate() {
+        let center = means(&sight.solids[0].0).0;
+        let stands = sight.solids[0].1;
+        let center = stands.rotation * center + stands.translation.vector;
+        let told = ["x", "y", "z"].map(|name| number(&table, row, name));
+        assert!((center - Vector3::from(told)).norm() < 1e-14);
+        assert_eq!((sight.place, sight.around), (told.into(), Around::Space));
+        let l = inertia(&sight.solids[0], center) * sight.omega * 2.0;
+        assert!((sight.angular_momentum.unwrap() - l).norm() < 1e-14 * l.norm());
+    }
+}
+
+#[test]
 fn everything_turns_as_omega_says() {
     // The yo-yo and the superball do not tell how far they have turned; the feet of the crawler do not turn.
     let scenes = [

@@ -79,6 +79,20 @@ fn a_swivel_without_its_effects() {
     assert!(difference > 0.05, "{difference}");
 }
 
+/// Without L every round turns the lower part by the same angle, wherever one begins to count.
+#[test]
+fn every_round_of_the_swivel_is_like_the_first() {
+    let times: Vec<f64> = (0..12).map(|k| 0.17 * f64::from(k)).collect();
+    let later = |round: f64| times.iter().map(move |t| t + 2.0 * round);
+    let at = |times: Vec<f64>| rows(&swivel(), &Request::at(times).unwrap());
+    let (first, round) = (at(times.clone()), at(vec![2.0])[0][0]);
+    for whole in [1.0, 5.0] {
+        for (a, b) in first.iter().zip(at(later(whole).collect())) {
+            assert!((a[0] + whole * round - b[0]).abs() < 1e-14);
+        }
+    }
+}
+
 /// The law L + cβ = const: however small the friction, it turns you all the way back.
 #[test]
 fn viscous_friction_undoes_the_swivel() {
@@ -234,6 +248,26 @@ fn a_paper_cat_without_its_effects() {
     let full = falling.with(air).unwrap().simulate(&asked).unwrap();
     assert!(full.rows[50].1.tilt < 1.0);
     assert!(full.ledger.is_kept_within(1e-9).unwrap(), "{}", full.ledger);
+}
+
+/// The double next to π is 1.2e-16 less: upside down, a cat of paper still knows on which side it is.
+#[test]
+fn a_paper_cat_upside_down_falls_to_the_nearer_side() -> Result<()> {
+    let below = PI.next_down();
+    for (tilt, feet_down) in [
+        (PI, 0.0),
+        (-PI, 0.0),
+        (below, 0.0),
+        (-below, 0.0),
+        (PI.next_up(), TAU),
+    ] {
+        let cat = shape::PaperCat::new(PaperCat::POSTCARD, tilt)?;
+        let cat = cat.with(Air::new(1.2)?)?.with(Gravity::new(9.81)?)?;
+        let end = cat.simulate(&request(40.0, 1e-6))?.rows;
+        let end = end.last().unwrap().1.tilt;
+        assert!((end - feet_down).abs() < 0.1, "{tilt} {end}");
+    }
+    Ok(())
 }
 
 fn crawler_body() -> shape::Crawler {

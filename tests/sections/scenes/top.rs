@@ -80,6 +80,65 @@ fn a_closed_form_and_a_general_method_agree() {
 }
 
 /// Every method by its name, and the error it tells.
+/// What the ledger keeps beside energy and L is what the textbook says, from the start.
+#[test]
+fn the_ledger_keeps_the_fourth_integral() {
+    for (moments, center) in KNOWN {
+        let top = Top::new(body(moments, center), start()).unwrap();
+        let top = top.with(Gravity::new(G).unwrap()).unwrap();
+        let motion = top.simulate(&Request::at(times()).unwrap()).unwrap();
+        let l: [f64; 3] = core::array::from_fn(|k| moments[k] * [0.7, -1.1, 6.0][k]);
+        let along = |line: [f64; 3]| -> f64 {
+            let size = line[0].hypot(line[1]).hypot(line[2]);
+            (0..3).map(|k| l[k] * line[k]).sum::<f64>() / size
+        };
+        let odd = (0..3)
+            .find(|&k| moments[k] != moments[(k + 1) % 3] && moments[k] != moments[(k + 2) % 3]);
+        let lies = (0..3).filter(|&k| center[k] == 0.0).count();
+        let (name, expected) = match (odd, lies) {
+            // No lever, so nothing but energy and L.
+            (_, 3) => continue,
+            (None, _) => (
+                "angular momentum about the line to the centre of mass",
+                along(center),
+            ),
+            (Some(axis), 2) => ("angular momentum about the axis of symmetry", l[axis]),
+            // Her constant, along axes that are turned until C lies on the first of the three.
+            (Some(axis), _) => {
+                let [p, q] = [1, 2].map(|n| (axis + n) % 3);
+                let omega = nalgebra::Complex::new(l[p] / moments[p], l[q] / moments[q]);
+                let z = start_up();
+                let lever = 0.3 * G / moments[axis] * nalgebra::Complex::new(center[p], center[q]);
+                let k = omega * omega - lever * nalgebra::Complex::new(z[p], z[q]);
+                ("Kovalevskaya's constant", k.norm())
+            }
+        };
+        let kept = motion
+            .ledger
+            .entries()
+            .iter()
+            .find(|entry| entry.name == name);
+        let kept = kept.unwrap_or_else(|| panic!("{name}: {}", motion.ledger));
+        assert!(
+            (kept.first() - expected).abs() < 1e-14 * expected.abs().max(1.0),
+            "{name}"
+        );
+        assert!(kept.relative_drift() < 1e-12, "{}", motion.ledger);
+    }
+}
+
+/// The vertical along the axes of the body at the start.
+fn start_up() -> [f64; 3] {
+    let [w, x, y, z] = [0.9, 0.3, -0.2, 0.25];
+    let square = w * w + x * x + y * y + z * z;
+    [
+        x * z - w * y,
+        y * z + w * x,
+        0.5 * (w * w + z * z - x * x - y * y),
+    ]
+    .map(|c| 2.0 * c / square)
+}
+
 #[test]
 fn geometric_methods_reach_their_accuracy() {
     let gravity = Gravity::new(G).unwrap();

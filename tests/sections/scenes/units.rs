@@ -128,6 +128,10 @@ fn the_unit_does_not_matter() {
         let [(seen, here), (seen_there, there)] = &tables;
         assert_eq!(here.cost, there.cost, "{name}");
         assert_eq!(here.error_estimate, there.error_estimate, "{name}");
+        assert!(
+            here.error_estimate > 0.0 && !here.plan.reason.is_empty(),
+            "{name}"
+        );
         for (a, b) in here.ledger.entries().iter().zip(there.ledger.entries()) {
             assert_eq!(a.relative_drift(), b.relative_drift(), "{name}: {}", a.name);
         }

@@ -175,6 +175,16 @@ fn the_hand_that_gives_what_the_turn_takes_keeps_it_going() {
     };
     assert!(tops(&motion) < 0.01, "{}", tops(&motion));
     assert!(tops(&run(&play, 30.0)) > 0.5);
+    // With every turn the spin becomes what the energy says that it is.
+    for (t, state) in motion.rows.iter().filter(|(_, s)| s.depth < 1.0) {
+        let kinetic = toy.kinetic_energy(state.depth, state.omega);
+        let energy = kinetic - 0.055 * 9.81 * state.depth;
+        assert!(
+            (energy - state.energy).abs() < 1e-12,
+            "{t}: {energy} {}",
+            state.energy
+        );
+    }
     // A little more, and it slaps into the hand.
     let more = play.with(Hand::new(0.2 * energy).unwrap()).unwrap();
     let (_, last) = *run(&more, 30.0).rows.last().unwrap();

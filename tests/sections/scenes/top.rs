@@ -227,6 +227,20 @@ fn what_is_absent_cannot_change_a_bit() {
     }
 }
 
+/// A thin rod has no moment about itself: nothing turns about it, and no L lies along it.
+#[test]
+fn a_rod_turns_across_itself_alone() {
+    let attitude = Attitude::from_quaternion(0.9, 0.3, -0.2, 0.25).unwrap();
+    let rod = |l: [f64; 3]| {
+        let start = Start::with_angular_momentum(BodyVector::from_components(l.into()), attitude);
+        Top::new(Body::new([0.5, 0.5, 0.0]).unwrap(), start)
+    };
+    let motion = rod([1.0, -2.0, 0.0]).unwrap();
+    let motion = motion.simulate(&Request::at([0.0]).unwrap()).unwrap();
+    assert_eq!(motion.rows[0].1.omega, BodyVector::new(2.0, -4.0, 0.0));
+    refused!(rod([1.0, -2.0, 1e-300]), Condition);
+}
+
 #[test]
 fn refusals_name_what_is_wrong() {
     for far in [[1e200, 0.0, 0.0], [0.0, 1e200, 0.0], [0.0, 0.0, -1e200]] {

@@ -243,7 +243,6 @@ impl Poinsot {
         let [i1, i2, i3] = self.moments;
         let l = self.point(s);
         let rate = match self.sector {
-            Sector::Point => 0.0,
             Sector::AroundSmallest => {
                 ((i3 - i1) / i3).sqrt() * ((i2 - i1) / i2).sqrt() * (l[0] / i1).abs()
             }

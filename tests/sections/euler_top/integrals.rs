@@ -156,3 +156,33 @@ fn s6_6_the_ends_and_what_lies_beyond() {
     refused!(from([0.0, 1.0, 1.0], 1.0, 1.0), NotPositive);
     refused!(from([1.0, 1.0, 3.0], 3.0, 1.0), TriangleInequality);
 }
+
+/// The top with 2E = 1 and a given L²/2EI₁, at the moment when Ω₂ = 0.
+#[test]
+fn the_mode_of_an_asteroid_is_one_number() {
+    use spinning_bodies::euler_top::toutatis::mode;
+    let moments = [1.0, 3.09, 3.22];
+    for ratio in [1.0, 1.3, 1.6977, 3.0, 3.15, 3.22] {
+        let top = mode(moments, ratio).unwrap();
+        let l = top.at(0.0).unwrap().angular_momentum.components();
+        let twice_energy = (l.x * l.x / moments[0]) + l.z * l.z / moments[2];
+        assert!((twice_energy - 1.0).abs() < 1e-15 && l.y == 0.0, "{ratio}");
+        assert!((l.norm_squared() - ratio).abs() < 2e-15, "{ratio}");
+    }
+    refused!(mode(moments, 3.23), OutOfRange);
+}
+
+#[test]
+fn a_rod_is_a_line_in_both_directions() {
+    let top = |moments, l| EulerTop::beyond_bodies(moments, vector(l), Attitude::identity());
+    assert!(top([0.0, 1.0, 1.0], [0.0, 1.0, 2.0]).is_ok());
+    refused!(top([0.0, 1.0, 1.0], [1e-300, 1.0, 2.0]), Condition);
+    refused!(top([0.0, 1.0, 1.0 + 3e-15], [0.0, 1.0, 2.0]), Condition);
+    refused!(top([0.0, 1.0, 1.5], [0.0, 1.0, 2.0]), Condition);
+}
+
+#[test]
+fn a_ball_has_no_pace_along_a_polhode() {
+    let ball = Poinsot::new([2.0; 3], vector([1.0, -2.0, 3.0])).unwrap();
+    assert_eq!(ball.pace(0.3), 0.0);
+}

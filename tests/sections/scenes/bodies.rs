@@ -234,6 +234,14 @@ fn a_body_is_given_by_what_it_is() {
     let [along, across, normal] =
         moments("mass = 0.3\nshape = \"racket\"\nhead = 0.13\nhandle = 0.4");
     assert!(along < across && (along + across - normal).abs() < 1e-15);
+    // A ring and a rod of one wire, each about its middle, and both masses at the ends of the line between.
+    let (ring, rod) = (2.0 * PI * 0.13, 0.4);
+    let [ring, rod] = [ring, rod].map(|length| 0.3 * length / (ring + rod));
+    let apart: f64 = 0.13 + 0.2;
+    let expected =
+        0.5 * ring * 0.13 * 0.13 + rod * 0.4 * 0.4 / 12.0 + ring * rod / 0.3 * apart * apart;
+    assert!((along - 0.5 * ring * 0.13 * 0.13).abs() < 1e-17);
+    assert!((across - expected).abs() < 1e-16, "{across} {expected}");
 }
 
 #[test]

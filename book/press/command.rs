@@ -10,13 +10,13 @@ use crate::scenes::film::{self, Stills};
 use crate::scenes::output::{Format, Motion};
 use crate::scenes::plot;
 use crate::scenes::scan::Scan;
-use crate::usage::{Cli, Command};
+use crate::usage::{self, Cli, Command};
 use crate::writer::{Target, can_be_written_into, folder_of, say};
 use crate::{Error, Result, accuracy, appendix, binding, ebook, interrupt, live, scenes, watch};
 use clap::Parser;
 use figures::on_your_table::Paper;
 use figures::{Entry, Figure, Look, Theme, Values};
-use spinning_bodies::scene::{Progress, files};
+use spinning_bodies::scene::files;
 
 use std::ffi::OsString;
 use std::io::Write;
@@ -53,248 +53,209 @@ fn condensed(message: &str) -> String {
 }
 
 fn obey(command: Option<Command>) -> Result<()> {
-    let root = workspace_root()?;
-    let svg = root.join("figures/svg");
+    let root = &workspace_root()?;
     match command {
         None => {
+            let svg = root.join("figures/svg");
             can_be_written_into(&svg)?;
             can_be_written_into(&root.join("book"))?;
-            let drawings = draw(&drawings::chosen(&[])?, &Values::default())?;
+            let drawings = draw_all()?;
             let changed = drawings::write(&drawings, Copying::default(), &svg)?;
             say(&report(&drawings, changed, &svg))?;
-            print_book(&root, &drawings).map(drop)
+            print_book(root, &drawings).map(drop)
         }
-        Some(Command::Figures {
-            list: true,
-            names,
-            format,
-            ..
-        }) => {
-            let entries = drawings::chosen(&names)?;
-            if format.as_deref() == Some("json") {
-                let drawings = draw(&entries, &Values::default())?;
-                return say(&format!("{:#}\n", drawings::described(&drawings)));
-            }
-            say(&drawings::list(&entries, !names.is_empty()))
-        }
-        Some(Command::Figures {
-            names,
-            set,
-            data,
-            theme,
-            transparent,
-            form,
-            width,
-            out,
-            check,
-            ..
-        }) => {
-            let entries = drawings::chosen(&names)?;
-            let copying = Copying {
-                look: Look {
-                    theme: match theme.as_deref() {
-                        Some("dark") => Theme::Dark,
-                        _ => Theme::Light,
-                    },
-                    transparent,
-                },
-                form: form.unwrap_or_default(),
-                width,
-            };
-            let values = drawings::values(&entries, &set)?;
-            let as_in_the_book = values == Values::default() && copying == Copying::default();
-            let standard = if as_in_the_book {
-                svg
-            } else {
-                PathBuf::from(".")
-            };
-            let folder = out.unwrap_or(standard);
-            if !check {
-                can_be_written_into(&folder)?;
-            }
-            let table = data
-                .map(|file| Target::new(Some(&file), None))
-                .transpose()?;
-            let drawings = draw(&entries, &values)?;
-            if let Some(table) = table {
-                let text = drawings::data(&drawings)?;
-                table.write(|to| to.write_all(text.as_bytes()))?;
-            }
-            if check {
-                drawings::check(&drawings, &folder)?;
-                return say(&format!(
-                    "{} figures agree with {}\n",
-                    drawings.len(),
-                    folder.display()
-                ));
-            }
-            let changed = drawings::write(&drawings, copying, &folder)?;
-            if let ([drawing], false) = (&drawings[..], set.is_empty()) {
-                let Figure { claim, details, .. } = &drawing.figure;
-                say(&format!("{claim} {details}\n"))?;
-            }
-            say(&report(&drawings, changed, &folder))
-        }
-        Some(Command::Sheets { paper, out }) => {
-            can_be_written_into(&out)?;
-            let paper = match paper.as_str() {
+        Some(Command::Figures(asked)) if asked.list => listed(&asked),
+        Some(Command::Figures(asked)) => figures(root, asked),
+        Some(Command::Sheets(asked)) => {
+            can_be_written_into(&asked.out)?;
+            let paper = match asked.paper.as_str() {
                 "letter" => Paper::Letter,
                 _ => Paper::A4,
             };
-            drawings::sheets(paper, &out)?
+            drawings::sheets(paper, &asked.out)?
                 .iter()
                 .try_for_each(|path| say(&format!("{}\n", path.display())))
         }
-        Some(Command::Book {
-            open,
-            pdf,
-            epub,
-            watch,
-        }) => {
-            can_be_written_into(&root.join("book"))?;
-            let printer = pdf.then(ebook::browser).transpose()?;
-            let drawings = draw(&drawings::chosen(&[])?, &Values::default())?;
-            let page = print_book(&root, &drawings)?;
-            if epub {
-                let file = page.with_file_name("spinning-bodies.epub");
-                ebook::epub(&root, &drawings, &file)?;
-                say(&format!("{}\n", file.display()))?;
-            }
-            if let Some(browser) = printer {
-                let file = page.with_file_name("spinning-bodies.pdf");
-                ebook::pdf(browser, folder_of(&page), &file)?;
-                say(&format!("{}\n", file.display()))?;
-            }
-            if open {
-                open_page(&page)?;
-            }
-            if watch {
-                watch::watch(&root, folder_of(&page), &drawings)?;
-            }
-            Ok(())
-        }
+        Some(Command::Book(asked)) => book(root, &asked),
         Some(Command::Render) => {
             let told = binding::told_by_mdbook(std::io::stdin())?;
-            let drawings = draw(&drawings::chosen(&[])?, &Values::default())?;
-            binding::render(&told, &drawings)
+            binding::render(&told, &draw_all()?)
         }
-        Some(Command::Scene {
-            keys: Some(kind), ..
-        }) => say(&scenes::keys(&kind)?),
-        Some(Command::Scene {
-            file,
-            columns,
-            plot,
-            film,
-            speed,
-            frames,
-            form: as_form,
-            format,
-            output,
-            ..
-        }) => {
-            let file = scene_file(&root, file.unwrap_or_default())?;
-            let (format, form) = match (film, plot.is_empty()) {
-                (true, _) => (Format::Csv, plot::form(output.as_deref(), &[Form::Svg])?),
-                (false, true) => (Format::of(format, output.as_deref())?, Form::Svg),
-                (false, false) => (Format::Csv, plot::form(output.as_deref(), &Form::ALL)?),
-            };
-            let stills = Stills::of(&frames)?;
-            let target = Target::new(output.as_deref(), Some(&file))?;
-            let (name, text) = scenes::source(&file)?;
-            let (mut scene, request) = scenes::parse(&name, &text)?;
-            let filmed = film || stills.is_some();
-            let (option, columns) = match (filmed, plot.is_empty()) {
-                (true, _) => {
-                    let all = scene.columns().iter().map(|column| column.name.to_owned());
-                    ("--film", all.collect())
-                }
-                (false, true) => ("--columns", columns),
-                (false, false) => ("--plot", plot::columns(&plot)),
-            };
-            if !columns.is_empty() {
-                let told = files::telling(scene, &columns);
-                scene = told.map_err(|told| Error::Input(format!("{option}: {name} {told}")))?;
-            }
-            let motion = Motion {
-                name: &name,
-                scene: &scene,
-                request: &request,
-                progress: &Progress::default(),
-            };
-            if let Some(stills) = stills {
-                return say(&stills.draw(&motion, as_form.unwrap_or_default())?);
-            }
-            let picture = match (film, plot.is_empty()) {
-                (true, _) => film::film(&motion, speed)?,
-                (false, true) => return target.write(|to| format.write(&motion, to)),
-                (false, false) => plot::plot(&motion, &plot, form)?,
-            };
-            target.write(|to| to.write_all(&picture))
+        Some(Command::Scene(asked)) => match asked.keys {
+            Some(kind) => say(&scenes::keys(&kind)?),
+            None => scene(root, asked),
+        },
+        Some(Command::Scan(asked)) => scan(root, asked),
+        Some(Command::Accuracy(asked)) => accuracy(root, asked),
+        Some(Command::Live) => {
+            let (module, size) = live::build(root)?;
+            let (module, size) = (module.display(), size / 1000);
+            say(&format!("{module}: a module of {size} kB\n"))
         }
-        Some(Command::Scan {
-            file,
-            over,
-            tell,
-            plot,
-            format,
-            output,
-        }) => {
-            let file = scene_file(&root, file)?;
-            let (format, form) = match plot {
-                None => (Format::of(format, output.as_deref())?, None),
-                Some(_) => (
-                    Format::Csv,
-                    Some(plot::form(output.as_deref(), &Form::ALL)?),
-                ),
-            };
-            let target = Target::new(output.as_deref(), Some(&file))?;
-            let tell = plot.map_or(tell, |plot| vec![plot]);
-            let scan = Scan::new(&file, over, tell)?;
-            let points = scan.points();
-            if let Some(form) = form {
-                let figure = counted(points, "scenes", |done| scan.picture(done))?;
-                let picture = pictures::file(&figure, Copying::of(form))?;
-                return target.write(|to| to.write_all(&picture));
-            }
-            let (text, ran) = counted(points, "scenes", |done| scan.run(format, done));
-            target.write(|to| to.write_all(text.as_bytes()))?;
+        Some(Command::Claims) => say(&appendix::table(&Ledger::read(root)?)),
+    }
+}
+
+fn listed(asked: &usage::Figures) -> Result<()> {
+    let entries = drawings::chosen(&asked.names)?;
+    if asked.format.as_deref() == Some("json") {
+        let drawings = draw(&entries, &Values::default())?;
+        return say(&format!("{:#}\n", drawings::described(&drawings)));
+    }
+    say(&drawings::list(&entries, !asked.names.is_empty()))
+}
+
+fn figures(root: &Path, asked: usage::Figures) -> Result<()> {
+    let entries = drawings::chosen(&asked.names)?;
+    let copying = Copying {
+        look: Look {
+            theme: match asked.theme.as_deref() {
+                Some("dark") => Theme::Dark,
+                _ => Theme::Light,
+            },
+            transparent: asked.transparent,
+        },
+        form: asked.form.unwrap_or_default(),
+        width: asked.width,
+    };
+    let values = drawings::values(&entries, &asked.set)?;
+    let as_in_the_book = values == Values::default() && copying == Copying::default();
+    let folder = asked.out.unwrap_or_else(|| match as_in_the_book {
+        true => root.join("figures/svg"),
+        false => PathBuf::from("."),
+    });
+    if asked.check {
+        let drawings = draw(&entries, &values)?;
+        drawings::check(&drawings, &folder)?;
+        let (count, folder) = (drawings.len(), folder.display());
+        return say(&format!("{count} figures agree with {folder}\n"));
+    }
+    can_be_written_into(&folder)?;
+    let table = asked.data.map(|file| Target::new(Some(&file), None));
+    let table = table.transpose()?;
+    let drawings = draw(&entries, &values)?;
+    if let Some(table) = table {
+        table.put(drawings::data(&drawings)?)?;
+    }
+    let changed = drawings::write(&drawings, copying, &folder)?;
+    if let ([drawing], false) = (&drawings[..], asked.set.is_empty()) {
+        let Figure { claim, details, .. } = &drawing.figure;
+        say(&format!("{claim} {details}\n"))?;
+    }
+    say(&report(&drawings, changed, &folder))
+}
+
+fn book(root: &Path, asked: &usage::Book) -> Result<()> {
+    can_be_written_into(&root.join("book"))?;
+    let printer = asked.pdf.then(ebook::browser).transpose()?;
+    let drawings = draw_all()?;
+    let page = print_book(root, &drawings)?;
+    if asked.epub {
+        let file = page.with_file_name("spinning-bodies.epub");
+        ebook::epub(root, &drawings, &file)?;
+        say(&format!("{}\n", file.display()))?;
+    }
+    if let Some(browser) = printer {
+        let file = page.with_file_name("spinning-bodies.pdf");
+        ebook::pdf(browser, folder_of(&page), &file)?;
+        say(&format!("{}\n", file.display()))?;
+    }
+    if asked.open {
+        open_page(&page)?;
+    }
+    match asked.watch {
+        true => watch::watch(root, folder_of(&page), &drawings),
+        false => Ok(()),
+    }
+}
+
+/// What comes of a scene file.
+enum Shown {
+    Rows(Format),
+    Plot(Form),
+    Film,
+    Stills(Stills),
+}
+
+fn scene(root: &Path, asked: usage::Scene) -> Result<()> {
+    let file = scene_file(root, asked.file.unwrap_or_default())?;
+    let output = asked.output.as_deref();
+    let shown = if asked.film {
+        plot::form(output, &[Form::Svg])?;
+        Shown::Film
+    } else if let Some(stills) = Stills::of(&asked.frames)? {
+        Shown::Stills(stills)
+    } else if asked.plot.is_empty() {
+        Shown::Rows(Format::of(asked.format, output)?)
+    } else {
+        Shown::Plot(plot::form(output, &Form::ALL)?)
+    };
+    let target = Target::new(output, Some(&file))?;
+    let (name, text) = scenes::source(&file)?;
+    let (mut scene, request) = scenes::parse(&name, &text)?;
+    let (option, columns) = match shown {
+        Shown::Rows(_) => ("--columns", asked.columns),
+        Shown::Plot(_) => ("--plot", plot::columns(&asked.plot)),
+        Shown::Film | Shown::Stills(_) => {
+            let all = scene.columns().iter().map(|column| column.name.to_owned());
+            ("--film", all.collect())
+        }
+    };
+    if !columns.is_empty() {
+        let told = files::telling(scene, &columns);
+        scene = told.map_err(|told| Error::Input(format!("{option}: {name} {told}")))?;
+    }
+    let motion = Motion {
+        name: &name,
+        scene: &scene,
+        request: &request,
+    };
+    match shown {
+        Shown::Rows(format) => target.write(|to| format.write(&motion, to)),
+        Shown::Plot(form) => target.put(plot::plot(&motion, &asked.plot, form)?),
+        Shown::Film => target.put(film::film(&motion, asked.speed)?),
+        Shown::Stills(stills) => say(&stills.draw(&motion, asked.form.unwrap_or_default())?),
+    }
+}
+
+fn scan(root: &Path, asked: usage::Scan) -> Result<()> {
+    let file = scene_file(root, asked.file)?;
+    let output = asked.output.as_deref();
+    let target = || Target::new(output, Some(&file));
+    match asked.plot {
+        Some(plot) => {
+            let form = plot::form(output, &Form::ALL)?;
+            let target = target()?;
+            let scan = Scan::new(&file, asked.over, vec![plot])?;
+            let figure = counted(scan.points(), "scenes", |done| scan.picture(done))?;
+            target.put(pictures::file(&figure, Copying::of(form))?)
+        }
+        None => {
+            let format = Format::of(asked.format, output)?;
+            let target = target()?;
+            let scan = Scan::new(&file, asked.over, asked.tell)?;
+            let (text, ran) = counted(scan.points(), "scenes", |done| scan.run(format, done));
+            target.put(text)?;
             ran
         }
-        Some(Command::Accuracy {
-            scene,
-            csv,
-            plot,
-            output,
-        }) => {
-            let csv = csv.as_deref();
-            let (Some(scene), Some(file)) = (scene.as_deref(), plot) else {
-                return say(&accuracy::run(&root, scene.as_deref(), csv)?.text);
-            };
-            if let (Some(_), Some(output)) = (&file, &output) {
-                let told = "--plot has a FILE already, expected no --output";
-                return Err(Error::Input(format!("{told}, got {}", output.display())));
-            }
-            let output = file.or(output);
-            let form = plot::form(output.as_deref(), &Form::ALL)?;
-            let target = Target::new(
-                output.as_deref(),
-                scenes::file(&root, Path::new(scene)).as_deref(),
-            )?;
-            let figure = accuracy::picture(&root, scene, csv)?;
-            let picture = pictures::file(&figure, Copying::of(form))?;
-            target.write(|to| to.write_all(&picture))
-        }
-        Some(Command::Live) => {
-            let (module, size) = live::build(&root)?;
-            say(&format!(
-                "{}: a module of {} kB\n",
-                module.display(),
-                size / 1000
-            ))
-        }
-        Some(Command::Claims) => say(&appendix::table(&Ledger::read(&root)?)),
     }
+}
+
+fn accuracy(root: &Path, asked: usage::Accuracy) -> Result<()> {
+    let csv = asked.csv.as_deref();
+    let (Some(scene), Some(file)) = (&asked.scene, asked.plot) else {
+        return say(&accuracy::run(root, asked.scene.as_deref(), csv)?.text);
+    };
+    if let (Some(_), Some(output)) = (&file, &asked.output) {
+        let told = "--plot has a FILE already, expected no --output";
+        return Err(Error::Input(format!("{told}, got {}", output.display())));
+    }
+    let output = file.or(asked.output);
+    let form = plot::form(output.as_deref(), &Form::ALL)?;
+    let input = scenes::file(root, Path::new(scene));
+    let target = Target::new(output.as_deref(), input.as_deref())?;
+    let figure = accuracy::picture(root, scene, csv)?;
+    target.put(pictures::file(&figure, Copying::of(form))?)
 }
 
 fn print_book(root: &Path, drawings: &[Drawing]) -> Result<PathBuf> {
@@ -317,6 +278,11 @@ fn draw(entries: &[Entry], values: &Values) -> Result<Vec<Drawing>> {
     counted(entries.len(), "figures", |done| {
         drawings::draw(entries, values, done)
     })
+}
+
+/// All figures, as in the book.
+fn draw_all() -> Result<Vec<Drawing>> {
+    draw(figures::all(), &Values::default())
 }
 
 /// The file that is meant.

@@ -3,7 +3,7 @@
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-use clap::{Parser, Subcommand};
+use clap::{Args, Parser, Subcommand};
 use spinning_bodies::scene::{Solver, files};
 
 use crate::pictures::Form;
@@ -133,148 +133,166 @@ Examples:
 /// What the command can be told to do.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Draws all figures, or those named, as SVG
-    #[command(after_help = FIGURES)]
-    Figures {
-        /// Names of figures; none means all
-        #[arg(value_name = "NAME")]
-        names: Vec<String>,
-        /// Lists the figures instead of drawing them; of those named, what may be chosen
-        #[arg(long, conflicts_with_all = ["out", "check", "set", "data", "theme", "transparent", "form"])]
-        list: bool,
-        /// Form of the list; as JSON it tells claim and parameters of each, for programs [default: text]
-        #[arg(long, value_parser = ["text", "json"], requires = "list")]
-        format: Option<String>,
-        /// Numbers of one figure, other than the book's
-        #[arg(
-            long,
-            value_name = "KEY=VALUE,…",
-            value_delimiter = ',',
-            conflicts_with = "check"
-        )]
-        set: Vec<String>,
-        /// Writes the numbers that one figure draws, as CSV
-        #[arg(long, value_name = "FILE", conflicts_with = "check")]
-        data: Option<PathBuf>,
-        /// Colours for light paper or dark [default: light]
-        #[arg(long, value_parser = ["light", "dark"], conflicts_with = "check")]
-        theme: Option<String>,
-        /// Leaves the background transparent
-        #[arg(long, conflicts_with = "check")]
-        transparent: bool,
-        /// Form of the files; all but svg need a build with `--features book/pictures` [default: svg]
-        #[arg(long = "as", value_enum, value_name = "FORM", conflicts_with = "check")]
-        form: Option<Form>,
-        /// Width of a PDF in points [default: 432], or of a PNG in pixels [default: 1200]
-        #[arg(long, value_name = "N", requires = "form", value_parser = clap::value_parser!(u16).range(16..=16384))]
-        width: Option<u16>,
-        /// Folder for the files [default: figures/svg in the workspace; the current folder for a drawing unlike the book's]
-        #[arg(long, value_name = "DIR")]
-        out: Option<PathBuf>,
-        /// Writes nothing; compares fresh drawings with the files, one canvas unit allowed
-        #[arg(long)]
-        check: bool,
-    },
-    /// Writes strips and a cat of paper to cut out at true size, as SVG, and a chiral top for a printer of solids, as STL
-    Sheets {
-        /// The size of the paper
-        #[arg(long, value_parser = ["a4", "letter"], default_value = "a4")]
-        paper: String,
-        /// Folder for the files
-        #[arg(long, value_name = "DIR", default_value = ".")]
-        out: PathBuf,
-    },
-    /// Builds the book only
-    Book {
-        /// Opens the first page in the browser
-        #[arg(long)]
-        open: bool,
-        /// Also prints all of it to book/build/spinning-bodies.pdf, by an installed Chromium, Chrome or Edge
-        #[arg(long)]
-        pdf: bool,
-        /// Also writes book/build/spinning-bodies.epub, for devices that read
-        #[arg(long)]
-        epub: bool,
-        /// Keeps running, and prints a page again whenever its chapter is saved; the figures are not drawn again
-        #[arg(long)]
-        watch: bool,
-    },
+    Figures(Figures),
+    Sheets(Sheets),
+    Book(Book),
     /// Renders the book for mdBook: `mdbook build book` and `mdbook serve book` call it
     Render,
-    /// Simulates a scene file: a body, how it starts, and only the effects it names
-    #[command(after_help = scene_help())]
-    Scene {
-        /// The scene file, or the name of one in book/scenes; `-` reads standard input
-        #[arg(required_unless_present = "keys")]
-        file: Option<PathBuf>,
-        /// Prints the keys of a kind of scene, and reads no file
-        #[arg(long, value_name = "KIND", conflicts_with_all = ["file", "columns", "plot", "film", "frames", "format", "output"])]
-        keys: Option<String>,
-        /// The columns of a row after the time; an unknown name gets you the list of them all [default: the usual ones of the kind]
-        #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
-        columns: Vec<String>,
-        /// Draws a picture instead: a panel for each COLUMN against time, or X:Y for one column against another
-        #[arg(long, value_name = "WHAT,…", value_delimiter = ',', conflicts_with_all = ["columns", "format"])]
-        plot: Vec<Panel>,
-        /// Films the moving body instead: one SVG that plays in any browser
-        #[arg(long, conflicts_with_all = ["columns", "plot", "format"])]
-        film: bool,
-        /// Seconds of the motion in a second of the film [default: so that it takes ten seconds]
-        #[arg(long, value_name = "RATE", requires = "film", conflicts_with_all = ["plot", "frames"])]
-        speed: Option<f64>,
-        /// Draws N pictures of the moving body into a new folder, at equal steps of time
-        #[arg(long, num_args = 2, value_names = ["DIR", "N"], conflicts_with_all = ["columns", "plot", "film", "format", "output"])]
-        frames: Vec<OsString>,
-        /// Form of these pictures; all but svg need a build with `--features book/pictures` [default: svg]
-        #[arg(long = "as", value_enum, value_name = "FORM", requires = "frames", conflicts_with_all = ["plot", "film"])]
-        form: Option<Form>,
-        /// Form of the rows [default: by the ending of the output's name, otherwise csv]
-        #[arg(long, value_enum)]
-        format: Option<Format>,
-        /// File to write; without it, standard output
-        #[arg(long, value_name = "FILE")]
-        output: Option<PathBuf>,
-    },
-    /// Simulates a scene file over a grid of its numbers, on all cores; a line for each point
-    #[command(after_help = SCAN)]
-    Scan {
-        /// The scene file, or the name of one in book/scenes; `-` reads standard input
-        file: PathBuf,
-        /// A number of the file, its range, and how many values, :log behind them for equal ratios; KEY=FROM..TO,KEY=FROM..TO:COUNT varies two
-        /// together. May be given more than once
-        #[arg(long, value_name = "KEY=FROM..TO:COUNT", required = true)]
-        over: Vec<Over>,
-        /// What to write of each motion: COLUMN, first:COLUMN, least:COLUMN, greatest:COLUMN, crossing:COLUMN=LEVEL [default: its last row]
-        #[arg(long, value_name = "WHAT,…", value_delimiter = ',')]
-        tell: Vec<Tell>,
-        /// Draws one number instead, told as for --tell: a line over one --over, a map over two
-        #[arg(long, value_name = "WHAT", conflicts_with_all = ["tell", "format"])]
-        plot: Option<Tell>,
-        /// Form of the rows [default: by the ending of the output's name, otherwise csv]
-        #[arg(long, value_enum)]
-        format: Option<Format>,
-        /// File to write; without it, standard output
-        #[arg(long, value_name = "FILE")]
-        output: Option<PathBuf>,
-    },
-    /// Measures error against time for every method that can run a motion, on this machine
-    #[command(after_help = ACCURACY)]
-    Accuracy {
-        /// A problem, one of its lengths, or a scene file; without it, all problems
-        #[arg(long, value_name = "NAME")]
-        scene: Option<String>,
-        /// Also writes a CSV file, with one row for each measurement
-        #[arg(long, value_name = "FILE")]
-        csv: Option<PathBuf>,
-        /// Draws error against time instead, for the one motion that --scene names; without a FILE, to standard output
-        #[arg(long, value_name = "FILE", requires = "scene")]
-        plot: Option<Option<PathBuf>>,
-        /// The same as the FILE of --plot
-        #[arg(long, value_name = "FILE", requires = "plot")]
-        output: Option<PathBuf>,
-    },
+    Scene(Scene),
+    Scan(Scan),
+    Accuracy(Accuracy),
     /// Builds the module of the live pages again: it draws a figure when a reader moves its numbers
     Live,
     /// Lists every claim of the tutorial, its verdict, and where it is computed
     Claims,
+}
+
+/// Draws all figures, or those named, as SVG
+#[derive(Debug, Args)]
+#[command(after_help = FIGURES)]
+pub struct Figures {
+    /// Names of figures; none means all
+    #[arg(value_name = "NAME")]
+    pub names: Vec<String>,
+    /// Lists the figures instead of drawing them; of those named, what may be chosen
+    #[arg(long, conflicts_with_all = ["out", "check", "set", "data", "theme", "transparent", "form"])]
+    pub list: bool,
+    /// Form of the list; as JSON it tells claim and parameters of each, for programs [default: text]
+    #[arg(long, value_parser = ["text", "json"], requires = "list")]
+    pub format: Option<String>,
+    /// Numbers of one figure, other than the book's
+    #[arg(
+        long,
+        value_name = "KEY=VALUE,…",
+        value_delimiter = ',',
+        conflicts_with = "check"
+    )]
+    pub set: Vec<String>,
+    /// Writes the numbers that one figure draws, as CSV
+    #[arg(long, value_name = "FILE", conflicts_with = "check")]
+    pub data: Option<PathBuf>,
+    /// Colours for light paper or dark [default: light]
+    #[arg(long, value_parser = ["light", "dark"], conflicts_with = "check")]
+    pub theme: Option<String>,
+    /// Leaves the background transparent
+    #[arg(long, conflicts_with = "check")]
+    pub transparent: bool,
+    /// Form of the files; all but svg need a build with `--features book/pictures` [default: svg]
+    #[arg(long = "as", value_enum, value_name = "FORM", conflicts_with = "check")]
+    pub form: Option<Form>,
+    /// Width of a PDF in points [default: 432], or of a PNG in pixels [default: 1200]
+    #[arg(long, value_name = "N", requires = "form", value_parser = clap::value_parser!(u16).range(16..=16384))]
+    pub width: Option<u16>,
+    /// Folder for the files [default: figures/svg in the workspace; the current folder for a drawing unlike the book's]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Writes nothing; compares fresh drawings with the files, one canvas unit allowed
+    #[arg(long)]
+    pub check: bool,
+}
+
+/// Writes strips and a cat of paper to cut out at true size, as SVG, and a chiral top for a printer of solids, as STL
+#[derive(Debug, Args)]
+pub struct Sheets {
+    /// The size of the paper
+    #[arg(long, value_parser = ["a4", "letter"], default_value = "a4")]
+    pub paper: String,
+    /// Folder for the files
+    #[arg(long, value_name = "DIR", default_value = ".")]
+    pub out: PathBuf,
+}
+
+/// Builds the book only
+#[derive(Debug, Args)]
+pub struct Book {
+    /// Opens the first page in the browser
+    #[arg(long)]
+    pub open: bool,
+    /// Also prints all of it to book/build/spinning-bodies.pdf, by an installed Chromium, Chrome or Edge
+    #[arg(long)]
+    pub pdf: bool,
+    /// Also writes book/build/spinning-bodies.epub, for devices that read
+    #[arg(long)]
+    pub epub: bool,
+    /// Keeps running, and prints a page again whenever its chapter is saved; the figures are not drawn again
+    #[arg(long)]
+    pub watch: bool,
+}
+
+/// Simulates a scene file: a body, how it starts, and only the effects it names
+#[derive(Debug, Args)]
+#[command(after_help = scene_help())]
+pub struct Scene {
+    /// The scene file, or the name of one in book/scenes; `-` reads standard input
+    #[arg(required_unless_present = "keys")]
+    pub file: Option<PathBuf>,
+    /// Prints the keys of a kind of scene, and reads no file
+    #[arg(long, value_name = "KIND", conflicts_with_all = ["file", "columns", "plot", "film", "frames", "format", "output"])]
+    pub keys: Option<String>,
+    /// The columns of a row after the time; an unknown name gets you the list of them all [default: the usual ones of the kind]
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+    pub columns: Vec<String>,
+    /// Draws a picture instead: a panel for each COLUMN against time, or X:Y for one column against another
+    #[arg(long, value_name = "WHAT,…", value_delimiter = ',', conflicts_with_all = ["columns", "format"])]
+    pub plot: Vec<Panel>,
+    /// Films the moving body instead: one SVG that plays in any browser
+    #[arg(long, conflicts_with_all = ["columns", "plot", "format"])]
+    pub film: bool,
+    /// Seconds of the motion in a second of the film [default: so that it takes ten seconds]
+    #[arg(long, value_name = "RATE", requires = "film", conflicts_with_all = ["plot", "frames"])]
+    pub speed: Option<f64>,
+    /// Draws N pictures of the moving body into a new folder, at equal steps of time
+    #[arg(long, num_args = 2, value_names = ["DIR", "N"], conflicts_with_all = ["columns", "plot", "film", "format", "output"])]
+    pub frames: Vec<OsString>,
+    /// Form of these pictures; all but svg need a build with `--features book/pictures` [default: svg]
+    #[arg(long = "as", value_enum, value_name = "FORM", requires = "frames", conflicts_with_all = ["plot", "film"])]
+    pub form: Option<Form>,
+    /// Form of the rows [default: by the ending of the output's name, otherwise csv]
+    #[arg(long, value_enum)]
+    pub format: Option<Format>,
+    /// File to write; without it, standard output
+    #[arg(long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// Simulates a scene file over a grid of its numbers, on all cores; a line for each point
+#[derive(Debug, Args)]
+#[command(after_help = SCAN)]
+pub struct Scan {
+    /// The scene file, or the name of one in book/scenes; `-` reads standard input
+    pub file: PathBuf,
+    /// A number of the file, its range, and how many values, :log behind them for equal ratios; KEY=FROM..TO,KEY=FROM..TO:COUNT varies two
+    /// together. May be given more than once
+    #[arg(long, value_name = "KEY=FROM..TO:COUNT", required = true)]
+    pub over: Vec<Over>,
+    /// What to write of each motion: COLUMN, first:COLUMN, least:COLUMN, greatest:COLUMN, crossing:COLUMN=LEVEL [default: its last row]
+    #[arg(long, value_name = "WHAT,…", value_delimiter = ',')]
+    pub tell: Vec<Tell>,
+    /// Draws one number instead, told as for --tell: a line over one --over, a map over two
+    #[arg(long, value_name = "WHAT", conflicts_with_all = ["tell", "format"])]
+    pub plot: Option<Tell>,
+    /// Form of the rows [default: by the ending of the output's name, otherwise csv]
+    #[arg(long, value_enum)]
+    pub format: Option<Format>,
+    /// File to write; without it, standard output
+    #[arg(long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// Measures error against time for every method that can run a motion, on this machine
+#[derive(Debug, Args)]
+#[command(after_help = ACCURACY)]
+pub struct Accuracy {
+    /// A problem, one of its lengths, or a scene file; without it, all problems
+    #[arg(long, value_name = "NAME")]
+    pub scene: Option<String>,
+    /// Also writes a CSV file, with one row for each measurement
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<PathBuf>,
+    /// Draws error against time instead, for the one motion that --scene names; without a FILE, to standard output
+    #[arg(long, value_name = "FILE", requires = "scene")]
+    pub plot: Option<Option<PathBuf>>,
+    /// The same as the FILE of --plot
+    #[arg(long, value_name = "FILE", requires = "plot")]
+    pub output: Option<PathBuf>,
 }

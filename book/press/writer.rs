@@ -75,6 +75,14 @@ impl Target {
         Ok(Self { name, place })
     }
 
+    /// Writes these bytes.
+    ///
+    /// # Errors
+    /// As for [`write`](Self::write).
+    pub fn put(self, contents: impl AsRef<[u8]>) -> Result<()> {
+        self.write(|to| to.write_all(contents.as_ref()))
+    }
+
     /// Writes it.
     ///
     /// # Errors
@@ -110,7 +118,7 @@ fn into(to: impl Write, contents: impl FnOnce(Writing<'_>) -> io::Result<()>) ->
 /// # Errors
 /// As for [`Target::write`].
 pub fn say(text: &str) -> Result<()> {
-    Target::new(None, None)?.write(|to| to.write_all(text.as_bytes()))
+    Target::new(None, None)?.put(text)
 }
 
 /// Writes a file, and the folder it is in, only if its bytes change. Returns whether they did.
@@ -123,7 +131,7 @@ pub fn write_if_changed(path: &Path, contents: &[u8]) -> Result<bool> {
     }
     let folder = folder_of(path);
     std::fs::create_dir_all(folder).map_err(Error::file(folder))?;
-    Target::new(Some(path), None)?.write(|to| to.write_all(contents))?;
+    Target::new(Some(path), None)?.put(contents)?;
     Ok(true)
 }
 

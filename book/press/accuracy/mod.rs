@@ -69,7 +69,7 @@ pub fn run(root: &Path, scene: Option<&str>, csv: Option<&Path>) -> Result<Repor
         }
     })?;
     if let Some(target) = target {
-        target.write(|to| to.write_all(format!("{HEADER}\n{}", report.rows).as_bytes()))?;
+        target.put(format!("{HEADER}\n{}", report.rows))?;
     }
     Ok(report)
 }

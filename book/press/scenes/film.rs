@@ -25,14 +25,7 @@ fn filmed<'a>(motion: &'a Motion<'_>, count: usize, speed: f64) -> Result<Film<'
             k if k + 1 == count => last,
             k => first + (last - first) * (k as f64 / (count - 1) as f64),
         };
-        let request = motion
-            .request
-            .of_times(&(0..count).map(time).collect::<Vec<_>>());
-        let table = Motion {
-            request: &request,
-            ..*motion
-        }
-        .table()?;
+        let table = motion.table(&(0..count).map(time).collect::<Vec<_>>())?;
         let sight = |(time, row): (f64, Vec<f64>)| {
             let sight = motion.scene.sight(&table.columns, &row);
             sight.map(|sight| (time, sight))

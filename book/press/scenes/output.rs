@@ -61,7 +61,7 @@ impl Format {
     }
 }
 
-/// A scene that will be run, and who waits for it.
+/// A scene that will be run.
 #[derive(Debug, Clone, Copy)]
 pub struct Motion<'a> {
     /// The file's name.
@@ -70,8 +70,6 @@ pub struct Motion<'a> {
     pub scene: &'a AnyScene,
     /// What is asked of it.
     pub request: &'a Request,
-    /// How far it is.
-    pub progress: &'a Progress,
 }
 
 /// A long motion is run again and again to so many rows further: what has been written is not kept. The steps to the beginning of each part are taken anew,
@@ -143,14 +141,14 @@ impl Motion<'_> {
         self.request.times().len() > PART
     }
 
-    /// The whole motion at once, with a bar for whoever waits.
+    /// The motion at these times, s, with a bar for whoever waits.
     ///
     /// # Errors
     /// As for [`run`](super::run).
-    pub fn table(&self) -> Result<Table> {
-        let request = self.request.of_times(self.request.times());
-        let request = request.watched(self.progress);
-        let how_far = || how_far(self.progress);
+    pub fn table(&self, times: &[f64]) -> Result<Table> {
+        let progress = Progress::default();
+        let request = self.request.of_times(times).watched(&progress);
+        let how_far = || how_far(&progress);
         watched(how_far, || super::run(self.name, self.scene, &request))
     }
 
@@ -159,12 +157,7 @@ impl Motion<'_> {
         &self,
         mut hand_on: impl FnMut(&Table, &Told) -> io::Result<()>,
     ) -> io::Result<Option<Told>> {
-        let run = |times: &[f64]| {
-            let request = self.request.of_times(times).watched(self.progress);
-            let how_far = || how_far(self.progress);
-            watched(how_far, || super::run(self.name, self.scene, &request))
-                .map_err(io::Error::other)
-        };
+        let run = |times: &[f64]| self.table(times).map_err(io::Error::other);
         if self.is_long() {
             // What cannot be followed to its end is refused before anything is written.
             let farther = |a: &f64, b: &f64| a.abs().total_cmp(&b.abs());

@@ -83,19 +83,14 @@ pub fn plot(motion: &Motion<'_>, panels: &[Panel], form: Form) -> Result<Vec<u8>
         )));
     }
     let span = motion.span("--plot")?;
-    let request = match rows < SMOOTH {
+    let table = match rows < SMOOTH {
         true => {
             let share = |k: usize| k as f64 / (SMOOTH - 1) as f64;
             let times = (0..SMOOTH).map(|k| motion.ends()[0] + share(k) * span);
-            motion.request.of_times(&times.collect::<Vec<_>>())
+            motion.table(&times.collect::<Vec<_>>())?
         }
-        false => motion.request.clone(),
+        false => motion.table(motion.request.times())?,
     };
-    let motion = Motion {
-        request: &request,
-        ..*motion
-    };
-    let table = motion.table()?;
     let quantity = |name: &str| {
         let place = table.columns.iter().position(|column| column.name == name);
         let value = |(t, row): (f64, Vec<f64>)| place.map_or(t, |place| row[place]);

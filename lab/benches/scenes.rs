@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 mod shared;
 
-use press::scenes::prices::{NEEDED, PRICED, run};
+use press::scenes::prices::{PRICED, run};
 
 use shared::least;
 use spinning_bodies::euler_top::EulerTop;
@@ -75,12 +75,12 @@ fn spent(text: &str) -> Result<(String, u64, f64), Box<dyn std::error::Error>> {
 fn matrix() -> Result<String, Box<dyn std::error::Error>> {
     let mut text = here();
     text += "kind,effect,solver_without,solver,evaluations_without,evaluations,ms_without,ms\n";
-    for kind in PRICED {
-        for (place, (effect, _)) in kind.effects.iter().enumerate() {
-            let (without, with) = kind.pair(place);
+    for kind in PRICED.iter() {
+        for (effect, _) in &kind.effects {
+            let (without, with) = kind.pair(effect);
             let with = spent(&with)?;
             let without = without.map(|text| spent(&text)).transpose()?;
-            assert_eq!(without.is_none(), NEEDED.contains(&(kind.kind, effect)));
+            assert_eq!(without.is_none(), kind.needed.contains(effect));
             let (solver, evaluations, ms) = without.map_or_else(Default::default, |w| {
                 (w.0, w.1.to_string(), format!("{:.4}", w.2))
             });

@@ -144,8 +144,8 @@ fn a_superball_turns_by_what_its_way_loses() {
 
 #[test]
 fn every_column_has_a_name_of_its_own_a_unit_and_a_meaning() {
-    for priced in PRICED {
-        let (scene, request) = parse(priced.kind, &priced.file(|_| true)).unwrap();
+    for priced in PRICED.iter() {
+        let (scene, request) = parse(&priced.kind, &priced.file(|_| true)).unwrap();
         let columns = scene.columns();
         for (place, column) in columns.iter().enumerate() {
             assert!(!column.unit.is_empty() && !column.meaning.is_empty());
@@ -163,8 +163,8 @@ fn every_column_has_a_name_of_its_own_a_unit_and_a_meaning() {
 /// The tables of the page: the columns of every kind, the usual ones in bold.
 fn tables() -> String {
     let mut text = String::new();
-    for priced in PRICED {
-        let (scene, _) = parse(priced.kind, &priced.file(|_| true)).unwrap();
+    for priced in PRICED.iter() {
+        let (scene, _) = parse(&priced.kind, &priced.file(|_| true)).unwrap();
         text += &format!(
             "<details><summary><code>{}</code></summary>\n\n",
             priced.kind

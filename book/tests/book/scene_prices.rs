@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use super::kept;
-use press::scenes::prices::{NEEDED, PRICED, run};
+use press::scenes::prices::{PRICED, run};
 use press::scenes::{key_table, simulate};
 use spinning_bodies::scene::files::{keys, kinds};
 
@@ -19,7 +19,7 @@ fn rows(csv: &str) -> Vec<Vec<&str>> {
 
 #[test]
 fn every_kind_is_priced() {
-    let priced: Vec<&str> = PRICED.iter().map(|priced| priced.kind).collect();
+    let priced: Vec<&str> = PRICED.iter().map(|priced| priced.kind.as_str()).collect();
     assert_eq!(priced, kinds().collect::<Vec<_>>());
 }
 
@@ -31,12 +31,12 @@ fn the_page_has_every_key_and_every_column() {
         kept(&format!("src/tables/keys-{name}.md"), &key_table(of, &keys));
     }
     let mut missing = Vec::new();
-    for priced in PRICED {
+    for priced in PRICED.iter() {
         let heading = format!("\n### `{}`", priced.kind);
         let start = PAGE.find(&heading).unwrap_or_else(|| panic!("no{heading}"));
         let rest = &PAGE[start + heading.len()..];
         let end = rest.find("\n##").unwrap_or(rest.len());
-        let columns = run(priced.kind, &priced.file(|_| true)).unwrap().columns;
+        let columns = run(&priced.kind, &priced.file(|_| true)).unwrap().columns;
         let names: Vec<&str> = columns.iter().map(|column| column.name).collect();
         let include = format!("{{{{#include tables/keys-{}.md}}}}", priced.kind);
         for row in [include, format!("`t,{}`", names.join(","))] {
@@ -52,15 +52,15 @@ fn the_page_has_every_key_and_every_column() {
 fn the_table_of_prices_is_that_of_the_scenes() {
     let rows = rows(PRICES);
     let mut rows = rows.iter();
-    for priced in PRICED {
-        for (place, (effect, _)) in priced.effects.iter().enumerate() {
+    for priced in PRICED.iter() {
+        for (effect, _) in &priced.effects {
             let row = rows.next().expect("a row an effect");
-            assert_eq!(row[..2], [priced.kind, *effect]);
-            let (without, with) = priced.pair(place);
-            assert_eq!(without.is_none(), NEEDED.contains(&(priced.kind, effect)));
+            assert_eq!(row[..2], [&priced.kind, effect]);
+            let (without, with) = priced.pair(effect);
+            assert_eq!(without.is_none(), priced.needed.contains(effect));
             for (text, solver, told) in [(without, row[2], row[4]), (Some(with), row[3], row[5])] {
                 let Some(text) = text else { continue };
-                let table = run(priced.kind, &text).unwrap();
+                let table = run(&priced.kind, &text).unwrap();
                 assert_eq!(table.plan.solver.name(), solver, "{} {effect}", priced.kind);
                 let (now, told) = (table.cost.evaluations as f64, told.parse::<f64>().unwrap());
                 // Another rounding of the last digit may cost a step more or less.

@@ -69,7 +69,10 @@ pub fn count<'a>(ledger: &Ledger, claims: impl Iterator<Item = &'a Claim>) -> [u
     let mut counts = [0; 4];
     for claim in claims {
         counts[0] += 1;
-        counts[match (ledger.is_settled(claim), claim.verdict.is_computed()) {
+        counts[match (
+            ledger.missing(claim).is_empty(),
+            claim.verdict.is_computed(),
+        ) {
             (true, true) => 1,
             (true, false) => 2,
             (false, _) => 3,
@@ -119,7 +122,7 @@ fn row(ledger: &Ledger, claim: &Claim) -> String {
             ))
         )
     }));
-    if !ledger.is_settled(claim) {
+    if !ledger.missing(claim).is_empty() {
         places.push("<em>not yet</em>".into());
     }
     format!(

@@ -9,7 +9,7 @@ use crate::writer::{folder_of, followed};
 use crate::{Error, Result};
 use figures::on_your_table::Paper;
 use mdbook_driver::MDBook;
-use mdbook_driver::book::{BookItem, Chapter};
+use mdbook_driver::book::Chapter;
 use mdbook_driver::config::Config;
 use mdbook_renderer::RenderContext;
 use serde_json::json;
@@ -85,18 +85,13 @@ pub fn typeset(settings: Config, root: &Path, typesetter: &mut Typesetter<'_>) -
     let mut book = book.map_err(wrong)?;
 
     let source_folder = book.source_dir();
-    let chapters: Vec<(String, String)> = book
-        .iter()
-        .filter_map(|item| match item {
-            BookItem::Chapter(chapter) => Some((file_of(chapter)?, chapter.content.clone())),
-            _ => None,
-        })
-        .collect();
-    let pages: HashSet<String> = chapters.iter().map(|(file, _)| file.clone()).collect();
+    let pages: HashSet<String> = book.book.chapters().filter_map(file_of).collect();
     let mut set = HashMap::new();
-    for (file, source) in chapters {
-        let page = typesetter.set(&file, &source, &source_folder, &pages)?;
-        set.insert(file, page);
+    for chapter in book.book.chapters() {
+        if let Some(file) = file_of(chapter) {
+            let page = typesetter.set(&file, &chapter.content, &source_folder, &pages)?;
+            set.insert(file, page);
+        }
     }
     book.book.for_each_chapter_mut(|chapter| {
         if let Some(page) = file_of(chapter).and_then(|file| set.remove(&file)) {

@@ -11,7 +11,7 @@ use crate::writer::{folder_of, write_if_changed};
 use crate::{Error, Result};
 use figures::Look;
 use figures::on_your_table::{self, Paper};
-use mdbook_driver::book::{BookItem, Chapter};
+use mdbook_driver::book::{Book, BookItem};
 use mdbook_driver::config::Config;
 use mdbook_renderer::{RenderContext, Renderer};
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd, html::push_html};
@@ -81,15 +81,7 @@ pub fn epub(root: &Path, drawings: &[Drawing], file: &Path) -> Result<()> {
     let mut typesetter = Typesetter::new(drawings, &ledger, Medium::Ebook);
     let book = binding::typeset(settings, root, &mut typesetter)?;
     let (processed, _) = book.preprocess_book(&Nothing).map_err(wrong)?;
-    let chapters: Vec<_> = processed
-        .iter()
-        .filter_map(|item| match item {
-            BookItem::Chapter(chapter) => Some(chapter),
-            _ => None,
-        })
-        .collect();
-    let contents = contents(&processed.items);
-    let bytes = packed(drawings, &chapters, &contents, &typesetter.into_pieces())
+    let bytes = packed(drawings, &processed, &typesetter.into_pieces())
         .map_err(|error| Error::Failed(format!("the EPUB: {error}")))?;
     write_if_changed(file, &bytes).map(drop)
 }
@@ -107,12 +99,7 @@ impl Renderer for Nothing {
     }
 }
 
-fn packed(
-    drawings: &[Drawing],
-    chapters: &[&Chapter],
-    contents: &str,
-    pieces: &Pieces,
-) -> anyhow::Result<Vec<u8>> {
+fn packed(drawings: &[Drawing], book: &Book, pieces: &Pieces) -> anyhow::Result<Vec<u8>> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     let stored = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
     let small = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
@@ -124,14 +111,12 @@ fn packed(
     };
     add("META-INF/container.xml", CONTAINER)?;
     add("book.css", STYLE)?;
-    add("contents.xhtml", &page("Contents", contents))?;
+    add("contents.xhtml", &page("Contents", &contents(&book.items)))?;
     let (mut manifest, mut spine) = (String::new(), String::new());
-    for chapter in chapters {
-        let (Some(path), content) = (&chapter.path, &chapter.content) else {
-            continue;
-        };
+    for chapter in book.chapters() {
+        let Some(path) = &chapter.path else { continue };
         let name = path.with_extension("xhtml").display().to_string();
-        let body = flush_left(&pieces.fill(&xhtml(content))?);
+        let body = flush_left(&pieces.fill(&xhtml(&chapter.content))?);
         let id = name.replace('.', "-");
         let mathml = match body.contains("<math") {
             true => " properties=\"mathml\"",

@@ -2,16 +2,19 @@
 
 use std::path::{Path, PathBuf};
 
-use spinning_bodies::scene::files::Mistakes;
+use spinning_bodies::scene::{UnknownColumn, files::Mistakes};
 
 /// A failure, told in one line; a scene file in one line for each mistake.
-#[derive(Debug)]
+#[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The command line or a source of the book is wrong: exit status 2.
+    #[error("{}", one_line(.0))]
     Input(String),
     /// A scene file is wrong, a line for each mistake: exit status 2.
-    Scene(Mistakes),
+    #[error(transparent)]
+    Scene(#[from] Mistakes),
     /// A file could not be read or written: exit status 1.
+    #[error("{path}: {source}", path = path.display())]
     File {
         /// The file.
         path: PathBuf,
@@ -19,8 +22,10 @@ pub enum Error {
         source: std::io::Error,
     },
     /// Anything else: exit status 1.
+    #[error("{}", one_line(.0))]
     Failed(String),
     /// Whoever reads our output has closed it. Not a failure: exit status 0.
+    #[error("the output was closed")]
     OutputClosed,
 }
 
@@ -46,27 +51,8 @@ impl Error {
     }
 }
 
-impl std::fmt::Display for Error {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Error::Input(message) | Error::Failed(message) => f.write_str(&one_line(message)),
-            Error::Scene(mistakes) => write!(f, "{mistakes}"),
-            Error::File { path, source } => write!(f, "{}: {source}", path.display()),
-            Error::OutputClosed => f.write_str("the output was closed"),
-        }
-    }
-}
-
-impl std::error::Error for Error {}
-
-impl From<Mistakes> for Error {
-    fn from(mistakes: Mistakes) -> Self {
-        Error::Scene(mistakes)
-    }
-}
-
-impl From<spinning_bodies::scene::UnknownColumn> for Error {
-    fn from(unknown: spinning_bodies::scene::UnknownColumn) -> Self {
+impl From<UnknownColumn> for Error {
+    fn from(unknown: UnknownColumn) -> Self {
         Error::Input(unknown.to_string())
     }
 }

@@ -61,38 +61,25 @@ fn has_bare_root(latex: &str) -> bool {
 /// The renderer keeps attributes in a hash map, so that their order changes from run to run; sorted, equal input
 /// gives equal bytes.
 fn sort_attributes(html: &str) -> String {
-    let mut out = String::with_capacity(html.len());
-    let mut rest = html;
-    while let Some((text, tag_on)) = rest.split_once('<') {
-        out.push_str(text);
-        out.push('<');
-        let (tag, after) = tag_on.split_once('>').unwrap_or((tag_on, ""));
-        out.push_str(&sorted_tag(tag));
-        out.push('>');
-        rest = after;
+    let mut parts = html.split('<');
+    let mut out = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (tag, text) = part.split_once('>').unwrap_or((part, ""));
+        out += &format!("<{}>{text}", sorted_tag(tag));
     }
-    out.push_str(rest);
     out
 }
 
 /// `span style="…" class="…"` with its attributes in alphabetical order. Values are quoted and hold no `>`.
 fn sorted_tag(tag: &str) -> String {
-    let (name, mut rest) = tag.split_once(' ').unwrap_or((tag, ""));
-    let mut attributes = Vec::new();
-    while let Some((key, after)) = rest.split_once("=\"") {
-        let Some((value, after)) = after.split_once('"') else {
-            break;
-        };
-        attributes.push((key.trim(), value));
-        rest = after;
-    }
-    attributes.sort_unstable();
-    let mut out = name.to_owned();
-    for (key, value) in attributes {
-        out.push_str(&format!(" {key}=\"{value}\""));
-    }
-    out.push_str(rest.trim_end());
-    out
+    let named = tag.split_once(' ');
+    let Some((name, (attributes, end))) = named.and_then(|(n, a)| Some((n, a.rsplit_once('"')?)))
+    else {
+        return tag.to_owned();
+    };
+    let mut attributes: Vec<&str> = attributes.split("\" ").collect();
+    attributes.sort_unstable_by_key(|attribute| attribute.split_once('='));
+    format!("{name} {}\"{}", attributes.join("\" "), end.trim_end())
 }
 
 #[cfg(test)]

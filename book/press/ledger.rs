@@ -4,6 +4,7 @@
 //! `# `), or an HTML comment `<!-- claim: C3.1-1 -->` on a line of its own in a chapter.
 
 use crate::chapters::CHAPTERS;
+use crate::paths::files_below;
 use crate::{Error, Result};
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 use serde::Deserialize;
@@ -138,12 +139,10 @@ impl Ledger {
             .map_err(|error| Error::Input(format!("book/claims.toml: {error}")))?;
         let mut claims = register.claim;
         claims.sort_by_key(|claim| order(&claim.id));
-        let mut tests = Vec::new();
-        tests_in(root, &root.join("tests"), &mut tests)?;
         Ok(Ledger {
             claims,
             chapters: chapter_uses(root)?,
-            tests,
+            tests: test_uses(root)?,
         })
     }
 
@@ -162,28 +161,21 @@ impl Ledger {
         self.tests.iter().filter(move |place| place.claim == id)
     }
 
-    /// Whether a claim has what its verdict asks for: a test and a block, or a mention.
-    pub fn is_settled(&self, claim: &Claim) -> bool {
-        self.missing(claim).is_empty()
-    }
-
-    /// What a claim still lacks.
+    /// What a claim still lacks of what its verdict asks for: a test and a block, or a mention.
     pub fn missing(&self, claim: &Claim) -> Vec<&'static str> {
-        let mut missing = Vec::new();
-        if claim.verdict.is_computed() {
-            if self.in_tests(&claim.id).next().is_none() {
-                missing.push("a test");
-            }
-            if !self
-                .in_chapters(&claim.id)
-                .any(|place| place.kind == MarkKind::Block)
-            {
-                missing.push("a block in a chapter");
-            }
-        } else if self.in_chapters(&claim.id).next().is_none() {
-            missing.push("a mention in a chapter");
-        }
-        missing
+        let mut places = self.in_chapters(&claim.id);
+        let wanted = match claim.verdict.is_computed() {
+            true => vec![
+                (self.in_tests(&claim.id).next().is_some(), "a test"),
+                (
+                    places.any(|place| place.kind == MarkKind::Block),
+                    "a block in a chapter",
+                ),
+            ],
+            false => vec![(places.next().is_some(), "a mention in a chapter")],
+        };
+        let missing = wanted.into_iter().filter(|(there, _)| !there);
+        missing.map(|(_, what)| what).collect()
     }
 }
 
@@ -221,14 +213,12 @@ fn chapter_uses(root: &Path) -> Result<Vec<ChapterUse>> {
             read => read?,
         };
         for mark in marks(&source) {
-            for claim in mark.claims {
-                uses.push(ChapterUse {
-                    claim,
-                    chapter: chapter.name,
-                    line: mark.line,
-                    kind: mark.kind,
-                });
-            }
+            uses.extend(mark.claims.into_iter().map(|claim| ChapterUse {
+                claim,
+                chapter: chapter.name,
+                line: mark.line,
+                kind: mark.kind,
+            }));
         }
     }
     Ok(uses)
@@ -298,35 +288,23 @@ pub fn is_rust(info: &str) -> bool {
     info.split([',', ' ']).next() == Some("rust")
 }
 
-/// Collects the marks of every test file in a folder and below.
-fn tests_in(root: &Path, folder: &Path, uses: &mut Vec<TestUse>) -> Result<()> {
-    let entries = match std::fs::read_dir(folder) {
-        Ok(entries) => entries,
-        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(()),
-        Err(error) => return Err(Error::file(folder)(error)),
-    };
-    let mut paths = entries
-        .map(|entry| entry.map(|entry| entry.path()))
-        .collect::<std::io::Result<Vec<_>>>()
-        .map_err(Error::file(folder))?;
-    paths.sort();
-    for path in paths {
-        if path.is_dir() {
-            tests_in(root, &path, uses)?;
-        } else if path.extension().is_some_and(|ending| ending == "rs") {
-            let source = std::fs::read_to_string(&path).map_err(Error::file(&path))?;
-            let file = path.strip_prefix(root).unwrap_or(&path);
-            let file = file.to_string_lossy().replace('\\', "/");
-            for (claim, function) in claims_in_test(&source) {
-                uses.push(TestUse {
-                    claim,
-                    file: file.clone(),
-                    function,
-                });
-            }
+fn test_uses(root: &Path) -> Result<Vec<TestUse>> {
+    let mut uses = Vec::new();
+    for path in files_below(&root.join("tests"))? {
+        if path.extension().is_none_or(|ending| ending != "rs") {
+            continue;
         }
+        let source = std::fs::read_to_string(&path).map_err(Error::file(&path))?;
+        let file = path.strip_prefix(root).unwrap_or(&path);
+        let file = file.to_string_lossy().replace('\\', "/");
+        let claims = claims_in_test(&source).into_iter();
+        uses.extend(claims.map(|(claim, function)| TestUse {
+            claim,
+            file: file.clone(),
+            function,
+        }));
     }
-    Ok(())
+    Ok(uses)
 }
 
 /// Claims and the functions that name them: the function a mark stands directly above, else the one it stands in.

@@ -1,4 +1,4 @@
-//! Where the workspace is.
+//! Where the workspace is, and what is in a folder.
 
 use crate::{Error, Result};
 use std::path::{Path, PathBuf};
@@ -18,4 +18,21 @@ pub fn workspace_root() -> Result<PathBuf> {
                 here.display()
             ))
         })
+}
+
+/// Every file in a folder and below, by their names; nothing if there is no such folder.
+pub fn files_below(folder: &Path) -> Result<Vec<PathBuf>> {
+    let mut files = Vec::new();
+    if !folder.exists() {
+        return Ok(files);
+    }
+    for entry in std::fs::read_dir(folder).map_err(Error::file(folder))? {
+        let path = entry.map_err(Error::file(folder))?.path();
+        match path.is_dir() {
+            true => files.extend(files_below(&path)?),
+            false => files.push(path),
+        }
+    }
+    files.sort();
+    Ok(files)
 }

@@ -4,6 +4,7 @@
 //! HTML would be mangled by the first and indexed three times by the second; so would the tick labels of a figure.
 //! The chapter therefore holds a `<span data-piece="17">` with the plain text, and the page gets the piece.
 
+use crate::paths::files_below;
 use crate::{Error, Result};
 use base64::prelude::{BASE64_STANDARD, Engine};
 use sha2::{Digest, Sha256};
@@ -59,16 +60,11 @@ impl Pieces {
 
     /// Puts the pieces into every page of a folder.
     pub fn fill_folder(&self, folder: &Path) -> Result<()> {
-        for entry in std::fs::read_dir(folder).map_err(Error::file(folder))? {
-            let path = entry.map_err(Error::file(folder))?.path();
-            if path.is_dir() {
-                self.fill_folder(&path)?;
-            } else if path.extension().is_some_and(|ending| ending == "html") {
+        for path in files_below(folder)? {
+            if path.extension().is_some_and(|ending| ending == "html") {
                 let page = std::fs::read_to_string(&path).map_err(Error::file(&path))?;
                 let filled = with_hashes(&flush_left(&self.fill(&page)?));
-                if filled != page {
-                    std::fs::write(&path, filled).map_err(Error::file(&path))?;
-                }
+                std::fs::write(&path, filled).map_err(Error::file(&path))?;
             }
         }
         Ok(())

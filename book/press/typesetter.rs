@@ -104,12 +104,12 @@ impl<'a> Typesetter<'a> {
                     let why = format!("a heading holds the formula ${latex}$; headings have none");
                     return Err(fault(span.start, why));
                 }
-                Event::InlineMath(latex) => {
-                    let html = self.formula(&latex, Style::Inline);
-                    edits.push((span.clone(), html.map_err(|e| fault(span.start, e))?));
-                }
-                Event::DisplayMath(latex) => {
-                    let html = self.formula(&latex, Style::Display);
+                Event::InlineMath(ref latex) | Event::DisplayMath(ref latex) => {
+                    let style = match event {
+                        Event::InlineMath(_) => Style::Inline,
+                        _ => Style::Display,
+                    };
+                    let html = self.formula(latex, style);
                     edits.push((span.clone(), html.map_err(|e| fault(span.start, e))?));
                 }
                 Event::Start(Tag::CodeBlock(_)) => in_code = true,
@@ -173,11 +173,7 @@ impl<'a> Typesetter<'a> {
         for part in parts {
             let (name, after) = part.split_once("}}").unwrap_or((part, ""));
             let (figure, key) = name.trim().split_once('.').unwrap_or((name, ""));
-            let drawing = self.drawings.get(figure);
-            let values = &drawing
-                .ok_or_else(|| unknown_figure(figure).to_string())?
-                .figure
-                .values;
+            let values = &self.drawing(figure)?.figure.values;
             let Some((_, text)) = values.iter().find(|(known, _)| *known == key) else {
                 let known: Vec<_> = values.iter().map(|(known, _)| *known).collect();
                 let known = known.join(", ");
@@ -226,20 +222,16 @@ impl<'a> Typesetter<'a> {
         }
     }
 
+    fn drawing(&self, name: &str) -> std::result::Result<&'a Drawing, String> {
+        let drawing = self.drawings.get(name).copied();
+        drawing.ok_or_else(|| unknown_figure(name).to_string())
+    }
+
     fn figure(&mut self, chapter: &str, name: &str) -> std::result::Result<String, String> {
-        let drawing = *self
-            .drawings
-            .get(name)
-            .ok_or_else(|| unknown_figure(name).to_string())?;
-        let mut svg = self.picture(drawing);
-        if self.medium == Medium::Pages && svg.contains("@keyframes") {
-            svg.insert_str(0, PAUSE);
-        }
-        let claim = self.caption(&drawing.figure.claim)?;
+        let drawing = self.drawing(name)?;
         if chapter == COVER {
-            // The chapter shows it again, and the print page shows both: the ids must differ.
-            let svg = svg.replace(&format!("fig-{name}"), &format!("cover-{name}"));
-            let picture = self.pieces.keep(svg, "");
+            let picture = self.picture(drawing, "cover", PAUSE);
+            let claim = self.caption(&drawing.figure.claim)?;
             return Ok(format!(
                 "<figure id=\"cover-{name}\">{picture}<figcaption>{claim}</figcaption></figure>\n"
             ));
@@ -248,7 +240,8 @@ impl<'a> Typesetter<'a> {
         if self.numbers.insert(name.to_owned(), next).is_some() {
             return Err(format!("figure '{name}' is shown a second time"));
         }
-        let picture = self.pieces.keep(svg, "");
+        let picture = self.picture(drawing, "fig", PAUSE);
+        let claim = self.caption(&drawing.figure.claim)?;
         let details = self.caption(&drawing.figure.details)?;
         let live = match (self.medium, drawing.entry.parameters) {
             (Medium::Ebook, _) | (_, []) => String::new(),
@@ -263,40 +256,46 @@ impl<'a> Typesetter<'a> {
         ))
     }
 
-    /// A figure without its frame.
-    fn picture(&self, drawing: &Drawing) -> String {
-        let Drawing { entry, figure } = drawing;
-        match self.medium {
-            Medium::Pages => figure.svg().trim_end().to_owned(),
+    /// A figure without its frame; before one that moves, `pause`. The print page shows all chapters: where a figure is shown again, its ids begin
+    /// otherwise.
+    fn picture(&mut self, Drawing { entry, figure }: &Drawing, ids: &str, pause: &str) -> String {
+        let name = entry.name;
+        let html = match self.medium {
+            Medium::Pages => {
+                let svg = figure.svg();
+                let svg = svg
+                    .trim_end()
+                    .replace(&format!("fig-{name}"), &format!("{ids}-{name}"));
+                let pause = if svg.contains("@keyframes") {
+                    pause
+                } else {
+                    ""
+                };
+                pause.to_owned() + &svg
+            }
             Medium::Ebook => format!(
-                "<img src=\"figures/{}.svg\" alt=\"{}\"/>",
-                entry.name,
+                "<img src=\"figures/{name}.svg\" alt=\"{}\"/>",
                 inert(&figure.alt)
             ),
-        }
+        };
+        self.pieces.keep(html, "")
     }
 
     /// Every figure, small: its number, its claim, and the command that draws it.
     fn gallery(&mut self) -> std::result::Result<String, String> {
         let mut out = String::from("<div class=\"gallery\">\n");
-        let numbered = |entry: &'static figures::Entry| match self.numbers.get(entry.name) {
-            Some(&number) => Ok((number, entry)),
+        let numbered = |entry: &figures::Entry| match self.numbers.get(entry.name) {
+            Some(&number) => Ok((number, self.drawing(entry.name)?)),
             None => Err(format!("figure '{}' is in no chapter", entry.name)),
         };
-        let mut shown = figures::all()
-            .iter()
-            .map(numbered)
-            .collect::<std::result::Result<Vec<_>, _>>()?;
+        let shown = figures::all().iter().map(numbered);
+        let mut shown = shown.collect::<std::result::Result<Vec<_>, _>>()?;
         shown.sort_unstable_by_key(|&(number, _)| number);
-        for (number, entry) in shown {
-            let (name, chapter) = (entry.name, entry.chapter);
-            let drawing = *self.drawings.get(name).ok_or("a figure is not drawn")?;
-            // The chapter shows it, too, and the print page shows both: the ids must differ.
-            let svg = self.picture(drawing);
-            let svg = svg.replace(&format!("fig-{name}"), &format!("small-{name}"));
-            let picture = self.pieces.keep(svg, "");
+        for (number, drawing) in shown {
+            let (name, chapter) = (drawing.entry.name, drawing.entry.chapter);
+            let picture = self.picture(drawing, "small", "");
             let claim = self.caption(&drawing.figure.claim)?;
-            let keys = entry.parameters.iter().map(|one| one.key);
+            let keys = drawing.entry.parameters.iter().map(|one| one.key);
             let keys = match keys.collect::<Vec<_>>()[..] {
                 [] => String::new(),
                 ref keys => format!(" --set {}=…", keys.join("=… --set ")),

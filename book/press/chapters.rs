@@ -8,8 +8,10 @@ use std::path::Path;
 pub struct Chapter {
     /// Name of its Markdown file in `book/src`, without the ending.
     pub name: &'static str,
-    /// What it is made of, from the root of the workspace: modules, tests, figures, scenes. Folders end in a slash.
-    pub files: &'static [&'static str],
+    /// What it is made of, from the root of the workspace: modules, tests, figures. Folders end in a slash.
+    made_of: &'static [&'static str],
+    /// The scenes to play with: the names of their files.
+    scenes: &'static [&'static str],
 }
 
 /// What the foot of a page says of its files, by the folder they are in.
@@ -36,11 +38,20 @@ impl Chapter {
         CHAPTERS.iter().find(|chapter| chapter.name == name)
     }
 
+    /// What it is made of, from the root of the workspace, and its scenes.
+    pub fn files(&self) -> impl Iterator<Item = String> {
+        let scenes = self
+            .scenes
+            .iter()
+            .map(|name| format!("book/scenes/{name}.toml"));
+        self.made_of.iter().map(ToString::to_string).chain(scenes)
+    }
+
     /// The last line of the page: where its computations live. `None` if it has none of its own.
     pub fn foot(&self) -> Option<String> {
         let groups = FOOT.iter().filter_map(|(word, folders)| {
-            let there = |file: &&&str| folders.iter().any(|folder| file.starts_with(folder));
-            let files = self.files.iter().filter(there);
+            let there = |file: &String| folders.iter().any(|folder| file.starts_with(folder));
+            let files = self.files().filter(there);
             let files: Vec<_> = files.map(|file| format!("<code>{file}</code>")).collect();
             (!files.is_empty()).then(|| format!("{word} {}", files.join(", ")))
         });
@@ -50,11 +61,12 @@ impl Chapter {
 }
 
 macro_rules! chapters {
-    ($($module:ident: $name:literal $files:expr,)*) => {
+    ($($module:ident: $name:literal $made_of:tt $scenes:tt,)*) => {
         /// All chapters, in reading order.
         pub const CHAPTERS: &[Chapter] = &[$(Chapter {
             name: $name,
-            files: &$files,
+            made_of: &$made_of,
+            scenes: &$scenes,
         },)*];
 
         $(
@@ -66,106 +78,86 @@ macro_rules! chapters {
 }
 
 chapters! {
-    index: "index" [],
+    index: "index" [] [],
     phenomena: "phenomena" [
         "src/phenomena/",
         "src/scene/shape/",
         "tests/sections/phenomena/",
         "tests/sections/scenes/shape.rs",
         "figures/src/phenomena/",
-        "book/scenes/cat.toml",
-        "book/scenes/crawler.toml",
-        "book/scenes/paper-cat.toml",
-        "book/scenes/skater.toml",
-        "book/scenes/swivel.toml",
-    ],
+    ] ["cat", "crawler", "paper-cat", "skater", "swivel"],
     inertia: "inertia" [
         "src/inertia/",
         "tests/sections/inertia/",
         "figures/src/inertia.rs",
         "figures/src/inertia/",
-    ],
+    ] [],
     conservation: "conservation" [
         "src/conservation/",
         "tests/sections/conservation/",
         "figures/src/conservation.rs",
-    ],
-    examples: "examples" [],
+    ] [],
+    examples: "examples" [] [],
     impacts: "impacts" [
         "src/impacts.rs",
         "tests/sections/impacts/",
         "figures/src/impacts.rs",
-        "book/scenes/meteorite.toml",
-    ],
+    ] ["meteorite"],
     rolling: "rolling" [
         "src/rolling/",
         "tests/sections/rolling/",
         "figures/src/rolling.rs",
         "figures/src/rolling/",
-        "book/scenes/billiard-shot.toml",
-    ],
+    ] ["billiard-shot"],
     spool: "spool" [
         "src/rolling/spool.rs",
         "tests/sections/spool.rs",
         "figures/src/spool.rs",
-        "book/scenes/spool.toml",
-    ],
+    ] ["spool"],
     sheet: "sheet" [
         "src/rolling/sheet.rs",
         "tests/sections/sheet.rs",
         "figures/src/sheet.rs",
-        "book/scenes/withdrawn-sheet.toml",
-    ],
+    ] ["withdrawn-sheet"],
     superball: "superball" [
         "src/superball/",
         "tests/sections/superball/",
         "figures/src/superball.rs",
         "figures/src/superball/",
-        "book/scenes/superball.toml",
-    ],
+    ] ["superball"],
     tippe_top: "tippe-top" [
         "src/tippe_top/",
         "src/scene/contact.rs",
         "tests/sections/tippe_top/",
         "figures/src/tippe_top/",
-        "book/scenes/egg.toml",
-        "book/scenes/hoop-with-clay.toml",
-        "book/scenes/sliding-ball.toml",
-        "book/scenes/tippe-top.toml",
-    ],
+    ] ["egg", "hoop-with-clay", "sliding-ball", "tippe-top"],
     chiral_top: "chiral-top" [
         "src/tippe_top/chirality.rs",
         "src/tippe_top/growth.rs",
         "tests/sections/tippe_top/chiral.rs",
         "figures/src/tippe_top/",
-        "book/scenes/chiral-top.toml",
-        "book/scenes/chiral-top-other-way.toml",
-    ],
+    ] ["chiral-top", "chiral-top-other-way"],
     rattleback: "rattleback" [
         "src/tippe_top/bodies.rs",
         "src/tippe_top/growth.rs",
         "tests/sections/tippe_top/celt.rs",
         "figures/src/tippe_top/rattleback.rs",
-        "book/scenes/rattleback.toml",
-    ],
+    ] ["rattleback"],
     gyroscope: "gyroscope" [
         "src/lagrange_top/",
         "tests/sections/gyroscope.rs",
         "figures/src/gyroscope.rs",
-    ],
+    ] [],
     yo_yo: "yo-yo" [
         "src/yo_yo/",
         "tests/sections/yo_yo.rs",
         "figures/src/yo_yo/",
-        "book/scenes/yo-yo.toml",
-        "book/scenes/yo-yo-asleep.toml",
-    ],
+    ] ["yo-yo", "yo-yo-asleep"],
     falling_strip: "falling-strip" [
         "src/falling_strip/",
         "tests/sections/falling_strip.rs",
         "figures/src/falling_strip/",
-        "book/scenes/strip.toml",
-    ],
+    ] ["strip"],
     euler_equations: "euler-equations" [
         "src/euler_equations/",
         "src/ideal_fluid.rs",
@@ -173,62 +165,58 @@ chapters! {
         "tests/sections/euler_equations/",
         "figures/src/euler_equations.rs",
         "figures/src/euler_equations/",
-        "book/scenes/heavy-body.toml",
-    ],
+    ] ["heavy-body"],
     euler_top: "euler-top" [
         "src/euler_top/",
         "src/elliptic/",
         "tests/sections/euler_top/",
         "figures/src/euler_top/",
-        "book/scenes/racket.toml",
-    ],
+    ] ["racket"],
     lagrange_top: "lagrange-top" [
         "src/lagrange_top/",
         "tests/sections/lagrange_top/",
         "figures/src/lagrange_top/",
-        "book/scenes/nutation-dies.toml",
-        "book/scenes/sleeping-top.toml",
-    ],
+    ] ["nutation-dies", "sleeping-top"],
     kovalevskaya_top: "kovalevskaya-top" [
         "src/kovalevskaya_top/",
         "tests/sections/kovalevskaya_top/",
         "figures/src/kovalevskaya_top.rs",
-    ],
+    ] [],
     pythagoras: "pythagoras" [
         "src/pythagoras.rs",
         "tests/sections/pythagoras.rs",
         "figures/src/pythagoras.rs",
-    ],
-    further_reading: "further-reading" [],
+    ] [],
+    further_reading: "further-reading" [] [],
     on_your_table: "on-your-table" [
         "src/falling_strip/",
         "src/phenomena/paper_cat.rs",
         "src/tippe_top/",
         "figures/src/on_your_table/",
         "figures/tests/on_your_table.rs",
-    ],
+    ] [],
     scenes: "scenes" [
         "src/scene/",
         "tests/sections/scenes/",
         "book/tests/book/scenes.rs",
         "book/tests/book/scene_prices.rs",
         "figures/src/scenes.rs",
-    ],
+    ] [],
     accuracy: "accuracy" [
         "src/integrators/",
         "lab/src/accuracy/",
         "lab/tests/lab/accuracy/",
         "tests/sections/integrators/",
         "figures/src/accuracy/",
-    ],
+    ] [],
     hard_cases: "hard-cases" [
         "lab/src/hard_cases/",
         "lab/tests/lab/hard_cases.rs",
         "tests/hard_cases/",
         "figures/src/hard_cases.rs",
-    ],
-    gallery: "gallery" [],
-    errata: "errata" [],
-    claims: "claims" [],
-    colophon: "colophon" [],
+    ] [],
+    gallery: "gallery" [] [],
+    errata: "errata" [] [],
+    claims: "claims" [] [],
+    colophon: "colophon" [] [],
 }

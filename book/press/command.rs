@@ -11,7 +11,7 @@ use crate::scenes::output::{Format, Motion};
 use crate::scenes::plot;
 use crate::scenes::scan::Scan;
 use crate::usage::{self, Cli, Command};
-use crate::writer::{Target, can_be_written_into, folder_of, say};
+use crate::writer::{Target, can_be_written_into, folder_of, say, tell};
 use crate::{Error, Result, accuracy, appendix, binding, ebook, interrupt, live, scenes, watch};
 use clap::Parser;
 use figures::on_your_table::Paper;
@@ -19,7 +19,6 @@ use figures::{Entry, Figure, Look, Theme, Values};
 use spinning_bodies::scene::files;
 
 use std::ffi::OsString;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -36,8 +35,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             if error.status() != 0 {
-                // Nothing is left to be done if standard error is closed as well.
-                let _ = writeln!(std::io::stderr(), "error: {error}");
+                tell(format_args!("error: {error}"));
             }
             ExitCode::from(error.status())
         }

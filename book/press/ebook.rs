@@ -12,8 +12,8 @@ use crate::{Error, Result};
 use figures::Look;
 use figures::on_your_table::{self, Paper};
 use mdbook_driver::book::{Book, BookItem};
+use mdbook_driver::builtin_renderers::MarkdownRenderer;
 use mdbook_driver::config::Config;
-use mdbook_renderer::{RenderContext, Renderer};
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd, html::push_html};
 use std::io::{Cursor, Write};
 use std::path::Path;
@@ -80,23 +80,12 @@ pub fn epub(root: &Path, drawings: &[Drawing], file: &Path) -> Result<()> {
     let ledger = Ledger::read(root)?;
     let mut typesetter = Typesetter::new(drawings, &ledger, Medium::Ebook);
     let book = binding::typeset(settings, root, &mut typesetter)?;
-    let (processed, _) = book.preprocess_book(&Nothing).map_err(wrong)?;
+    let (processed, _) = book
+        .preprocess_book(&MarkdownRenderer::new())
+        .map_err(wrong)?;
     let bytes = packed(drawings, &processed, &typesetter.into_pieces())
         .map_err(|error| Error::Failed(format!("the EPUB: {error}")))?;
     write_if_changed(file, &bytes).map(drop)
-}
-
-/// mdBook wants to know for whom it resolves what a chapter includes.
-struct Nothing;
-
-impl Renderer for Nothing {
-    fn name(&self) -> &str {
-        "html"
-    }
-
-    fn render(&self, _: &RenderContext) -> anyhow::Result<()> {
-        Ok(())
-    }
 }
 
 fn packed(drawings: &[Drawing], book: &Book, pieces: &Pieces) -> anyhow::Result<Vec<u8>> {

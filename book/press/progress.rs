@@ -1,11 +1,13 @@
 //! How far a long run is, told on standard error: by a bar on a terminal, elsewhere by a line now and then.
 
-use std::io::{IsTerminal, Write};
+use std::io::IsTerminal;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::writer::tell;
 
 /// A run that is over by now says nothing.
 const PATIENCE: Duration = Duration::from_millis(1500);
@@ -30,8 +32,7 @@ pub fn watched<T>(how_far: impl Fn() -> (f64, String) + Send, work: impl FnOnce(
                     bar.set_message(told);
                     wait = TICK;
                 } else {
-                    // Nothing is left to be done if standard error is closed.
-                    let _ = writeln!(std::io::stderr(), "{told}");
+                    tell(told);
                     wait = begin.elapsed();
                 }
             }

@@ -4,11 +4,10 @@ use crate::binding::bind;
 use crate::chapters::CHAPTERS;
 use crate::drawings::Drawing;
 use crate::ledger::{is_rust, markdown_options};
-use crate::writer::say;
+use crate::writer::{say, tell};
 use crate::{Error, Result};
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 use std::collections::BTreeMap;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant, SystemTime};
 
@@ -94,8 +93,7 @@ pub fn watch(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
         });
         match outcome {
             Err(Error::OutputClosed) => return Err(Error::OutputClosed),
-            // Nothing is left to be done if standard error is closed as well.
-            Err(error) => drop(writeln!(std::io::stderr(), "error: {error}")),
+            Err(error) => tell(format_args!("error: {error}")),
             Ok(()) => {}
         }
     }

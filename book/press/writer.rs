@@ -1,5 +1,6 @@
 //! The one way in which the press writes: a file whole or not at all, whatever else as it is.
 
+use std::fmt::Display;
 use std::fs::{File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -119,6 +120,11 @@ fn into(to: impl Write, contents: impl FnOnce(Writing<'_>) -> io::Result<()>) ->
 /// As for [`Target::write`].
 pub fn say(text: &str) -> Result<()> {
     Target::new(None, None)?.put(text)
+}
+
+/// Prints a line to standard error. Nothing is left to be done if that is closed as well.
+pub fn tell(line: impl Display) {
+    let _ = writeln!(io::stderr(), "{line}");
 }
 
 /// Writes a file, and the folder it is in, only if its bytes change. Returns whether they did.

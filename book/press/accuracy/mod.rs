@@ -8,7 +8,6 @@
 pub mod patience;
 pub mod table;
 
-use std::io::Write as _;
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
@@ -19,7 +18,7 @@ use spinning_bodies::scene::Solver;
 
 use crate::progress::watched;
 use crate::scenes::{self, output::Format};
-use crate::writer::Target;
+use crate::writer::{Target, tell};
 use crate::{Error, Result};
 use patience::PATIENCE;
 
@@ -118,9 +117,8 @@ pub fn picture(root: &Path, scene: &str, csv: Option<&Path>) -> Result<Figure> {
 
 fn warn_of_debug() {
     if cfg!(debug_assertions) {
-        let _ = writeln!(
-            std::io::stderr(),
-            "this is a debug build: errors and evaluations only; for times, cargo run --release -- accuracy"
+        tell(
+            "this is a debug build: errors and evaluations only; for times, cargo run --release -- accuracy",
         );
     }
 }

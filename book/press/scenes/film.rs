@@ -2,7 +2,6 @@
 
 use std::f64::consts::FRAC_PI_2;
 use std::ffi::OsString;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use figures::film::Film;
@@ -13,7 +12,7 @@ use super::output::Motion;
 use crate::interrupt::Unfinished;
 use crate::pictures::{Copying, Form, file};
 use crate::progress::counted;
-use crate::writer::{can_be_written_into, folder_of};
+use crate::writer::{can_be_written_into, folder_of, tell};
 use crate::{Error, Result};
 
 /// The motion at so many equal steps from the first of its times to the last, and the picture of it. The scene tells all of its columns.
@@ -102,12 +101,10 @@ pub fn film(motion: &Motion<'_>, speed: Option<f64>) -> Result<Vec<u8>> {
         .fold(0.0, f64::max);
     let between = fastest * span / (count - 1) as f64;
     if between > FRAC_PI_2 {
-        // Nothing is left to be done if standard error is closed.
-        let _ = writeln!(
-            std::io::stderr(),
+        tell(format_args!(
             "warning: {}: it turns by up to {between:.1} rad from one picture to the next, which no eye can follow; a smaller --speed or a shorter run shows it",
             motion.name
-        );
+        ));
     }
     Ok(film.film(seconds).into_bytes())
 }

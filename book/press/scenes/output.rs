@@ -152,10 +152,10 @@ impl Motion<'_> {
         watched(how_far, || super::run(self.name, self.scene, &request))
     }
 
-    /// Hands on the motion in parts, with what is told so far.
+    /// Hands on the motion in parts, with what is told so far, and whether it is the first part.
     fn each(
         &self,
-        mut hand_on: impl FnMut(&Table, &Told) -> io::Result<()>,
+        mut hand_on: impl FnMut(&Table, &Told, bool) -> io::Result<()>,
     ) -> io::Result<Option<Told>> {
         let run = |times: &[f64]| self.table(times).map_err(io::Error::other);
         if self.is_long() {
@@ -166,9 +166,9 @@ impl Motion<'_> {
         }
         let mut told = None;
         for times in self.request.times().chunks(PART) {
-            let table = run(times)?;
+            let (table, first) = (run(times)?, told.is_none());
             let now = Told::with(told, &table);
-            hand_on(&table, &now)?;
+            hand_on(&table, &now, first)?;
             told = Some(now);
         }
         Ok(told)
@@ -193,9 +193,8 @@ fn how_far(progress: &Progress) -> (f64, String) {
 }
 
 fn csv(motion: &Motion<'_>, to: &mut dyn Write) -> io::Result<()> {
-    let mut begun = false;
-    let told = motion.each(|table, _| {
-        if !std::mem::replace(&mut begun, true) {
+    let told = motion.each(|table, _, first| {
+        if first {
             to.write_all(b"t")?;
             for column in &table.columns {
                 write!(to, ",{}", column.name)?;
@@ -236,26 +235,27 @@ fn json(motion: &Motion<'_>, to: &mut dyn Write) -> io::Result<()> {
         let lines = about.map(|(name, value)| format!("  \"{name}\": {value}"));
         to.write_all(lines.join(",\n").as_bytes())
     };
-    let (long, mut begun) = (motion.is_long(), false);
-    let told = motion.each(|table, told| {
-        for (t, numbers) in table.rows() {
-            if !std::mem::replace(&mut begun, true) {
-                to.write_all(b"{\n")?;
-                if !long {
-                    about(told, to)?;
-                    to.write_all(b",\n")?;
-                }
-                let units = table
-                    .columns
-                    .iter()
-                    .map(|column| (column.name.to_owned(), column.unit.into()));
-                let units = std::iter::once(("t".to_owned(), "s".into())).chain(units);
-                let units = Value::Object(units.collect());
-                write!(to, "  \"units\": {units},\n  \"rows\": [\n    ")?;
-            } else {
-                to.write_all(b",\n    ")?;
+    let (long, mut before) = (motion.is_long(), "\n    ");
+    let told = motion.each(|table, told, first| {
+        if first {
+            to.write_all(b"{\n")?;
+            if !long {
+                about(told, to)?;
+                to.write_all(b",\n")?;
             }
-            write!(to, "{{\"t\":{t:?}")?;
+            let columns = table
+                .columns
+                .iter()
+                .map(|column| (column.name, column.unit));
+            let all = std::iter::once(("t", "s")).chain(columns);
+            let units: Value = all
+                .map(|(name, unit)| (name.to_owned(), json!(unit)))
+                .collect();
+            write!(to, "  \"units\": {units},\n  \"rows\": [")?;
+        }
+        for (t, numbers) in table.rows() {
+            write!(to, "{before}{{\"t\":{t:?}")?;
+            before = ",\n    ";
             for (column, number) in table.columns.iter().zip(numbers) {
                 write!(to, ",\"{}\":{number:?}", column.name)?;
             }

@@ -2,7 +2,6 @@
 
 use std::f64::consts::{PI, TAU};
 use std::fmt;
-use std::io::Write;
 use std::path::Path;
 use std::str::FromStr;
 
@@ -14,6 +13,7 @@ use spinning_bodies::scene::{AnyScene, Column, Request, files};
 
 use super::output::Format;
 use super::{parse, source};
+use crate::writer::tell;
 use crate::{Error, Result};
 
 /// Numbers of a scene file that go through their ranges together: `initial.omega.2=50..200:16`.
@@ -204,10 +204,8 @@ impl Scan {
                 return Err(Error::Input(told));
             }
         }
-        let count = overs
-            .iter()
-            .try_fold(1_usize, |n, over| n.checked_mul(over.count));
-        if count.is_none_or(|count| count > MOST) {
+        let counts = overs.iter().map(|over| over.count);
+        if counts.fold(1_usize, usize::saturating_mul) > MOST {
             let told = format!("{name}: a scan has at most {MOST} points");
             return Err(Error::Input(told));
         }
@@ -305,20 +303,19 @@ impl Scan {
         let refusals = points
             .iter()
             .filter_map(|(_, outcome)| outcome.as_ref().err());
-        let ran = match (refusals.clone().count(), refusals.clone().next()) {
-            (refused, Some(first)) if refused == points.len() => Err(Error::Failed(format!(
+        let refusals: Vec<&Error> = refusals.collect();
+        let (refused, all) = (refusals.len(), points.len());
+        let ran = match refusals[..] {
+            [] => Ok(()),
+            [first, ..] if refused == all => Err(Error::Failed(format!(
                 "no point of the scan could be run; the first: {first}"
             ))),
-            (refused, Some(first)) => {
-                let told = format!(
-                    "{refused} of {} points are refused; the first: {first}",
-                    points.len()
-                );
-                // Nothing is left to be done if standard error is closed.
-                let _ = writeln!(std::io::stderr(), "warning: {told}");
+            [first, ..] => {
+                tell(format_args!(
+                    "warning: {refused} of {all} points are refused; the first: {first}"
+                ));
                 Ok(())
             }
-            _ => Ok(()),
         };
         (points, ran)
     }
@@ -344,30 +341,26 @@ impl Scan {
         let refused = |told: String| Err(Error::Input(format!("--plot: {told}")));
         let count = self.points();
         match self.overs.len() {
-            1 => (),
             2 if count > MOST_FIELDS => {
                 return refused(format!(
                     "expected at most {MOST_FIELDS} points for a map, got {count}"
                 ));
             }
-            2 => (),
+            1 | 2 => (),
             more => return refused(format!("expected one --over, or two for a map, got {more}")),
         }
         let (points, ran) = self.ran(done);
         ran?;
-        let value = |(_, outcome): &Point<'_>| {
-            let told = outcome
-                .as_ref()
-                .ok()
-                .and_then(|told| told.first().copied()?);
-            told.unwrap_or(f64::NAN)
+        let value = |(_, outcome): &Point<'_>| match outcome.as_deref() {
+            Ok(&[Some(first), ..]) => first,
+            _ => f64::NAN,
         };
         // A crossing is told by its time.
         let times = |tell: &Tell| matches!(tell.what, What::Crossing(_));
-        let column = self
-            .columns
-            .first()
-            .filter(|_| !self.tells.iter().any(times));
+        let column = match self.tells.iter().any(times) {
+            true => None,
+            false => self.columns.first(),
+        };
         let told = Quantity {
             name: self.heads().swap_remove(0),
             unit: column.map_or("s", |column| column.unit),
@@ -376,16 +369,13 @@ impl Scan {
             values: points.iter().map(value).collect(),
         };
         let axis = |over: &Over| {
-            let first = |place: usize| over.values(place).next();
+            let first = |place: usize| Some(over.values(place).next()?.1);
             Quantity {
                 name: over.paths().next().unwrap_or_default().to_owned(),
                 unit: "",
                 goes_round: false,
                 logarithmic: over.logarithmic,
-                values: (0..over.count)
-                    .filter_map(first)
-                    .map(|(_, value)| value)
-                    .collect(),
+                values: (0..over.count).filter_map(first).collect(),
             }
         };
         let title = Path::new(&self.name).file_stem().unwrap_or_default();
@@ -398,30 +388,23 @@ impl Scan {
 
     fn csv(&self, points: &[Point<'_>]) -> String {
         let heads = self.heads();
-        let paths = self.overs.iter().flat_map(Over::paths).map(str::to_owned);
-        let all = paths.chain(heads.iter().cloned());
-        let mut text = all
-            .chain(["status".to_owned()])
-            .collect::<Vec<_>>()
-            .join(",")
-            + "\n";
+        let paths = self.overs.iter().flat_map(Over::paths);
+        let all = paths.chain(heads.iter().map(String::as_str));
+        let mut text = all.chain(["status"]).collect::<Vec<_>>().join(",") + "\n";
         for (varied, outcome) in points {
-            for (_, value) in varied {
-                text += &format!("{value:?},");
-            }
-            match outcome {
-                Ok(told) => {
-                    for number in told {
-                        text += &number.map_or(",".to_owned(), |number| format!("{number:?},"));
-                    }
-                    text += "ok\n";
-                }
+            let (told, status) = match outcome {
+                Ok(told) => (told.clone(), "ok".to_owned()),
                 Err(error) => {
-                    text += &",".repeat(heads.len());
                     let told = error.to_string().replace('"', "\"\"").replace('\n', "; ");
-                    text += &format!("\"{told}\"\n");
+                    (vec![None; heads.len()], format!("\"{told}\""))
                 }
+            };
+            let varied = varied.iter().map(|&(_, value)| Some(value));
+            for number in varied.chain(told) {
+                text += &number.map_or(String::new(), |number| format!("{number:?}"));
+                text += ",";
             }
+            text += &format!("{status}\n");
         }
         text
     }
@@ -430,22 +413,23 @@ impl Scan {
         let heads = self.heads();
         let (mut rows, mut refused) = (Vec::new(), Vec::new());
         for (varied, outcome) in points {
-            let varied = varied
-                .iter()
-                .map(|&(path, value)| (path.to_owned(), json!(value)));
-            match outcome {
+            let mut line = serde_json::Map::new();
+            for &(path, value) in varied {
+                line.insert(path.to_owned(), json!(value));
+            }
+            let lines = match outcome {
                 Ok(told) => {
-                    let told = heads
-                        .iter()
-                        .cloned()
-                        .zip(told.iter().map(|number| json!(number)));
-                    rows.push(Json::Object(varied.chain(told).collect()).to_string());
+                    for (head, number) in heads.iter().zip(told) {
+                        line.insert(head.clone(), json!(number));
+                    }
+                    &mut rows
                 }
                 Err(error) => {
-                    let reason = ("reason".to_owned(), json!(error.to_string()));
-                    refused.push(Json::Object(varied.chain([reason]).collect()).to_string());
+                    line.insert("reason".to_owned(), json!(error.to_string()));
+                    &mut refused
                 }
-            }
+            };
+            lines.push(Json::Object(line).to_string());
         }
         let list = |lines: Vec<String>| match lines.is_empty() {
             true => "[]".to_owned(),
@@ -460,26 +444,22 @@ impl Scan {
 
     /// Says what a reader of the rows must know: the mass alone varies, beside an inertia that is not per mass.
     fn warn(&self) {
+        let is = |path: &str, key: &str| path.split('.').take(2).eq(["body", key]);
         let varies = |key: &str| {
-            let mut all = self.overs.iter().flat_map(Over::paths);
-            all.any(|path| path.split('.').take(2).eq(["body", key]))
+            let mut paths = self.overs.iter().flat_map(Over::paths);
+            paths.any(|path| is(path, key))
         };
         let numbers = files::numbers(&self.text);
-        let there = |key: &&str| {
-            let mut all = numbers.iter();
-            all.any(|path| path.split('.').take(2).eq(["body", *key]))
-        };
+        let there = |key: &&str| numbers.iter().any(|path| is(path, key));
         let stays = ABSOLUTE.into_iter().find(there);
-        let (Some(stays), true, false) = (stays, varies("mass"), ABSOLUTE.into_iter().any(varies))
-        else {
-            return;
-        };
-        let name = &self.name;
-        // Nothing is left to be done if standard error is closed.
-        let _ = writeln!(
-            std::io::stderr(),
-            "warning: {name}: `body.mass` varies and `{stays}` in [body] stays as it is: each row is another body, not the same one made heavier"
-        );
+        if let (Some(stays), true, false) =
+            (stays, varies("mass"), ABSOLUTE.into_iter().any(varies))
+        {
+            let name = &self.name;
+            tell(format_args!(
+                "warning: {name}: `body.mass` varies and `{stays}` in [body] stays as it is: each row is another body, not the same one made heavier"
+            ));
+        }
     }
 }
 

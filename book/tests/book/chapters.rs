@@ -143,8 +143,8 @@ fn the_foot_of_a_page_names_files_that_exist() {
     let mut faults = Vec::new();
     for chapter in CHAPTERS {
         let foot = chapter.foot().unwrap_or_default();
-        for file in chapter.files {
-            let path = root.join(file);
+        for file in chapter.files() {
+            let path = root.join(&file);
             let (folder, name) = (file.ends_with('/'), chapter.name);
             let right = path.exists() && path.is_dir() == folder;
             if !right || !foot.contains(&format!("<code>{file}</code>")) {
@@ -164,7 +164,7 @@ fn the_foot_of_a_page_names_files_that_exist() {
         let chapter = CHAPTERS
             .iter()
             .find(|chapter| chapter.name == entry.chapter);
-        let mut files = chapter.unwrap().files.iter();
+        let mut files = chapter.unwrap().files();
         if !files.any(|file| file.starts_with("figures/src/")) {
             faults.push(format!("no chapter says where '{}' is drawn", entry.name));
         }

@@ -96,9 +96,9 @@ pub fn mdbook_anchor(heading: &str) -> String {
 /// One claim. A single line of HTML, so that Markdown leaves it alone.
 fn row(ledger: &Ledger, claim: &Claim) -> String {
     let mut chapters: Vec<&str> = Vec::new();
-    for place in ledger.in_chapters(&claim.id) {
-        if !chapters.contains(&place.chapter) {
-            chapters.push(place.chapter);
+    for (chapter, _) in ledger.in_chapters(&claim.id) {
+        if !chapters.contains(chapter) {
+            chapters.push(chapter);
         }
     }
     let mut places: Vec<String> = chapters
@@ -145,7 +145,7 @@ pub fn table(ledger: &Ledger) -> String {
         let chapter = ledger
             .in_chapters(&claim.id)
             .next()
-            .map(|place| format!("{}.md:{}", place.chapter, place.line));
+            .map(|(chapter, mark)| format!("{chapter}.md:{}", mark.line));
         let test = ledger
             .in_tests(&claim.id)
             .next()

@@ -21,6 +21,13 @@ use std::process::{Command, Stdio};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
+/// What every EPUB begins with.
+const CONTAINER: &str = include_str!("epub/container.xml");
+/// The time is that of no clock: equal chapters give equal bytes.
+const PACKAGE: &str = include_str!("epub/book.opf");
+const PAGE: &str = include_str!("epub/page.xhtml");
+const STYLE: &str = include_str!("epub/book.css");
+
 /// Browsers that print without a window, by the names under which they are installed.
 const BROWSERS: [&str; 6] = [
     "chromium",
@@ -251,50 +258,3 @@ fn contents(items: &[BookItem]) -> String {
         list(items)
     )
 }
-
-const CONTAINER: &str = r#"<?xml version="1.0" encoding="utf-8"?>
-<container version="1.0" xmlns="urn:oasis:names:tc:opendocument:xmlns:container">
-<rootfiles><rootfile full-path="book.opf" media-type="application/oebps-package+xml"/></rootfiles>
-</container>
-"#;
-
-/// The time is that of no clock: equal chapters give equal bytes.
-const PACKAGE: &str = r#"<?xml version="1.0" encoding="utf-8"?>
-<package xmlns="http://www.idpf.org/2007/opf" version="3.0" unique-identifier="id" xml:lang="en">
-<metadata xmlns:dc="http://purl.org/dc/elements/1.1/">
-<dc:identifier id="id">urn:x-spinning-bodies:VERSION</dc:identifier>
-<dc:title>Spinning Bodies</dc:title>
-<dc:language>en</dc:language>
-<meta property="dcterms:modified">2000-01-01T00:00:00Z</meta>
-</metadata>
-<manifest>
-<item id="contents" href="contents.xhtml" media-type="application/xhtml+xml" properties="nav"/>
-<item id="style" href="book.css" media-type="text/css"/>
-MANIFEST</manifest>
-<spine>
-SPINE</spine>
-</package>
-"#;
-
-const PAGE: &str = r#"<?xml version="1.0" encoding="utf-8"?>
-<!DOCTYPE html>
-<html xmlns="http://www.w3.org/1999/xhtml" xmlns:epub="http://www.idpf.org/2007/ops" lang="en" xml:lang="en">
-<head><title>TITLE</title><link rel="stylesheet" type="text/css" href="book.css"/></head>
-<body>
-BODY</body>
-</html>
-"#;
-
-const STYLE: &str = "\
-figure { margin: 1em 0; text-align: center; break-inside: avoid; }
-img { max-width: 100%; }
-img[src^=\"sheets/\"] { width: 20em; }
-figcaption { font-size: 0.9em; text-align: left; }
-pre { font-size: 0.75em; white-space: pre-wrap; background: #f6f6f6; padding: 0.5em; }
-table { border-collapse: collapse; font-size: 0.85em; }
-td, th { padding: 0.15em 0.5em; border-bottom: 1px solid #ccc; }
-.puzzle { font-style: italic; border-left: 3px solid #888; padding-left: 1em; }
-.result, .erratum, .sidebox, details { border: 1px solid #888; padding: 0 1em; margin: 1em 0; }
-.claim-tags { font-size: 0.7em; text-align: right; margin: 0; }
-.unbroken { white-space: nowrap; }
-";

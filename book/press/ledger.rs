@@ -6,7 +6,7 @@
 use crate::chapters::CHAPTERS;
 use crate::paths::files_below;
 use crate::{Error, Result};
-use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
+use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag};
 use serde::Deserialize;
 use std::io::ErrorKind;
 use std::ops::Range;
@@ -93,19 +93,6 @@ pub enum MarkKind {
     Comment,
 }
 
-/// Where a chapter names a claim.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ChapterUse {
-    /// The claim.
-    pub claim: String,
-    /// The chapter.
-    pub chapter: &'static str,
-    /// The line in its Markdown.
-    pub line: usize,
-    /// Code or prose.
-    pub kind: MarkKind,
-}
-
 /// Where a test names a claim.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TestUse {
@@ -122,8 +109,8 @@ pub struct TestUse {
 pub struct Ledger {
     /// The claims in the order of the tutorial.
     pub claims: Vec<Claim>,
-    /// Where the chapters name claims.
-    pub chapters: Vec<ChapterUse>,
+    /// The marks of the chapters, each with the name of its chapter.
+    pub chapters: Vec<(&'static str, Mark)>,
     /// Where the tests name claims.
     pub tests: Vec<TestUse>,
 }
@@ -141,7 +128,7 @@ impl Ledger {
         claims.sort_by_key(|claim| order(&claim.id));
         Ok(Ledger {
             claims,
-            chapters: chapter_uses(root)?,
+            chapters: chapter_marks(root)?,
             tests: test_uses(root)?,
         })
     }
@@ -152,8 +139,9 @@ impl Ledger {
     }
 
     /// Where the chapters name a claim.
-    pub fn in_chapters(&self, id: &str) -> impl Iterator<Item = &ChapterUse> {
-        self.chapters.iter().filter(move |place| place.claim == id)
+    pub fn in_chapters(&self, id: &str) -> impl Iterator<Item = &(&'static str, Mark)> {
+        let names = move |mark: &Mark| mark.claims.iter().any(|claim| claim == id);
+        self.chapters.iter().filter(move |(_, mark)| names(mark))
     }
 
     /// Where the tests name a claim.
@@ -168,7 +156,7 @@ impl Ledger {
             true => vec![
                 (self.in_tests(&claim.id).next().is_some(), "a test"),
                 (
-                    places.any(|place| place.kind == MarkKind::Block),
+                    places.any(|(_, mark)| mark.kind == MarkKind::Block),
                     "a block in a chapter",
                 ),
             ],
@@ -200,28 +188,22 @@ fn named(comment: &str) -> Option<Vec<String>> {
 
 /// The claims named by a line of Rust.
 fn named_in_rust(line: &str) -> Option<Vec<String>> {
-    let line = line.trim_start();
+    // A block may be quoted.
+    let line = line.trim_start_matches([' ', '>']);
     let line = line.strip_prefix("# ").unwrap_or(line).trim_start();
     named(line.strip_prefix("//")?.trim_start_matches('/'))
 }
 
-fn chapter_uses(root: &Path) -> Result<Vec<ChapterUse>> {
-    let mut uses: Vec<ChapterUse> = Vec::new();
+fn chapter_marks(root: &Path) -> Result<Vec<(&'static str, Mark)>> {
+    let mut all = Vec::new();
     for chapter in CHAPTERS {
         let source = match chapter.source(root) {
             Err(Error::File { source, .. }) if source.kind() == ErrorKind::NotFound => continue,
             read => read?,
         };
-        for mark in marks(&source) {
-            uses.extend(mark.claims.into_iter().map(|claim| ChapterUse {
-                claim,
-                chapter: chapter.name,
-                line: mark.line,
-                kind: mark.kind,
-            }));
-        }
+        all.extend(marks(&source).into_iter().map(|mark| (chapter.name, mark)));
     }
-    Ok(uses)
+    Ok(all)
 }
 
 /// The options mdBook reads its Markdown with, and formulas.
@@ -239,48 +221,31 @@ pub fn markdown_options() -> Options {
 
 /// The marks of a chapter, in its order.
 pub fn marks(source: &str) -> Vec<Mark> {
-    let line_of = |offset: usize| source[..offset].matches('\n').count() + 1;
-    let mut marks = Vec::new();
-    let mut block: Option<Mark> = None;
-    for (event, span) in Parser::new_ext(source, markdown_options()).into_offset_iter() {
-        match event {
+    let mark = |(event, span): (Event<'_>, Range<usize>)| {
+        let (claims, kind) = match event {
             Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) if is_rust(&info) => {
-                block = Some(Mark {
-                    claims: Vec::new(),
-                    line: line_of(span.start),
-                    span,
-                    kind: MarkKind::Block,
-                });
-            }
-            Event::Text(text) => {
-                if let Some(block) = &mut block {
-                    block
-                        .claims
-                        .extend(text.lines().filter_map(named_in_rust).flatten());
-                }
-            }
-            Event::End(TagEnd::CodeBlock) => {
-                marks.extend(block.take().filter(|block| !block.claims.is_empty()));
+                let lines = source[span.clone()].lines();
+                let claims: Vec<_> = lines.filter_map(named_in_rust).flatten().collect();
+                (
+                    Some(claims).filter(|claims| !claims.is_empty())?,
+                    MarkKind::Block,
+                )
             }
             Event::Html(html) | Event::InlineHtml(html) => {
-                let claims = html
-                    .trim()
-                    .strip_prefix("<!--")
-                    .and_then(|comment| comment.strip_suffix("-->"))
-                    .and_then(named);
-                if let Some(claims) = claims {
-                    marks.push(Mark {
-                        claims,
-                        line: line_of(span.start),
-                        span,
-                        kind: MarkKind::Comment,
-                    });
-                }
+                let comment = html.trim().strip_prefix("<!--")?.strip_suffix("-->")?;
+                (named(comment)?, MarkKind::Comment)
             }
-            _ => {}
-        }
-    }
-    marks
+            _ => return None,
+        };
+        Some(Mark {
+            claims,
+            line: source[..span.start].matches('\n').count() + 1,
+            span,
+            kind,
+        })
+    };
+    let events = Parser::new_ext(source, markdown_options()).into_offset_iter();
+    events.filter_map(mark).collect()
 }
 
 /// Whether a fence opens a block that `cargo test` runs.

@@ -4,6 +4,8 @@ use std::path::Path;
 
 use figures::own::{Quantity, diagram};
 
+use spinning_bodies::scene::Column;
+
 use super::output::Motion;
 use crate::pictures::{Copying, Form, file};
 use crate::{Error, Result};
@@ -94,14 +96,8 @@ pub fn plot(motion: &Motion<'_>, panels: &[Panel], form: Form) -> Result<Vec<u8>
     let quantity = |name: &str| {
         let place = table.columns.iter().position(|column| column.name == name);
         let value = |(t, row): (f64, Vec<f64>)| place.map_or(t, |place| row[place]);
-        let column = place.map(|place| table.columns[place]);
-        Quantity {
-            name: name.to_owned(),
-            unit: column.map_or("s", |column| column.unit),
-            goes_round: column.is_some_and(|column| column.goes_round),
-            logarithmic: false,
-            values: table.rows().map(value).collect(),
-        }
+        let column = place.map(|place| &table.columns[place]);
+        quantity(name, column, table.rows().map(value).collect())
     };
     let pairs = panels
         .iter()
@@ -110,4 +106,15 @@ pub fn plot(motion: &Motion<'_>, panels: &[Panel], form: Form) -> Result<Vec<u8>
     let title = format!("The motion of {}", title.display());
     let figure = diagram(&title, &pairs.collect::<Vec<_>>());
     file(&figure, Copying::of(form))
+}
+
+/// The values of a column as they are drawn; of none, times.
+pub fn quantity(name: &str, column: Option<&Column>, values: Vec<f64>) -> Quantity {
+    Quantity {
+        name: name.to_owned(),
+        unit: column.map_or("s", |column| column.unit),
+        goes_round: column.is_some_and(|column| column.goes_round),
+        logarithmic: false,
+        values,
+    }
 }

@@ -12,6 +12,7 @@ use serde_json::{Value as Json, json};
 use spinning_bodies::scene::{AnyScene, Column, Request, files};
 
 use super::output::Format;
+use super::plot::quantity;
 use super::{parse, source};
 use crate::writer::tell;
 use crate::{Error, Result};
@@ -361,21 +362,15 @@ impl Scan {
             true => None,
             false => self.columns.first(),
         };
-        let told = Quantity {
-            name: self.heads().swap_remove(0),
-            unit: column.map_or("s", |column| column.unit),
-            goes_round: column.is_some_and(|column| column.goes_round),
-            logarithmic: false,
-            values: points.iter().map(value).collect(),
-        };
+        let values = points.iter().map(value).collect();
+        let told = quantity(&self.heads()[0], column, values);
         let axis = |over: &Over| {
             let first = |place: usize| Some(over.values(place).next()?.1);
+            let name = over.paths().next().unwrap_or_default();
             Quantity {
-                name: over.paths().next().unwrap_or_default().to_owned(),
                 unit: "",
-                goes_round: false,
                 logarithmic: over.logarithmic,
-                values: (0..over.count).filter_map(first).collect(),
+                ..quantity(name, None, (0..over.count).filter_map(first).collect())
             }
         };
         let title = Path::new(&self.name).file_stem().unwrap_or_default();

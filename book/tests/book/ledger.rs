@@ -12,9 +12,9 @@ fn ledger() -> Ledger {
 #[test]
 fn every_mark_names_a_claim_and_every_claim_has_its_places() {
     let ledger = ledger();
-    let in_chapters = ledger.chapters.iter().map(|place| {
-        let line = format!("book/src/{}.md:{}", place.chapter, place.line);
-        (line, &place.claim)
+    let in_chapters = ledger.chapters.iter().flat_map(|(chapter, mark)| {
+        let line = format!("book/src/{chapter}.md:{}", mark.line);
+        mark.claims.iter().map(move |claim| (line.clone(), claim))
     });
     let in_tests = ledger.tests.iter().map(|place| {
         let test = format!("{}: {}", place.file, place.function);

@@ -185,18 +185,17 @@ fn xhtml(chapter: &str) -> String {
             Event::Html(html) => Event::Html(elsewhere(&html).into()),
             Event::InlineHtml(html) => Event::InlineHtml(elsewhere(&html).into()),
             Event::Start(Tag::Link { ref dest_url, .. }) => {
-                let (page, place) = dest_url.split_once('#').unwrap_or((dest_url, ""));
-                let to = match page.strip_suffix(".md") {
-                    Some(page) if place.is_empty() => Some(format!("{page}.xhtml")),
-                    Some(page) => Some(format!("{page}.xhtml#{place}")),
-                    None if page.is_empty() || page.contains("://") => Some(dest_url.to_string()),
-                    // A file beside the pages; here there is none.
-                    None => None,
+                let page = dest_url.split('#').next().unwrap_or_default();
+                let in_the_book = page.is_empty() || page.ends_with(".md");
+                is_link = in_the_book || page.contains("://");
+                let to = match in_the_book {
+                    true => dest_url.replacen(".md", ".xhtml", 1),
+                    false => dest_url.to_string(),
                 };
-                is_link = to.is_some();
-                match to {
-                    Some(to) => Event::InlineHtml(format!("<a href=\"{to}\">").into()),
-                    None => continue,
+                match is_link {
+                    true => Event::InlineHtml(format!("<a href=\"{to}\">").into()),
+                    // To a file beside the pages; here there is none.
+                    false => continue,
                 }
             }
             Event::End(TagEnd::Link) if is_link => Event::InlineHtml("</a>".into()),

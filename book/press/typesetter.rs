@@ -38,6 +38,9 @@ pub const COVER: &str = "index";
 /// What stops a figure that moves: for a finger, a mouse or a key.
 const PAUSE: &str = "<label class=\"pause\"><input type=\"checkbox\"> Pause</label>";
 
+/// What is set, or what is wrong with it.
+type Told<T> = std::result::Result<T, String>;
+
 /// Replacements in a chapter's source.
 type Edits = Vec<(Range<usize>, String)>;
 
@@ -167,7 +170,7 @@ impl<'a> Typesetter<'a> {
         Ok((out, origin))
     }
 
-    fn with_values(&self, line: &str) -> std::result::Result<String, String> {
+    fn with_values(&self, line: &str) -> Told<String> {
         let mut parts = line.split("{{value ");
         let mut out = parts.next().unwrap_or_default().to_owned();
         for part in parts {
@@ -187,7 +190,7 @@ impl<'a> Typesetter<'a> {
         Ok(out)
     }
 
-    fn formula(&mut self, latex: &str, style: Style) -> std::result::Result<String, String> {
+    fn formula(&mut self, latex: &str, style: Style) -> Told<String> {
         let html = self
             .formulas
             .set(latex, style)
@@ -206,11 +209,7 @@ impl<'a> Typesetter<'a> {
     }
 
     /// The HTML of a paragraph that is a directive; `None` if it is a paragraph.
-    fn directive(
-        &mut self,
-        chapter: &str,
-        text: &str,
-    ) -> std::result::Result<Option<String>, String> {
+    fn directive(&mut self, chapter: &str, text: &str) -> Told<Option<String>> {
         let Some(words) = text.strip_prefix("{{").and_then(|t| t.strip_suffix("}}")) else {
             return Ok(None);
         };
@@ -222,12 +221,12 @@ impl<'a> Typesetter<'a> {
         }
     }
 
-    fn drawing(&self, name: &str) -> std::result::Result<&'a Drawing, String> {
+    fn drawing(&self, name: &str) -> Told<&'a Drawing> {
         let drawing = self.drawings.get(name).copied();
         drawing.ok_or_else(|| unknown_figure(name).to_string())
     }
 
-    fn figure(&mut self, chapter: &str, name: &str) -> std::result::Result<String, String> {
+    fn figure(&mut self, chapter: &str, name: &str) -> Told<String> {
         let drawing = self.drawing(name)?;
         if chapter == COVER {
             let picture = self.picture(drawing, "cover", PAUSE);
@@ -282,14 +281,14 @@ impl<'a> Typesetter<'a> {
     }
 
     /// Every figure, small: its number, its claim, and the command that draws it.
-    fn gallery(&mut self) -> std::result::Result<String, String> {
+    fn gallery(&mut self) -> Told<String> {
         let mut out = String::from("<div class=\"gallery\">\n");
         let numbered = |entry: &figures::Entry| match self.numbers.get(entry.name) {
             Some(&number) => Ok((number, self.drawing(entry.name)?)),
             None => Err(format!("figure '{}' is in no chapter", entry.name)),
         };
         let shown = figures::all().iter().map(numbered);
-        let mut shown = shown.collect::<std::result::Result<Vec<_>, _>>()?;
+        let mut shown = shown.collect::<Told<Vec<_>>>()?;
         shown.sort_unstable_by_key(|&(number, _)| number);
         for (number, drawing) in shown {
             let (name, chapter) = (drawing.entry.name, drawing.entry.chapter);
@@ -309,7 +308,7 @@ impl<'a> Typesetter<'a> {
     }
 
     /// Plain text with `$…$` formulas.
-    fn caption(&mut self, text: &str) -> std::result::Result<String, String> {
+    fn caption(&mut self, text: &str) -> Told<String> {
         let mut out = String::new();
         for (i, part) in text.split('$').enumerate() {
             if i % 2 == 0 {

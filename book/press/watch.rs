@@ -53,11 +53,9 @@ pub fn watch(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
                 break;
             }
         }
-        let gone = printed.keys().filter(|file| !now.contains_key(*file));
-        let fresh = now
-            .iter()
-            .filter(|(file, stamp)| printed.get(*file) != Some(*stamp));
-        let changed: Vec<PathBuf> = fresh.map(|(file, _)| file).chain(gone).cloned().collect();
+        let all = now.keys().chain(printed.keys());
+        let changed = all.filter(|file| now.get(*file) != printed.get(*file));
+        let changed: Vec<PathBuf> = changed.cloned().collect();
         printed = now;
         let name = |file: &Path| {
             file.strip_prefix(root)

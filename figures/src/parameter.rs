@@ -48,24 +48,23 @@ pub struct Parameter {
 }
 
 impl Parameter {
-    /// In this unit by equal differences, unless said otherwise; its meaning and its range are to be told.
-    pub const fn new(key: &'static str, symbol: &'static str, unit: &'static str) -> Self {
+    /// A number of this meaning, in this unit, by equal differences unless said otherwise; its range is to be told.
+    pub const fn new(
+        key: &'static str,
+        symbol: &'static str,
+        unit: &'static str,
+        meaning: &'static str,
+    ) -> Self {
         Self {
             key,
             symbol,
-            meaning: "",
+            meaning,
             unit,
             range: [0.0, 1.0],
             spacing: Spacing::Linear,
             default: 0.0,
             handle: None,
         }
-    }
-
-    /// The same, and what it is.
-    pub const fn meaning(mut self, meaning: &'static str) -> Self {
-        self.meaning = meaning;
-        self
     }
 
     /// The same from `range[0]` to `range[1]`, `default` in the book; again for figures that share a meaning.
@@ -146,8 +145,7 @@ macro_rules! parameters {
         $(#[$doc:meta])* $visible:vis $name:ident: $key:literal, $symbol:literal, $unit:literal, $meaning:literal, $range:expr, $default:expr
         $(, $how:ident $(($($by:expr),+))?)*;
     )+) => {
-        $($(#[$doc])* $visible const $name: $crate::Parameter = $crate::Parameter::new($key, $symbol, $unit)
-            .meaning($meaning)
+        $($(#[$doc])* $visible const $name: $crate::Parameter = $crate::Parameter::new($key, $symbol, $unit, $meaning)
             .between($range, $default)
             $(.$how($($($by),+)?))*;)+
     };
@@ -208,9 +206,7 @@ impl Values {
 mod tests {
     use super::*;
 
-    const RATIO: Parameter = Parameter::new("ratio", "r", "")
-        .meaning("a ratio")
-        .between([0.5, 8.0], 2.0);
+    const RATIO: Parameter = Parameter::new("ratio", "r", "", "a ratio").between([0.5, 8.0], 2.0);
 
     #[test]
     fn a_value_is_the_default_until_it_is_chosen() {

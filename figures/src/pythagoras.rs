@@ -11,17 +11,11 @@ use crate::{Entry, Figure, Parameter, Values, of};
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[of("gas-box", GAS_BOX, gas_box)];
 
-const AR: Parameter = Parameter::new("ar", "AR", "")
-    .meaning("side from the hinge")
-    .between([1.0, 5.0], 4.0)
-    .dragged(|values| Drawn::of(values).map_or([0.0; 2], |drawn| drawn.corners()[1]));
 parameters! {
+    AR: "ar", "AR", "", "side from the hinge", [1.0, 5.0], 4.0, dragged(|values| corner(values, 1));
     RB: "rb", "RB", "", "the other side at R", [1.0, 5.0], 3.0;
+    ANGLE: "angle", r"\gamma", "°", "angle at R", [30.0, 150.0], 90.0, dragged(|values| corner(values, 2));
 }
-const ANGLE: Parameter = Parameter::new("angle", r"\gamma", "°")
-    .meaning("angle at R")
-    .between([30.0, 150.0], 90.0)
-    .dragged(|values| Drawn::of(values).map_or([0.0; 2], |drawn| drawn.corners()[2]));
 /// What may be chosen; R and B are dragged.
 pub const GAS_BOX: &[Parameter] = &[AR, RB, ANGLE];
 
@@ -86,6 +80,10 @@ impl Drawn {
     fn corners(&self) -> [Point; 3] {
         self.base.map(|p| self.place(p))
     }
+}
+
+fn corner(values: &Values, k: usize) -> Point {
+    Drawn::of(values).map_or([0.0; 2], |drawn| drawn.corners()[k])
 }
 
 /// A triangular box of gas hinged at A, the forces on its sides, their arms and torques.

@@ -207,7 +207,7 @@ fn winner(ranked: &[(&str, f64)], told: impl Fn(f64) -> String) -> String {
         if let Some((method, price)) = other {
             let _ = write!(text, "; {word}{method} in {}", told(*price));
             if least > 0.0 {
-                let _ = write!(text, ", {} times that", Ratio(price / least));
+                let _ = write!(text, ", {} times that", ratio(price / least));
             }
         }
     }
@@ -220,11 +220,7 @@ fn winner(ranked: &[(&str, f64)], told: impl Fn(f64) -> String) -> String {
 }
 
 /// Two or three digits, not more.
-struct Ratio(f64);
-
-impl std::fmt::Display for Ratio {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let places = if self.0 < 9.95 { 1 } else { 0 };
-        write!(f, "{:.places$}", self.0)
-    }
+fn ratio(value: f64) -> String {
+    let places = usize::from(value < 9.95);
+    format!("{value:.places$}")
 }

@@ -10,6 +10,8 @@ use crate::Figure;
 use crate::plot::{Frame, beaded, marks, powers};
 use crate::style::*;
 
+use Hardness::{StepsATurn, Tolerance};
+
 /// How hard a method works.
 enum Hardness {
     StepsATurn(f64),
@@ -17,63 +19,50 @@ enum Hardness {
 }
 
 /// A method, how hard it works, for how many powers of ten turns, its line, and where its name stands beside its last point.
-struct Line {
-    method: &'static str,
-    hardness: Hardness,
-    most: i32,
-    style: Stroke,
-    aside: [f64; 2],
-}
+type Line = (&'static str, Hardness, i32, Stroke, Point);
 
 const LINES: [Line; 4] = [
-    Line {
-        method: "rk4",
-        hardness: Hardness::StepsATurn(32.0),
-        most: 4,
-        style: muted(DATA).dotted(),
-        aside: [-8.0, -12.0],
-    },
-    Line {
-        method: "dop853",
-        hardness: Hardness::Tolerance(1e-11),
-        most: 4,
-        style: muted(DATA),
-        aside: [10.0, 5.0],
-    },
-    Line {
-        method: "rotations-4",
-        hardness: Hardness::StepsATurn(8.0),
-        most: 6,
-        style: inked(DATA).dashed(),
-        aside: [-14.0, -10.0],
-    },
-    Line {
-        method: "moser-veselov-10",
-        hardness: Hardness::StepsATurn(16.0),
-        most: 6,
-        style: inked(DATA),
-        aside: [0.0, 52.0],
-    },
+    (
+        "rk4",
+        StepsATurn(32.0),
+        4,
+        muted(DATA).dotted(),
+        [-8.0, -12.0],
+    ),
+    ("dop853", Tolerance(1e-11), 4, muted(DATA), [10.0, 5.0]),
+    (
+        "rotations-4",
+        StepsATurn(8.0),
+        6,
+        inked(DATA).dashed(),
+        [-14.0, -10.0],
+    ),
+    (
+        "moser-veselov-10",
+        StepsATurn(16.0),
+        6,
+        inked(DATA),
+        [0.0, 52.0],
+    ),
 ];
 
 /// Errors after 1, 10, … 10ⁿ turns, one run from each to the next.
 ///
 /// Judged by the closed form; the closed form itself, by the 32 digits of the problems.
 fn errors(line: &Line, candidate: &Candidate, exact: &Candidate) -> Result<Vec<[f64; 2]>> {
+    let (_, hardness, most, ..) = line;
     let first = problem("free-top/1")?;
-    let times: Vec<f64> = (0..=line.most)
-        .map(|k| 10.0_f64.powi(k) * first.end())
-        .collect();
-    let effort = match line.hardness {
-        Hardness::StepsATurn(count) => Effort::Step(first.end() / count * (1.0 + 1e-12)),
-        Hardness::Tolerance(tolerance) => Effort::Tolerance(tolerance),
+    let turns = (0..=*most).map(|k| 10.0_f64.powi(k));
+    let times: Vec<f64> = turns.clone().map(|turns| turns * first.end()).collect();
+    let effort = match hardness {
+        StepsATurn(count) => Effort::Step(first.end() / count * (1.0 + 1e-12)),
+        Tolerance(tolerance) => Effort::Tolerance(*tolerance),
     };
     let found = candidate.method().follow(first.start(), &times, effort)?;
     let truth = exact
         .method()
         .follow(first.start(), &times, Effort::Tolerance(0.0))?;
     let pairs = found.states.iter().zip(&truth.states);
-    let turns = (0..=line.most).map(|k| 10.0_f64.powi(k));
     turns
         .zip(pairs)
         .map(|(turns, (found, truth))| Ok([turns, apart(found, truth)?]))
@@ -92,16 +81,13 @@ pub fn growth() -> Result<Figure> {
     let mut lines = Vec::new();
     let mut told = Vec::new();
     for line in &LINES {
-        let (Some(candidate), Some(exact)) = (by_name(line.method), by_name("exact")) else {
+        let method = line.0;
+        let (Some(candidate), Some(exact)) = (by_name(method), by_name("exact")) else {
             continue;
         };
         let errors = errors(line, candidate, exact)?;
         if let [.., [_, before], [_, last]] = errors[..] {
-            told.push(format!(
-                "{} {}",
-                line.method,
-                number((last / before).log10(), 1)
-            ));
+            told.push(format!("{method} {}", number((last / before).log10(), 1)));
         }
         lines.push((line, frame.trace(errors)));
     }
@@ -121,12 +107,12 @@ pub fn growth() -> Result<Figure> {
             &powers([0, -4, -8, -12, -16]),
             ["turns", "error, rad"],
         );
-        for (line, places) in &lines {
-            beaded(pen, places, line.style);
+        for ((method, _, _, style, aside), places) in &lines {
+            beaded(pen, places, *style);
             if let Some(point) = places.last() {
-                let at = [point[0] + line.aside[0], point[1] + line.aside[1]];
-                let anchor = if line.aside[0] > 0.0 { Start } else { End };
-                named_line(pen, at, anchor, line.method, line.style.role());
+                let at = [point[0] + aside[0], point[1] + aside[1]];
+                let anchor = if aside[0] > 0.0 { Start } else { End };
+                named_line(pen, at, anchor, method, style.role());
             }
         }
         let places = frame.trace(exact);

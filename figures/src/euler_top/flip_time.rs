@@ -70,15 +70,11 @@ const FRAME: [f64; 4] = [70.0, 560.0, 330.0, 30.0];
 
 parameters! {
     SPIN: "spin", r"\Omega_2", "rad/s", "angular velocity about the middle axis", [0.2, 20.0], 1.0, logarithmic;
-}
-const DISTANCE: Parameter = Parameter::new("distance", r"\epsilon", "")
-    .meaning("distance from the middle axis at the throw")
-    .between([1e-16, 1.0], 1e-2)
-    .logarithmic()
-    .dragged(|values| match Course::of(values) {
+    DISTANCE: "distance", r"\epsilon", "", "distance from the middle axis at the throw", [1e-16, 1.0], 1e-2, logarithmic, dragged(|values| match Course::of(values) {
         Ok(course) => course.place(course.marked),
         Err(_) => [FRAME[0], FRAME[2]],
     });
+}
 /// What may be chosen; the handle is the ring on the line.
 pub const FLIP_TIME: &[Parameter] = &[SMALLEST, MIDDLE, LARGEST, SPIN, DISTANCE];
 

@@ -22,12 +22,13 @@ const ROOM: [f64; 4] = [130.0, 24.0, 470.0, 436.0];
 /// How far the axes reach beyond the ellipsoid, in its longest half axis.
 const REACH: [f64; 3] = [0.21, 0.36, 0.21];
 
-const CROSSING: Parameter = Parameter::new("crossing", r"\alpha", "°").meaning("where your polhode crosses the plane of x₁ and x₃: from x₁, 0, to x₃, 90, in the circle that the ellipse is stretched from").between([1.0, 89.0], 23.0)
-.dragged(|values| {
-    let (_, view, arms) = stage(values);
-    let (sin, cos) = values.of(&CROSSING).to_radians().sin_cos();
-    view.project(&(arms[0] * cos + arms[2] * sin))
-});
+parameters! {
+    CROSSING: "crossing", r"\alpha", "°", "where your polhode crosses the plane of x₁ and x₃: from x₁, 0, to x₃, 90, in the circle that the ellipse is stretched from", [1.0, 89.0], 23.0, dragged(|values| {
+        let (_, view, arms) = stage(values);
+        let (sin, cos) = values.of(&CROSSING).to_radians().sin_cos();
+        view.project(&(arms[0] * cos + arms[2] * sin))
+    });
+}
 /// What may be chosen; the handle stands on the thick polhode.
 pub const POLHODES: &[Parameter] = &[SMALLEST, MIDDLE, LARGEST, CROSSING];
 

@@ -26,58 +26,14 @@ fn scan(ratios: &[f64], coefficients: Coefficients) -> Result<Vec<LongRun>> {
         .collect()
 }
 
-/// A panel: mass ratio, what it shows, where, from when on, how long; units of the canvas to half a width.
-struct Panel {
-    ratio: f64,
-    name: &'static str,
-    corner: Point,
-    from: f64,
-    lasts: f64,
-}
-
-const PANELS: [Panel; 6] = [
-    Panel {
-        ratio: 1.1,
-        name: "flutter",
-        corner: [88.0, 46.0],
-        from: 406.0,
-        lasts: 32.0,
-    },
-    Panel {
-        ratio: 1.4,
-        name: "tumbling",
-        corner: [258.0, 46.0],
-        from: 400.0,
-        lasts: 22.0,
-    },
-    Panel {
-        ratio: 1.45,
-        name: "tumbling in two steps",
-        corner: [462.0, 46.0],
-        from: 400.0,
-        lasts: 22.0,
-    },
-    Panel {
-        ratio: 1.6,
-        name: "now this, now that",
-        corner: [100.0, 310.0],
-        from: 410.0,
-        lasts: 30.0,
-    },
-    Panel {
-        ratio: 2.2,
-        name: "chaos",
-        corner: [300.0, 310.0],
-        from: 420.0,
-        lasts: 30.0,
-    },
-    Panel {
-        ratio: 3.0,
-        name: "broadside flutter",
-        corner: [500.0, 310.0],
-        from: 400.0,
-        lasts: 18.0,
-    },
+/// Panels: mass ratio, what it shows, where, from when on and how long, units of time.
+const PANELS: [(f64, &str, Point, f64, f64); 6] = [
+    (1.1, "flutter", [88.0, 46.0], 406.0, 32.0),
+    (1.4, "tumbling", [258.0, 46.0], 400.0, 22.0),
+    (1.45, "tumbling in two steps", [462.0, 46.0], 400.0, 22.0),
+    (1.6, "now this, now that", [100.0, 310.0], 410.0, 30.0),
+    (2.2, "chaos", [300.0, 310.0], 420.0, 30.0),
+    (3.0, "broadside flutter", [500.0, 310.0], 400.0, 18.0),
 ];
 /// Design units to half a width of the plate.
 const UNIT: f64 = 9.5;
@@ -86,11 +42,10 @@ const UNIT: f64 = 9.5;
 pub fn paths() -> Result<Figure> {
     let drawn: Vec<(Vec<[f64; 7]>, LongRun)> = PANELS
         .iter()
-        .map(|panel| {
-            let fall = Fall::new(panel.ratio, Coefficients::PUBLISHED)?;
-            let times: Vec<f64> = (0..=400)
-                .map(|k| panel.from + panel.lasts * f64::from(k) / 400.0)
-                .collect();
+        .map(|&(ratio, _, _, from, lasts)| {
+            let fall = Fall::new(ratio, Coefficients::PUBLISHED)?;
+            let times = (0..=400).map(|k| from + lasts * f64::from(k) / 400.0);
+            let times: Vec<f64> = times.collect();
             let path = fall.path(Start::TILTED, &times)?;
             Ok((path, fall.long_run(Start::TILTED, 400.0, 400.0)?))
         })
@@ -111,7 +66,7 @@ pub fn paths() -> Result<Figure> {
          on its way nearly straight down."
     );
     Ok(figure("strip-paths", 590.0, words, |pen| {
-        for (panel, (path, _)) in PANELS.iter().zip(&drawn) {
+        for ((ratio, name, corner, ..), (path, _)) in PANELS.iter().zip(&drawn) {
             let xs = || path.iter().map(|y| y[0]);
             let (low, high) = xs().fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(x), h.max(x)));
             let middle = 0.5 * (low + high);
@@ -119,8 +74,8 @@ pub fn paths() -> Result<Figure> {
             let sign = if path[400][0] < path[0][0] { -1.0 } else { 1.0 };
             let place = |x: f64, y: f64| -> Point {
                 [
-                    panel.corner[0] + UNIT * sign * (x - middle),
-                    panel.corner[1] + 16.0 - UNIT * (y - path[0][1]),
+                    corner[0] + UNIT * sign * (x - middle),
+                    corner[1] + 16.0 - UNIT * (y - path[0][1]),
                 ]
             };
             let center = path.iter().map(|y| place(y[0], y[1]));
@@ -130,14 +85,10 @@ pub fn paths() -> Result<Figure> {
                 let ends = [1.0, -1.0].map(|s| place(y[0] + s * cosine, y[1] + s * sine));
                 pen.line(ends, inked(1.5).alpha(0.75));
             }
-            let [x, y] = panel.corner;
-            let text = format!("*I** = {}", panel.ratio);
-            pen.label(
-                [x, y - 24.0],
-                Middle,
-                &text.replace("*I**", "*I*^{\u{2217}}"),
-            );
-            pen.remark([x, y - 7.0], Middle, panel.name);
+            let [x, y] = *corner;
+            let text = format!("*I*^{{\u{2217}}} = {ratio}");
+            pen.label([x, y - 24.0], Middle, &text);
+            pen.remark([x, y - 7.0], Middle, name);
         }
     }))
 }

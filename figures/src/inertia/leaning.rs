@@ -10,10 +10,9 @@ use super::{LONG, MIDDLE, SHORT};
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
-const DIRECTION: Parameter = Parameter::new("direction", r"\varphi", "°")
-    .meaning("direction of Ω, from the long edge to the short one")
-    .between([0.0, 90.0], 20.0)
-    .dragged(|values| polar(CENTER, OMEGA, values.of(&DIRECTION).to_radians()));
+parameters! {
+    DIRECTION: "direction", r"\varphi", "°", "direction of Ω, from the long edge to the short one", [0.0, 90.0], 20.0, dragged(|values| polar(CENTER, OMEGA, values.of(&DIRECTION).to_radians()));
+}
 /// What may be chosen; the tip of Ω is the handle of its direction.
 pub const LEANING: &[Parameter] = &[
     DIRECTION,

@@ -18,14 +18,10 @@ const REACH: [f64; 3] = [-2.95, 5.35, 4.15];
 /// Radius of a sphere.
 const RADIUS: f64 = 52.0;
 
-const VERTICAL: Parameter = Parameter::new("vertical", r"L_{\text{vert}}", "")
-    .meaning("vertical angular momentum of your top")
-    .between([-2.9, 5.3], -0.5)
-    .dragged(|values| yours(values).center());
-const AXIAL: Parameter = Parameter::new("axial", "L_3", "")
-    .meaning("axial angular momentum of your top")
-    .between([0.0, 4.1], 1.5)
-    .dragged(|values| yours(values).center());
+parameters! {
+    VERTICAL: "vertical", r"L_{\text{vert}}", "", "vertical angular momentum of your top", [-2.9, 5.3], -0.5, dragged(|values| yours(values).center());
+    AXIAL: "axial", "L_3", "", "axial angular momentum of your top", [0.0, 4.1], 1.5, dragged(|values| yours(values).center());
+}
 /// What may be chosen: the ring on the map is the handle of both.
 pub const NUTATIONS: &[Parameter] = &[VERTICAL, AXIAL];
 

@@ -19,14 +19,11 @@ const GRAVITY: f64 = 9.81;
 const NOSE: f64 = 0.085;
 const SHOWN: f64 = 1.0;
 
-const TILT: Parameter = Parameter::new("tilt", r"\theta_0", "°")
-    .meaning("tilt of the top that is held")
-    .between([10.0, 45.0], 30.0)
-    .dragged(|values| {
+parameters! {
+    TILT: "tilt", r"\theta_0", "°", "tilt of the top that is held", [10.0, 45.0], 30.0, dragged(|values| {
         let (sin, cos) = values.of(&TILT).to_radians().sin_cos();
         view().project(&(Vector::new(0.0, -sin, cos) * NOSE))
     });
-parameters! {
     TURNS: "turns", "n", "turns/s", "spin of the top", [20.0, 60.0], 30.0;
 }
 /// What may be chosen; the nose is the handle of the tilt.

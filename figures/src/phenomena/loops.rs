@@ -11,10 +11,9 @@ use crate::plot::Frame;
 use crate::style::*;
 use crate::{Figure, Parameter, Values};
 
-const BEND: Parameter = Parameter::new("forward", r"\gamma", "°")
-    .meaning("bend of the cat forward")
-    .between([70.0, 115.0], 90.0)
-    .dragged(|values| cat_at(values.of(&BEND).to_radians(), 0.0));
+parameters! {
+    BEND: "forward", r"\gamma", "°", "bend of the cat forward", [70.0, 115.0], 90.0, dragged(|values| cat_at(values.of(&BEND).to_radians(), 0.0));
+}
 
 /// What may be chosen of the two loops; the handle is the far end of the cat's.
 pub const SHAPE_LOOPS: &[Parameter] = &[OUT, IN, LOWER, BEND];

@@ -1,6 +1,6 @@
 //! The ledger as a page of the book and as a table on the terminal.
 
-use crate::ledger::{Claim, Ledger, Verdict};
+use crate::ledger::{Claim, Ledger, TestUse, Verdict};
 use crate::pieces::inert;
 
 /// Titles of the tutorial's sections.
@@ -45,19 +45,15 @@ fn summary(ledger: &Ledger) -> String {
     let mut out = String::from(
         "| Section | Claims | Computed | Spoken of | Not yet |\n|:---|---:|---:|---:|---:|\n",
     );
-    let mut total = [0; 4];
     for (number, title) in SECTIONS {
         let counts = count(ledger, of_section(ledger, number));
-        for (sum, count) in total.iter_mut().zip(counts) {
-            *sum += count;
-        }
         let anchor = mdbook_anchor(&format!("{number}. {title}"));
         let [claims, computed, spoken, open] = counts;
         out.push_str(&format!(
             "| [{number}. {title}](#{anchor}) | {claims} | {computed} | {spoken} | {open} |\n"
         ));
     }
-    let [claims, computed, spoken, open] = total;
+    let [claims, computed, spoken, open] = count(ledger, ledger.claims.iter());
     out.push_str(&format!(
         "| **All** | **{claims}** | **{computed}** | **{spoken}** | **{open}** |\n"
     ));
@@ -69,13 +65,11 @@ pub fn count<'a>(ledger: &Ledger, claims: impl Iterator<Item = &'a Claim>) -> [u
     let mut counts = [0; 4];
     for claim in claims {
         counts[0] += 1;
-        counts[match (
-            ledger.missing(claim).is_empty(),
-            claim.verdict.is_computed(),
-        ) {
-            (true, true) => 1,
-            (true, false) => 2,
-            (false, _) => 3,
+        let settled = ledger.missing(claim).is_empty();
+        counts[match claim.verdict.is_computed() {
+            _ if !settled => 3,
+            true => 1,
+            false => 2,
         }] += 1;
     }
     counts
@@ -95,33 +89,21 @@ pub fn mdbook_anchor(heading: &str) -> String {
 
 /// One claim. A single line of HTML, so that Markdown leaves it alone.
 fn row(ledger: &Ledger, claim: &Claim) -> String {
-    let mut chapters: Vec<&str> = Vec::new();
-    for (chapter, _) in ledger.in_chapters(&claim.id) {
-        if !chapters.contains(chapter) {
-            chapters.push(chapter);
-        }
-    }
-    let mut places: Vec<String> = chapters
-        .iter()
-        .map(|chapter| {
-            format!(
-                "<a href=\"{chapter}.html#{}\">{}</a>",
-                place_id(chapter, &claim.id),
-                inert(&chapter.replace('-', " "))
-            )
-        })
-        .collect();
-    places.extend(ledger.in_tests(&claim.id).map(|place| {
+    let chapters = ledger.in_chapters(&claim.id);
+    let mut chapters: Vec<&str> = chapters.map(|(chapter, _)| *chapter).collect();
+    chapters.dedup();
+    let link = |chapter: &&str| {
+        let (place, name) = (place_id(chapter, &claim.id), chapter.replace('-', " "));
+        format!("<a href=\"{chapter}.html#{place}\">{}</a>", inert(&name))
+    };
+    let test = |place: &TestUse| {
         let file = place.file.strip_prefix("tests/").unwrap_or(&place.file);
-        format!(
-            "<code>{}</code>",
-            inert(&format!(
-                "{}::{}",
-                file.trim_end_matches(".rs"),
-                place.function
-            ))
-        )
-    }));
+        let file = file.trim_end_matches(".rs");
+        let test = format!("{file}::{}", place.function);
+        format!("<code>{}</code>", inert(&test))
+    };
+    let mut places: Vec<String> = chapters.iter().map(link).collect();
+    places.extend(ledger.in_tests(&claim.id).map(test));
     if !ledger.missing(claim).is_empty() {
         places.push("<em>not yet</em>".into());
     }
@@ -159,21 +141,14 @@ pub fn table(ledger: &Ledger) -> String {
             test.unwrap_or_else(|| absent(claim.verdict.is_computed()).into()),
         ]);
     }
-    let mut widths = [0; 5];
-    for row in &rows {
-        for (width, cell) in widths.iter_mut().zip(row) {
-            *width = cell.chars().count().max(*width);
-        }
-    }
+    let lengths = |k: usize| rows.iter().map(move |row| row[k].chars().count());
+    let widths = [0, 1, 2, 3, 4].map(|k| lengths(k).max().unwrap_or(0));
     let mut out = String::new();
     for row in &rows {
-        let line: Vec<String> = row
-            .iter()
-            .zip(widths)
-            .map(|(cell, width)| format!("{cell:width$}"))
-            .collect();
-        out.push_str(line.join("  ").trim_end());
-        out.push('\n');
+        let cells = row.iter().zip(widths);
+        let cells = cells.map(|(cell, width)| format!("{cell:width$}"));
+        let line = cells.collect::<Vec<_>>().join("  ");
+        out += &format!("{}\n", line.trim_end());
     }
     let [claims, computed, spoken, open] = count(ledger, ledger.claims.iter());
     let questions = ledger.claims.iter();

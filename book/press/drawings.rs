@@ -97,16 +97,22 @@ pub fn described(drawings: &[Drawing]) -> Json {
     drawings.iter().map(figure).collect()
 }
 
+/// The one of which an option tells.
+fn only<'a, T>(list: &'a [T], option: &str) -> Result<&'a T> {
+    match list {
+        [one] => Ok(one),
+        _ => Err(Error::Input(format!(
+            "{option}: expected the NAME of one figure before it"
+        ))),
+    }
+}
+
 /// The values of the one figure that is drawn, `KEY=VALUE` each.
 pub fn values(entries: &[Entry], set: &[String]) -> Result<Values> {
-    let entry = match (entries, set) {
-        (_, []) => return Ok(Values::default()),
-        ([entry], _) => entry,
-        _ => {
-            let why = "--set: expected the NAME of one figure before it";
-            return Err(Error::Input(why.into()));
-        }
-    };
+    if set.is_empty() {
+        return Ok(Values::default());
+    }
+    let entry = only(entries, "--set")?;
     let told = |told: String| Error::Input(format!("--set: {told}"));
     set.iter().try_fold(Values::default(), |values, set| {
         let bare = || told(format!("'{set}' has no value, expected KEY=VALUE"));
@@ -114,25 +120,19 @@ pub fn values(entries: &[Entry], set: &[String]) -> Result<Values> {
         let known = entry.parameters.iter().map(|parameter| parameter.key);
         let meant = |unknown| told(format!("{unknown}{}", files::meant(key, known)));
         let parameter = entry.parameter(key).map_err(meant)?;
-        let value = value
-            .parse()
-            .map_err(|_| told(format!("{key} is '{value}', expected a number")))?;
+        let wrong = |_| told(format!("{key} is '{value}', expected a number"));
+        let value = value.parse().map_err(wrong)?;
         values.with(parameter, value).map_err(told)
     })
 }
 
 /// The numbers that one figure draws, as CSV.
 pub fn data(drawings: &[Drawing]) -> Result<String> {
-    let [drawing] = drawings else {
-        let why = "--data: expected the NAME of one figure before it";
-        return Err(Error::Input(why.into()));
-    };
-    let data = &drawing.figure.data;
+    let Drawing { entry, figure } = only(drawings, "--data")?;
+    let data = &figure.data;
     if data.rows.is_empty() {
-        let name = drawing.entry.name;
-        return Err(Error::Input(format!(
-            "--data: figure {name} draws no curve of numbers"
-        )));
+        let told = format!("--data: figure {} draws no curve of numbers", entry.name);
+        return Err(Error::Input(told));
     }
     let mut text = format!("curve,{}\n", data.columns.join(","));
     for (curve, row) in &data.rows {
@@ -167,26 +167,21 @@ pub fn write(drawings: &[Drawing], copying: Copying, folder: &Path) -> Result<us
 
 /// Compares fresh drawings with the committed files. The error names every figure that differs, and where.
 pub fn check(drawings: &[Drawing], folder: &Path) -> Result<()> {
-    let mut differences = Vec::new();
-    for drawing in drawings {
-        let path = folder.join(format!("{}.svg", drawing.entry.name));
-        match std::fs::read_to_string(&path) {
-            Err(error) => differences.push(format!("{}: {error}", path.display())),
-            Ok(committed) => {
-                let drawn = drawing.figure.file(Look::default());
-                let compared = figures::compare(drawing.entry.name, &committed, &drawn);
-                differences.extend(compared.err());
-            }
-        }
-    }
+    let difference = |Drawing { entry, figure }: &Drawing| {
+        let path = folder.join(format!("{}.svg", entry.name));
+        let committed = std::fs::read_to_string(&path);
+        let committed = committed.map_err(|error| format!("{}: {error}", path.display()));
+        let drawn = figure.file(Look::default());
+        let compared = committed.and_then(|old| figures::compare(entry.name, &old, &drawn));
+        compared.err()
+    };
+    let differences: Vec<String> = drawings.iter().filter_map(difference).collect();
     if differences.is_empty() {
-        Ok(())
-    } else {
-        Err(Error::Failed(format!(
-            "{} of {} figures differ from the committed ones: {}",
-            differences.len(),
-            drawings.len(),
-            differences.join("; ")
-        )))
+        return Ok(());
     }
+    let (count, all) = (differences.len(), drawings.len());
+    let told = differences.join("; ");
+    Err(Error::Failed(format!(
+        "{count} of {all} figures differ from the committed ones: {told}"
+    )))
 }

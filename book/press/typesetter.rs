@@ -72,15 +72,11 @@ impl<'a> Typesetter<'a> {
         pages: &HashSet<String>,
     ) -> Result<String> {
         let (source, origin) = self.expanded(file, source, folder)?;
-        let place = |offset: usize| {
+        let fault = |offset: usize, message: String| {
             let line = source[..offset].matches('\n').count();
-            format!(
-                "book/src/{file}:{}",
-                origin.get(line).copied().unwrap_or(line + 1)
-            )
+            let line = origin.get(line).copied().unwrap_or(line + 1);
+            Error::Input(format!("book/src/{file}:{line}: {message}"))
         };
-        let fault =
-            |offset: usize, message: String| Error::Input(format!("{}: {message}", place(offset)));
 
         let chapter = file.trim_end_matches(".md");
         let mut edits = self.tags(chapter, &source, &fault)?;
@@ -90,52 +86,40 @@ impl<'a> Typesetter<'a> {
             if span.start < done_to {
                 continue;
             }
-            match event {
-                Event::Start(Tag::Heading { .. }) => in_heading = true,
-                Event::End(TagEnd::Heading(_)) => in_heading = false,
-                Event::Start(Tag::Paragraph) => {
-                    let text = source[span.clone()].trim();
-                    if let Some(html) = self
-                        .directive(chapter, text)
-                        .map_err(|e| fault(span.start, e))?
-                    {
-                        done_to = span.end;
-                        edits.push((span, format!("{html}\n")));
-                    }
+            let text = &source[span.clone()];
+            let told: Told<Option<String>> = match event {
+                Event::Start(Tag::Heading { .. }) | Event::End(TagEnd::Heading(_)) => {
+                    in_heading = matches!(event, Event::Start(_));
+                    Ok(None)
                 }
-                Event::InlineMath(latex) | Event::DisplayMath(latex) if in_heading => {
-                    let why = format!("a heading holds the formula ${latex}$; headings have none");
-                    return Err(fault(span.start, why));
+                Event::Start(Tag::CodeBlock(_)) | Event::End(TagEnd::CodeBlock) => {
+                    in_code = matches!(event, Event::Start(_));
+                    Ok(None)
                 }
-                Event::InlineMath(ref latex) | Event::DisplayMath(ref latex) => {
-                    let style = match event {
-                        Event::InlineMath(_) => Style::Inline,
-                        _ => Style::Display,
-                    };
-                    let html = self.formula(latex, style);
-                    edits.push((span.clone(), html.map_err(|e| fault(span.start, e))?));
+                Event::Start(Tag::Paragraph) => self.directive(chapter, text.trim()),
+                Event::InlineMath(latex) | Event::DisplayMath(latex) if in_heading => Err(format!(
+                    "a heading holds the formula ${latex}$; headings have none"
+                )),
+                Event::InlineMath(latex) => self.formula(&latex, Style::Inline).map(Some),
+                Event::DisplayMath(latex) => self.formula(&latex, Style::Display).map(Some),
+                Event::Text(_) if !in_code && text.contains("{{") => {
+                    Err("a directive stands on a line of its own, between blank lines".into())
                 }
-                Event::Start(Tag::CodeBlock(_)) => in_code = true,
-                Event::End(TagEnd::CodeBlock) => in_code = false,
-                Event::Text(_) if !in_code => {
-                    let text = &source[span.clone()];
-                    if text.contains("{{") {
-                        let why = "a directive stands on a line of its own, between blank lines";
-                        return Err(fault(span.start, why.into()));
-                    }
-                    if text.contains('$') {
-                        let why = "a dollar that neither opens nor closes a formula";
-                        return Err(fault(span.start, why.into()));
-                    }
+                Event::Text(_) if !in_code && text.contains('$') => {
+                    Err("a dollar that neither opens nor closes a formula".into())
                 }
                 Event::Start(Tag::Link { dest_url, .. }) => {
                     let page = dest_url.split('#').next().unwrap_or_default();
-                    if page.ends_with(".md") && !pages.contains(page) {
-                        let why = format!("the link leads to '{page}', which is no chapter");
-                        return Err(fault(span.start, why));
+                    match page.ends_with(".md") && !pages.contains(page) {
+                        true => Err(format!("the link leads to '{page}', which is no chapter")),
+                        false => Ok(None),
                     }
                 }
-                _ => {}
+                _ => Ok(None),
+            };
+            if let Some(html) = told.map_err(|why| fault(span.start, why))? {
+                done_to = span.end;
+                edits.push((span, html));
             }
         }
         let mut set = apply(&source, edits);
@@ -214,7 +198,7 @@ impl<'a> Typesetter<'a> {
             return Ok(None);
         };
         match words.split_whitespace().collect::<Vec<_>>()[..] {
-            ["claims"] => Ok(Some(appendix::page(self.ledger))),
+            ["claims"] => Ok(Some(appendix::page(self.ledger) + "\n")),
             ["figure", name] => self.figure(chapter, name).map(Some),
             ["gallery"] => self.gallery().map(Some),
             _ => Ok(None),
@@ -232,7 +216,7 @@ impl<'a> Typesetter<'a> {
             let picture = self.picture(drawing, "cover", PAUSE);
             let claim = self.caption(&drawing.figure.claim)?;
             return Ok(format!(
-                "<figure id=\"cover-{name}\">{picture}<figcaption>{claim}</figcaption></figure>\n"
+                "<figure id=\"cover-{name}\">{picture}<figcaption>{claim}</figcaption></figure>\n\n"
             ));
         }
         let next = self.numbers.len() + 1;
@@ -251,7 +235,7 @@ impl<'a> Typesetter<'a> {
         };
         Ok(format!(
             "<figure id=\"fig-{name}\"{live}>{picture}<figcaption><span class=\"figure-number\">Figure {next}.</span> \
-             <strong>{claim}</strong> {details}</figcaption></figure>\n"
+             <strong>{claim}</strong> {details}</figcaption></figure>\n\n"
         ))
     }
 
@@ -304,7 +288,7 @@ impl<'a> Typesetter<'a> {
                  <code>cargo run -- figures {name}{keys}</code></figcaption></figure>\n"
             );
         }
-        Ok(out + "</div>\n")
+        Ok(out + "</div>\n\n")
     }
 
     /// Plain text with `$…$` formulas.

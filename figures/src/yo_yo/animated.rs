@@ -8,7 +8,7 @@ use spinning_bodies::scene::{Phase, Play, Request, Scene, YoYoState};
 use spinning_bodies::yo_yo::YoYo;
 
 use super::GRAVITY;
-use crate::plot::{Axis, Frame, marks};
+use crate::plot::{Frame, marks};
 use crate::style::SCALE as CANVAS;
 use crate::style::*;
 use crate::{Figure, finish};
@@ -72,15 +72,9 @@ fn film() -> Result<(f64, Vec<Picture>)> {
 pub fn animated() -> Result<Figure> {
     let (duration, pictures) = film()?;
     let fastest = pictures.iter().map(|p| p.1.omega).fold(0.0, f64::max);
-    let x = Axis::linear([0.0, duration], [270.0, 576.0]);
-    let depth = Frame {
-        x,
-        y: Axis::linear([0.4, 0.0], [180.0, 50.0]),
-    };
-    let spin = Frame {
-        x,
-        y: Axis::linear([0.0, 320.0], [370.0, 244.0]),
-    };
+    let time = [0.0, duration];
+    let depth = Frame::linear(time, [0.4, 0.0], [270.0, 576.0, 180.0, 50.0]);
+    let spin = Frame::linear(time, [0.0, 320.0], [270.0, 576.0, 370.0, 244.0]);
     let [axle, length] = numbers([1e3 * AXLE, 1e2 * LENGTH], 0);
     let friction = number(1e3 * FRICTION, 1);
     let words = words!(

@@ -8,7 +8,7 @@ use spinning_bodies::scene::effects::{Gravity, TurnLoss};
 use spinning_bodies::scene::{Play, Request, Scene};
 use spinning_bodies::yo_yo::{Turn, Unwinding, YoYo};
 
-use crate::plot::{Axis, Frame, marks};
+use crate::plot::{Frame, marks};
 use crate::style::*;
 use crate::{Entry, Figure, Parameter, Values, constant, of};
 
@@ -61,15 +61,9 @@ pub fn string(values: &Values) -> Result<Figure> {
     let times: Vec<f64> = spaced([0.0, SHOWN], steps).collect();
     let rows = play.simulate(&Request::at(times)?)?.rows;
 
-    let x = Axis::linear([0.0, SHOWN], [66.0, 580.0]);
-    let depth = Frame {
-        x,
-        y: Axis::linear([1.1 * length, 0.0], [176.0, 36.0]),
-    };
-    let pull = Frame {
-        x,
-        y: Axis::linear([0.0, 1.28 * peak], [374.0, 226.0]),
-    };
+    let time = [0.0, SHOWN];
+    let depth = Frame::linear(time, [1.1 * length, 0.0], [66.0, 580.0, 176.0, 36.0]);
+    let pull = Frame::linear(time, [0.0, 1.28 * peak], [66.0, 580.0, 374.0, 226.0]);
     let mut place: Vec<Point> = Vec::new();
     let mut tension: Vec<Point> = Vec::new();
     let mut kept: Vec<[f64; 3]> = Vec::new();

@@ -35,10 +35,8 @@ pub fn page(ledger: &Ledger) -> String {
 }
 
 fn of_section<'a>(ledger: &'a Ledger, number: &'a str) -> impl Iterator<Item = &'a Claim> {
-    ledger
-        .claims
-        .iter()
-        .filter(move |claim| claim.section.split('.').next() == Some(number))
+    let section = move |claim: &&Claim| claim.section.split('.').next() == Some(number);
+    ledger.claims.iter().filter(move |claim| section(claim))
 }
 
 fn summary(ledger: &Ledger) -> String {
@@ -77,14 +75,12 @@ pub fn count<'a>(ledger: &Ledger, claims: impl Iterator<Item = &'a Claim>) -> [u
 
 /// The id mdBook gives a heading: letters and digits in lower case, spaces as dashes, the rest dropped.
 pub fn mdbook_anchor(heading: &str) -> String {
-    heading
-        .chars()
-        .filter_map(|c| match c {
-            c if c.is_alphanumeric() || c == '_' || c == '-' => Some(c.to_ascii_lowercase()),
-            c if c.is_whitespace() => Some('-'),
-            _ => None,
-        })
-        .collect()
+    let kept = |c: char| match c {
+        c if c.is_alphanumeric() || c == '_' || c == '-' => Some(c.to_ascii_lowercase()),
+        c if c.is_whitespace() => Some('-'),
+        _ => None,
+    };
+    heading.chars().filter_map(kept).collect()
 }
 
 /// One claim. A single line of HTML, so that Markdown leaves it alone.
@@ -124,14 +120,10 @@ fn row(ledger: &Ledger, claim: &Claim) -> String {
 pub fn table(ledger: &Ledger) -> String {
     let mut rows = vec![["claim", "verdict", "title", "chapter", "test"].map(str::to_owned)];
     for claim in &ledger.claims {
-        let chapter = ledger
-            .in_chapters(&claim.id)
-            .next()
-            .map(|(chapter, mark)| format!("{chapter}.md:{}", mark.line));
-        let test = ledger
-            .in_tests(&claim.id)
-            .next()
-            .map(|place| format!("{} {}", place.file, place.function));
+        let chapter = ledger.in_chapters(&claim.id).next();
+        let chapter = chapter.map(|(chapter, mark)| format!("{chapter}.md:{}", mark.line));
+        let test = ledger.in_tests(&claim.id).next();
+        let test = test.map(|place| format!("{} {}", place.file, place.function));
         let absent = |is_needed: bool| if is_needed { "not yet" } else { "-" };
         rows.push([
             claim.id.clone(),

@@ -40,10 +40,8 @@ impl Chapter {
 
     /// What it is made of, from the root of the workspace, and its scenes.
     pub fn files(&self) -> impl Iterator<Item = String> {
-        let scenes = self
-            .scenes
-            .iter()
-            .map(|name| format!("book/scenes/{name}.toml"));
+        let scene = |name: &&str| format!("book/scenes/{name}.toml");
+        let scenes = self.scenes.iter().map(scene);
         self.made_of.iter().map(ToString::to_string).chain(scenes)
     }
 

@@ -70,9 +70,9 @@ fn obey(command: Option<Command>) -> Result<()> {
                 "letter" => Paper::Letter,
                 _ => Paper::A4,
             };
-            drawings::sheets(paper, &asked.out)?
-                .iter()
-                .try_for_each(|path| say(&format!("{}\n", path.display())))
+            let sheets = drawings::sheets(paper, &asked.out)?;
+            let mut names = sheets.iter().map(|path| format!("{}\n", path.display()));
+            names.try_for_each(|name| say(&name))
         }
         Some(Command::Book(asked)) => book(root, &asked),
         Some(Command::Render) => {

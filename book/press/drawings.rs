@@ -3,7 +3,7 @@
 use crate::pictures::{self, Copying};
 use crate::writer::write_if_changed;
 use crate::{Error, Result};
-use figures::on_your_table::Paper;
+use figures::on_your_table::{Paper, Sheet};
 use figures::{Entry, Figure, Look, Parameter, Values};
 use rayon::prelude::*;
 use serde_json::{Value as Json, json};
@@ -25,13 +25,11 @@ pub fn chosen(names: &[String]) -> Result<Vec<Entry>> {
     if names.is_empty() {
         return Ok(all.to_vec());
     }
-    names
-        .iter()
-        .map(|name| {
-            let found = all.iter().find(|entry| entry.name == name);
-            found.copied().ok_or_else(|| unknown_figure(name))
-        })
-        .collect()
+    let named = |name: &String| {
+        let found = all.iter().find(|entry| entry.name == name);
+        found.copied().ok_or_else(|| unknown_figure(name))
+    };
+    names.iter().map(named).collect()
 }
 
 /// Writes the things of the page "On your table" for this paper into a folder, and returns where they are.
@@ -41,14 +39,12 @@ pub fn chosen(names: &[String]) -> Result<Vec<Entry>> {
 pub fn sheets(paper: Paper, folder: &Path) -> Result<Vec<PathBuf>> {
     let sheets = figures::on_your_table::sheets(paper);
     let sheets = sheets.map_err(|error| Error::Failed(format!("on your table: {error}")))?;
-    sheets
-        .iter()
-        .map(|sheet| {
-            let path = folder.join(&sheet.name);
-            write_if_changed(&path, &sheet.contents)?;
-            Ok(path)
-        })
-        .collect()
+    let write = |sheet: &Sheet| {
+        let path = folder.join(&sheet.name);
+        write_if_changed(&path, &sheet.contents)?;
+        Ok(path)
+    };
+    sheets.iter().map(write).collect()
 }
 
 /// "There is no such figure", with the name that was probably meant.

@@ -39,12 +39,10 @@ impl Formulas {
                 "write \\sqrt{…}, with braces: without them the root is set over its sign".into(),
             );
         }
-        let settings = Settings::builder()
-            .display_mode(style == Style::Display)
-            .build();
-        let html = katex::render_to_string(&self.context, latex, &settings)
-            .map(|html| sort_attributes(&html))
-            .map_err(|error| error.to_string())?;
+        let display = style == Style::Display;
+        let settings = Settings::builder().display_mode(display).build();
+        let html = katex::render_to_string(&self.context, latex, &settings);
+        let html = sort_attributes(&html.map_err(|error| error.to_string())?);
         self.known.insert(key, html.clone());
         Ok(html)
     }
@@ -52,10 +50,8 @@ impl Formulas {
 
 /// Whether a root lacks the braces without which the renderer leaves no room for its sign.
 fn has_bare_root(latex: &str) -> bool {
-    latex
-        .split("\\sqrt")
-        .skip(1)
-        .any(|after| !after.trim_start().starts_with(['{', '[']))
+    let mut behind = latex.split("\\sqrt").skip(1);
+    behind.any(|after| !after.trim_start().starts_with(['{', '[']))
 }
 
 /// The renderer keeps attributes in a hash map, so that their order changes from run to run; sorted, equal input

@@ -177,13 +177,9 @@ fn order(id: &str) -> Vec<u32> {
 /// The claims named by a comment `claim: A, B`.
 fn named(comment: &str) -> Option<Vec<String>> {
     let list = comment.trim().strip_prefix("claim:")?;
-    Some(
-        list.split([',', ' '])
-            .map(str::trim)
-            .filter(|id| !id.is_empty())
-            .map(str::to_owned)
-            .collect(),
-    )
+    let ids = list.split(|c: char| c == ',' || c.is_whitespace());
+    let ids = ids.filter(|id| !id.is_empty());
+    Some(ids.map(str::to_owned).collect())
 }
 
 /// The claims named by a line of Rust.

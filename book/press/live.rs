@@ -70,7 +70,6 @@ fn remapped() -> Vec<String> {
     let home = home.or_else(|| Some(std::env::home_dir()?.join(".cargo")));
     let registries = home.and_then(|home| std::fs::read_dir(home.join("registry/src")).ok());
     let folders = registries.into_iter().flatten().flatten();
-    folders
-        .map(|folder| format!("--remap-path-prefix={}=crates", folder.path().display()))
-        .collect()
+    let flag = |path: PathBuf| format!("--remap-path-prefix={}=crates", path.display());
+    folders.map(|folder| flag(folder.path())).collect()
 }

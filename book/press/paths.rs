@@ -8,16 +8,14 @@ use std::path::{Path, PathBuf};
 pub fn workspace_root() -> Result<PathBuf> {
     let compiled_in = Path::new(env!("CARGO_MANIFEST_DIR"));
     let here = std::env::current_dir().unwrap_or_default();
-    here.ancestors()
-        .chain(compiled_in.ancestors())
-        .find(|folder| folder.join("book/book.toml").is_file())
-        .map(Path::to_owned)
-        .ok_or_else(|| {
-            Error::Input(format!(
-                "no book/book.toml in {} or above it: run this inside the repository",
-                here.display()
-            ))
-        })
+    let mut folders = here.ancestors().chain(compiled_in.ancestors());
+    let root = folders.find(|folder| folder.join("book/book.toml").is_file());
+    root.map(Path::to_owned).ok_or_else(|| {
+        let here = here.display();
+        Error::Input(format!(
+            "no book/book.toml in {here} or above it: run this inside the repository"
+        ))
+    })
 }
 
 /// Every file in a folder and below, by their names; nothing if there is no such folder.

@@ -80,19 +80,10 @@ pub fn flush_left(page: &str) -> String {
         let (source, after) = part.split_once("</code>").unwrap_or((part, ""));
         let written = |line: &&str| !line.trim().is_empty();
         let indent = |line: &str| line.len() - line.trim_start_matches(' ').len();
-        let margin = source
-            .lines()
-            .filter(written)
-            .map(indent)
-            .min()
-            .unwrap_or(0);
-        let lines = source
-            .split('\n')
-            .map(|line| line.get(margin..).unwrap_or(""));
-        out.push_str(SOURCE);
-        out.push_str(&lines.collect::<Vec<_>>().join("\n"));
-        out.push_str("</code>");
-        out.push_str(after);
+        let margin = source.lines().filter(written).map(indent).min();
+        let moved = |line| str::get(line, margin.unwrap_or(0)..).unwrap_or("");
+        let lines: Vec<_> = source.split('\n').map(moved).collect();
+        out += &format!("{SOURCE}{}</code>{after}", lines.join("\n"));
     }
     out
 }
@@ -101,14 +92,8 @@ pub fn flush_left(page: &str) -> String {
 fn with_hashes(page: &str) -> String {
     let scripts = page.split("<script>").skip(1);
     let scripts = scripts.filter_map(|rest| rest.split("</script>").next());
-    let hashes: Vec<_> = scripts
-        .map(|script| {
-            format!(
-                "'sha256-{}'",
-                BASE64_STANDARD.encode(Sha256::digest(script))
-            )
-        })
-        .collect();
+    let hash = |script: &str| BASE64_STANDARD.encode(Sha256::digest(script));
+    let hashes: Vec<_> = scripts.map(|s| format!("'sha256-{}'", hash(s))).collect();
     page.replace("'own-scripts'", &hashes.join(" "))
 }
 

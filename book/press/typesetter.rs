@@ -136,15 +136,14 @@ impl<'a> Typesetter<'a> {
         let (mut out, mut origin) = (String::with_capacity(source.len()), Vec::new());
         for (i, line) in source.lines().enumerate() {
             let fault = |why: String| Error::Input(format!("book/src/{file}:{}: {why}", i + 1));
-            let table = line
-                .strip_prefix("{{#include tables/")
-                .and_then(|rest| rest.strip_suffix(".md}}"));
+            let table = line.strip_prefix("{{#include tables/");
+            let table = table.and_then(|rest| rest.strip_suffix(".md}}"));
             let text = match table {
                 None => self.with_values(line).map_err(fault)?,
                 Some(name) => {
                     let path = folder.join("tables").join(format!("{name}.md"));
-                    std::fs::read_to_string(&path)
-                        .map_err(|error| fault(format!("{}: {error}", path.display())))?
+                    let told = |error| fault(format!("{}: {error}", path.display()));
+                    std::fs::read_to_string(&path).map_err(told)?
                 }
             };
             origin.resize(origin.len() + text.lines().count().max(1), i + 1);
@@ -175,15 +174,12 @@ impl<'a> Typesetter<'a> {
     }
 
     fn formula(&mut self, latex: &str, style: Style) -> Told<String> {
-        let html = self
-            .formulas
-            .set(latex, style)
-            .map_err(|error| format!("in the formula ${}$: {error}", latex.trim()))?;
+        let told = |error| format!("in the formula ${}$: {error}", latex.trim());
+        let html = self.formulas.set(latex, style).map_err(told)?;
         // A letter with its index can be searched for, LaTeX cannot.
-        let plain = if latex.contains('\\') {
-            "…"
-        } else {
-            latex.trim()
+        let plain = match latex.contains('\\') {
+            true => "…",
+            false => latex.trim(),
         };
         let html = match (self.medium, html.find("<math"), html.find("</math>")) {
             (Medium::Ebook, Some(from), Some(to)) => html[from..to].to_owned() + "</math>",
@@ -245,16 +241,12 @@ impl<'a> Typesetter<'a> {
         let name = entry.name;
         let html = match self.medium {
             Medium::Pages => {
-                let svg = figure.svg();
-                let svg = svg
-                    .trim_end()
-                    .replace(&format!("fig-{name}"), &format!("{ids}-{name}"));
-                let pause = if svg.contains("@keyframes") {
-                    pause
-                } else {
-                    ""
-                };
-                pause.to_owned() + &svg
+                let [old, new] = ["fig", ids].map(|ids| format!("{ids}-{name}"));
+                let svg = figure.svg().trim_end().replace(&old, &new);
+                match svg.contains("@keyframes") {
+                    true => pause.to_owned() + &svg,
+                    false => svg,
+                }
             }
             Medium::Ebook => format!(
                 "<img src=\"figures/{name}.svg\" alt=\"{}\"/>",
@@ -318,14 +310,11 @@ impl<'a> Typesetter<'a> {
             let at = mark.span.start;
             let mut links = Vec::new();
             for id in &mark.claims {
-                let claim = self
-                    .ledger
-                    .claim(id)
-                    .ok_or_else(|| fault(at, format!("'{id}' is no claim of book/claims.toml")))?;
-                let anchor = if seen.insert(id.clone()) {
-                    format!(" id=\"{}\"", appendix::place_id(chapter, id))
-                } else {
-                    String::new()
+                let unknown = || fault(at, format!("'{id}' is no claim of book/claims.toml"));
+                let claim = self.ledger.claim(id).ok_or_else(unknown)?;
+                let anchor = match seen.insert(id.clone()) {
+                    true => format!(" id=\"{}\"", appendix::place_id(chapter, id)),
+                    false => String::new(),
                 };
                 links.push(format!(
                     "<a class=\"claim-tag\"{anchor} href=\"claims.html#{id}\" title=\"A claim of the tutorial: {}\">{id}</a>",

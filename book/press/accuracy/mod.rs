@@ -208,10 +208,9 @@ fn broken(error: spinning_bodies::Error) -> Error {
 
 fn line(row: &Measurement) -> String {
     // `{:?}` is the shortest text that is read back as the same number; what there is not is left empty.
-    let number = |x: f64| {
-        Some(x)
-            .filter(|x| !x.is_nan())
-            .map_or(String::new(), |x| format!("{x:?}"))
+    let number = |x: f64| match x.is_nan() {
+        true => String::new(),
+        false => format!("{x:?}"),
     };
     let [parameter, attitude, omega] =
         [row.parameter, row.error_attitude, row.error_omega].map(number);

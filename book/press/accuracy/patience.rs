@@ -16,10 +16,8 @@ pub fn swept<E>(trial: &Trial<'_, E>, patience: f64, first: impl Fn(Effort) -> f
     let (mut last, mut gave_up) = (0.0, false);
     let rows = trial.sweep(|rows, effort| {
         let before = rows.last();
-        if before
-            .and_then(|row| row.failure.as_ref())
-            .is_some_and(never)
-        {
+        let failure = before.and_then(|row| row.failure.as_ref());
+        if failure.is_some_and(never) {
             return None;
         }
         let expected = before.map_or_else(|| first(effort), |row| next(row, effort, last));
@@ -28,10 +26,9 @@ pub fn swept<E>(trial: &Trial<'_, E>, patience: f64, first: impl Fn(Effort) -> f
             return None;
         }
         let begin = Instant::now();
-        let row = if cfg!(debug_assertions) {
-            trial.measure(effort)
-        } else {
-            trial.timed(effort)
+        let row = match cfg!(debug_assertions) {
+            true => trial.measure(effort),
+            false => trial.timed(effort),
         };
         last = row.seconds.unwrap_or(begin.elapsed().as_secs_f64());
         gave_up = matches!(row.failure, Some(Error::Budget { .. }));
@@ -74,10 +71,8 @@ pub fn first(problem: &Problem, candidate: &Candidate, effort: Effort) -> f64 {
         begin.elapsed().as_secs_f64()
     };
     let least = (0..5).map(|_| piece()).fold(f64::INFINITY, f64::min);
-    let whole = if candidate.name() == "exact" {
-        1.0
-    } else {
-        parts
-    };
-    least * whole
+    match candidate.name() {
+        "exact" => least,
+        _ => least * parts,
+    }
 }

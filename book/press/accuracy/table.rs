@@ -28,29 +28,15 @@ pub fn text(heading: &str, floor: f64, swept: &[Swept]) -> String {
             let _ = writeln!(text, "{name:>17}   failed: {told}");
         }
         if alike[0].left_out > 0 {
-            let _ = writeln!(
-                text,
-                "{name:>17}   left out: {} finer efforts, too long for this table",
-                alike[0].left_out
-            );
+            let count = alike[0].left_out;
+            let told = format!("left out: {count} finer efforts, too long for this table");
+            let _ = writeln!(text, "{name:>17}   {told}");
         }
     }
     text.push('\n');
-    let kept = |row: &&Measurement| matches!(row.status, Status::Ok | Status::Floor);
-    let rows = swept.iter().flat_map(|s| &s.rows).filter(kept);
-    let rows: Vec<Row<'_>> = rows
-        .map(|row| Row {
-            problem: "",
-            method: &row.method,
-            error: worst(row),
-            price: price(row),
-        })
-        .collect();
-    let unit = match swept
-        .iter()
-        .flat_map(|s| &s.rows)
-        .any(|row| row.seconds.is_some())
-    {
+    let all = || swept.iter().flat_map(|one| &one.rows);
+    let rows: Vec<Row<'_>> = kept(all()).map(ranked_by).collect();
+    let unit = match all().any(|row| row.seconds.is_some()) {
         true => duration,
         false => |evaluations: f64| format!("{evaluations} evaluations"),
     };
@@ -71,6 +57,16 @@ pub fn text(heading: &str, floor: f64, swept: &[Swept]) -> String {
     text + "\n"
 }
 
+/// What a run is ranked by.
+fn ranked_by(row: &Measurement) -> Row<'_> {
+    Row {
+        problem: "",
+        method: &row.method,
+        error: worst(row),
+        price: price(row),
+    }
+}
+
 /// The methods that tell their own error.
 const CLOSED: [&str; 2] = ["exact", "events"];
 
@@ -79,13 +75,17 @@ fn price(row: &Measurement) -> f64 {
     row.seconds.unwrap_or(row.evaluations as f64)
 }
 
+/// The rows of runs that came to an end.
+fn kept<'a>(rows: impl Iterator<Item = &'a Measurement>) -> impl Iterator<Item = &'a Measurement> {
+    rows.filter(|row| matches!(row.status, Status::Ok | Status::Floor))
+}
+
 /// What was paid at each effort that ran, one evaluation at least where no clock ran, and the error that was left.
 pub fn points(rows: &[Measurement]) -> Vec<[f64; 2]> {
-    let kept = rows
-        .iter()
-        .filter(|row| matches!(row.status, Status::Ok | Status::Floor));
     let paid = |row: &Measurement| row.seconds.unwrap_or(row.evaluations.max(1) as f64);
-    kept.map(|row| [paid(row), worst(row)]).collect()
+    kept(rows.iter())
+        .map(|row| [paid(row), worst(row)])
+        .collect()
 }
 
 /// The greater of both errors, if there are two.
@@ -121,34 +121,20 @@ fn telling(rows: &[Measurement]) -> Vec<&Measurement> {
     let all = rows.iter().enumerate();
     let best = all.filter(|(_, row)| row.failure.is_none());
     let best = best.min_by(|a, b| a.1.error().total_cmp(&b.1.error()));
-    let mut places: Vec<usize> = TARGETS
-        .iter()
-        .filter_map(|&target| cheapest(target))
-        .chain(best)
-        .map(|(place, _)| place)
-        .collect();
+    let wanted = TARGETS.into_iter().filter_map(cheapest).chain(best);
+    let mut places: Vec<usize> = wanted.map(|(place, _)| place).collect();
     places.sort_unstable();
     places.dedup();
     places.into_iter().map(|place| &rows[place]).collect()
 }
 
 fn line(row: &Measurement) -> String {
-    let error = |x: f64| {
-        if x.is_finite() {
-            format!("{x:.1e}")
-        } else {
-            "-".to_owned()
-        }
-    };
-    let (time, digits) = match row.seconds {
-        None => ("-".to_owned(), "-".to_owned()),
-        Some(seconds) => (duration(seconds), digits(row.error(), seconds)),
-    };
-    let parameter = if row.parameter == 0.0 {
-        "-".to_owned()
-    } else {
-        format!("{:.2e}", row.parameter)
-    };
+    let or_dash = |told: Option<String>| told.unwrap_or("-".to_owned());
+    let error = |x: f64| or_dash(x.is_finite().then(|| format!("{x:.1e}")));
+    let time = or_dash(row.seconds.map(duration));
+    let digits = or_dash(row.seconds.and_then(|seconds| digits(row.error(), seconds)));
+    let parameter = Some(row.parameter).filter(|parameter| *parameter != 0.0);
+    let parameter = or_dash(parameter.map(|parameter| format!("{parameter:.2e}")));
     let remark = match row.status {
         Status::Ok => "",
         other => other.word(),
@@ -165,17 +151,14 @@ fn line(row: &Measurement) -> String {
 }
 
 /// Correct digits for each microsecond.
-fn digits(error: f64, seconds: f64) -> String {
+fn digits(error: f64, seconds: f64) -> Option<String> {
     // No error at all: judged by itself.
     let digits = -error.log10();
-    if digits <= 0.0 || !digits.is_finite() {
-        return "-".to_owned();
-    }
     let value = digits / (1e6 * seconds);
-    if value >= 0.01 {
-        format!("{value:.2}")
-    } else {
-        format!("{value:.1e}")
+    match digits > 0.0 && digits.is_finite() {
+        true if value >= 0.01 => Some(format!("{value:.2}")),
+        true => Some(format!("{value:.1e}")),
+        false => None,
     }
 }
 

@@ -94,11 +94,8 @@ pub fn film(motion: &Motion<'_>, speed: Option<f64>) -> Result<Vec<u8>> {
     let room = MOST_BYTES / bytes as f64 * TRIED as f64;
     let count = room.min(PER_SECOND * seconds).max(2.0) as usize;
     let film = filmed(motion, count, speed)?;
-    let fastest = film
-        .shots
-        .iter()
-        .map(|(_, sight)| sight.omega.norm())
-        .fold(0.0, f64::max);
+    let speeds = film.shots.iter().map(|(_, sight)| sight.omega.norm());
+    let fastest = speeds.fold(0.0, f64::max);
     let between = fastest * span / (count - 1) as f64;
     if between > FRAC_PI_2 {
         tell(format_args!(

@@ -65,29 +65,29 @@ pub fn file(root: &Path, name: &Path) -> Option<PathBuf> {
     let scenes = root.join("book/scenes");
     let mut ending = name.as_os_str().to_owned();
     ending.push(".toml");
-    let places = [name.to_owned(), scenes.join(name), scenes.join(ending)];
-    places
-        .into_iter()
-        .find(|place| place.exists() && !place.is_dir())
+    let mut places = [name.to_owned(), scenes.join(name), scenes.join(ending)].into_iter();
+    places.find(|place| place.exists() && !place.is_dir())
 }
 
 /// What was looked for, for a name that no file has, and what was probably meant: a scene of the book, or one of these other words.
 pub fn not_found(root: &Path, name: &Path, others: &[&str]) -> String {
-    let files = std::fs::read_dir(root.join("book/scenes"))
-        .into_iter()
-        .flatten();
-    let stems = files.flatten().filter_map(|file| {
-        let path = file.path();
+    let stem = |path: &Path| {
         path.file_stem()
-            .map(|stem| stem.to_string_lossy().into_owned())
-    });
-    let stems: Vec<String> = stems.collect();
-    let asked = name.file_stem().unwrap_or_default().to_string_lossy();
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned()
+    };
+    let files = std::fs::read_dir(root.join("book/scenes")).into_iter();
+    let stems: Vec<String> = files
+        .flatten()
+        .flatten()
+        .map(|file| stem(&file.path()))
+        .collect();
     let all = stems
         .iter()
         .map(String::as_str)
         .chain(others.iter().copied());
-    let near = files::meant(&asked, all);
+    let near = files::meant(&stem(name), all);
     let name = name.display();
     format!("there is no file '{name}', nor a scene of that name in book/scenes{near}")
 }
@@ -160,14 +160,12 @@ pub fn keys(kind: &str) -> Result<String> {
 const MOST_BYTES: u64 = 4_000_000;
 
 pub(crate) fn source(path: &Path) -> Result<(String, String)> {
-    let (name, read) = if path == Path::new("-") {
-        (
-            "standard input".to_owned(),
-            text_of(std::io::stdin().lock()),
-        )
-    } else {
-        let read = std::fs::File::open(path).and_then(text_of);
-        (path.display().to_string(), read)
+    let (name, read) = match path == Path::new("-") {
+        true => ("standard input".to_owned(), text_of(std::io::stdin())),
+        false => (
+            path.display().to_string(),
+            std::fs::File::open(path).and_then(text_of),
+        ),
     };
     match read {
         Ok(text) if text.len() as u64 > MOST_BYTES => Err(Error::Input(format!(

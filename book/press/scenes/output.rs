@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::time::Instant;
 
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 use spinning_bodies::conservation::Law;
 use spinning_bodies::integrators::Cost;
 use spinning_bodies::scene::{AnyScene, Plan, Progress, Reached, Request, Table};
@@ -243,14 +243,11 @@ fn json(motion: &Motion<'_>, to: &mut dyn Write) -> io::Result<()> {
                 about(told, to)?;
                 to.write_all(b",\n")?;
             }
-            let columns = table
-                .columns
-                .iter()
-                .map(|column| (column.name, column.unit));
-            let all = std::iter::once(("t", "s")).chain(columns);
-            let units: Value = all
-                .map(|(name, unit)| (name.to_owned(), json!(unit)))
-                .collect();
+            let mut units = Map::from_iter([("t".to_owned(), json!("s"))]);
+            for column in &table.columns {
+                units.insert(column.name.to_owned(), json!(column.unit));
+            }
+            let units = Value::Object(units);
             write!(to, "  \"units\": {units},\n  \"rows\": [")?;
         }
         for (t, numbers) in table.rows() {

@@ -60,14 +60,10 @@ pub fn form(output: Option<&Path>, forms: &[Form]) -> Result<Form> {
     let ending = output.extension().unwrap_or_default().to_ascii_lowercase();
     let found = forms.iter().find(|form| ending == form.ending());
     found.copied().ok_or_else(|| {
-        let endings: Vec<String> = forms
-            .iter()
-            .map(|form| format!("`.{}`", form.ending()))
-            .collect();
+        let endings = forms.iter().map(|form| format!("`.{}`", form.ending()));
+        let (output, endings) = (output.display(), endings.collect::<Vec<_>>().join(" or "));
         Error::Input(format!(
-            "{}: what is drawn is a picture, and its name should end with {}",
-            output.display(),
-            endings.join(" or ")
+            "{output}: what is drawn is a picture, and its name should end with {endings}"
         ))
     })
 }

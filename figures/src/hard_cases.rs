@@ -52,12 +52,8 @@ pub fn overview() -> Result<Figure> {
         let place = [580.0, bottom + 44.0];
         pen.remark(place, End, "relative error");
         pen.text([axis.at(1e-16), 26.0], Middle, "ours", label(OURS).strong());
-        pen.text(
-            [axis.at(1e-4), 26.0],
-            Middle,
-            "the textbook",
-            label(TEXTBOOK).strong(),
-        );
+        let spot = [axis.at(1e-4), 26.0];
+        pen.text(spot, Middle, "the textbook", label(TEXTBOOK).strong());
         for (n, (family, at)) in rows.iter().enumerate() {
             let y = top + pitch * n as f64 + 36.0;
             let [a, b] = [at.ours, at.textbook].map(|error| [axis.at(shown(error)), y]);

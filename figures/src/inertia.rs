@@ -239,11 +239,8 @@ pub fn rosettes() -> Result<Figure> {
             &format!("vertex {}", number(slant.1, 3)),
         );
         let inside = at(right, side, -8.0);
-        pen.note(
-            [inside[0], inside[1] - 6.0],
-            End,
-            &format!("edge {}", number(side.1, 3)),
-        );
+        let place = [inside[0], inside[1] - 6.0];
+        pen.note(place, End, &format!("edge {}", number(side.1, 3)));
         let foot = 234.0;
         let all = format!("cube: {} *Ma*^{{2}}", number(cube.quiz[0].1, 3));
         pen.label([left[0], foot], Middle, &all);
@@ -305,10 +302,8 @@ impl Rosette {
         pen.outline(corners, inked(AXIS));
         for (angle, moment) in self.quiz {
             let r = MOMENT_SCALE * moment;
-            pen.line(
-                [polar(center, -r, angle), polar(center, r, angle)],
-                inked(AXIS).alpha(0.6),
-            );
+            let rule = [polar(center, -r, angle), polar(center, r, angle)];
+            pen.line(rule, inked(AXIS).alpha(0.6));
         }
         pen.outline(&curve, inked(DATA));
         for (angle, moment) in self.quiz {

@@ -233,11 +233,8 @@ pub fn bands(values: &Values) -> Result<Figure> {
         let x = |s: f64| 30.0 + 540.0 * (s - from) / (to - from);
         let y = |p: f64| LEVEL - 13.0 * (p / 0.01).asinh();
         let seen = |p: &&(f64, f64)| (8.0..=216.0).contains(&y(p.1));
-        let graph: Vec<Point> = grid
-            .iter()
-            .filter(seen)
-            .map(|&(s, p)| [x(s), y(p)])
-            .collect();
+        let graph = grid.iter().filter(seen).map(|&(s, p)| [x(s), y(p)]);
+        let graph: Vec<Point> = graph.collect();
         pen.line([[20.0, LEVEL], [580.0, LEVEL]], inked(AXIS));
         let taken = along(&graph, 6.0);
         if let Some((((low, high), turn), _)) = moving {
@@ -253,11 +250,8 @@ pub fn bands(values: &Values) -> Result<Figure> {
             .iter()
             .find(seen)
             .map_or([0.0; 2], |&(s, p)| [x(s), y(p)]);
-        pen.label(
-            [top[0] + 80.0, (top[1] + 12.0).max(24.0)],
-            Start,
-            "*P*(*s*)",
-        );
+        let spot = [top[0] + 80.0, (top[1] + 12.0).max(24.0)];
+        pen.label(spot, Start, "*P*(*s*)");
     });
     let rows = grid.iter().map(|&(s, p)| [s, p]);
     Ok(made.data("P", "s (1/s²) | P (1/s¹⁰)", rows))
@@ -349,10 +343,8 @@ pub fn classes(values: &Values) -> Result<Figure> {
             .chain(own)
             .filter(|(h, _)| inside(&[greatest, *h]))
             .collect();
-        let heights: Vec<f64> = named
-            .iter()
-            .map(|(h, _)| place([greatest, *h])[1])
-            .collect();
+        let heights = named.iter().map(|(h, _)| place([greatest, *h])[1]);
+        let heights: Vec<f64> = heights.collect();
         for ((_, text), y) in named.iter().zip(apart(&heights, 18.0, 258.0)) {
             let x = place([greatest, 0.0])[0];
             pen.label([x + 8.0, y + 5.0], Start, text);

@@ -59,10 +59,8 @@ impl Quantity {
         } else {
             power
         };
-        let values: Vec<f64> = values
-            .iter()
-            .map(|value| value / 10_f64.powf(power))
-            .collect();
+        let values = values.iter().map(|value| value / 10_f64.powf(power));
+        let values: Vec<f64> = values.collect();
         let [low, high] = extent(&values);
         let air = if high > low { 0.06 * (high - low) } else { 1.0 };
         let unit = match (power, self.unit) {

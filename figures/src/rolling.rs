@@ -100,10 +100,8 @@ pub fn billiard(values: &Values) -> Result<Figure> {
         pen.disc(center, RADIUS, Shade, 0.75);
         pen.ring(center, RADIUS, inked(DATA));
         // The height of pure rolling goes across.
-        pen.line(
-            [[BUTT, level(sweet)], [590.0, level(sweet)]],
-            inked(AXIS).dotted(),
-        );
+        let ends = [[BUTT, level(sweet)], [590.0, level(sweet)]];
+        pen.line(ends, inked(AXIS).dotted());
         pen.dot(center, 2.5);
         pen.line([center, CONTACT], inked(AXIS).alpha(0.6));
         let beside = [center[0] + 8.0, center[1] + 0.55 * RADIUS];

@@ -93,10 +93,8 @@ fn head(pen: &mut Pen, height: f64) {
     for (milliseconds, text) in DECADES {
         let x = across(milliseconds);
         pen.remark([x, 40.0], Middle, text);
-        pen.line(
-            [[x, 50.0], [x, height - 12.0]],
-            muted(HAIR).alpha(0.5).dotted(),
-        );
+        let ends = [[x, 50.0], [x, height - 12.0]];
+        pen.line(ends, muted(HAIR).alpha(0.5).dotted());
     }
     for (x, anchor, text) in [
         (0.5 * (AXIS[0] + AXIS[1]), Middle, "ms a second"),

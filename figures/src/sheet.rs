@@ -113,10 +113,8 @@ pub fn speeds(values: &Values) -> Result<Figure> {
             pen.line([[x(0.0), y], [x(until), y]], inked(AXIS));
         }
         pen.line([[x(0.0), 14.0], [x(0.0), bottom]], inked(AXIS));
-        pen.line(
-            [[x(stops), upper(0.0) - 20.0], [x(stops), bottom]],
-            inked(HAIR).dashed(),
-        );
+        let rule = [[x(stops), upper(0.0) - 20.0], [x(stops), bottom]];
+        pen.line(rule, inked(HAIR).dashed());
         for axis in [&high, &low] {
             for (value, text) in axis.ticks(26.0) {
                 let y = axis.at(value);
@@ -157,24 +155,15 @@ pub fn speeds(values: &Values) -> Result<Figure> {
         };
         let [at_v, at_rim] = [beside(|m| m.velocity), beside(|m| m.rim_speed)];
         pen.label([at_v[0] + side, at_v[1] - 6.0], anchor, "*V*");
-        pen.text(
-            [at_rim[0] + side, at_rim[1] + 16.0],
-            anchor,
-            "*R*\u{03a9}",
-            label(Omega),
-        );
+        let spot = [at_rim[0] + side, at_rim[1] + 16.0];
+        pen.text(spot, anchor, "*R*\u{03a9}", label(Omega));
         pen.note([x(stops) + 6.0, upper(0.0) + 20.0], Start, "both zero");
-        let slip: Vec<_> = corners
-            .iter()
-            .zip(&slips)
-            .map(|(&t, &u)| [x(t), lower(u)])
-            .collect();
+        let slip = corners.iter().zip(&slips).map(|(&t, &u)| [x(t), lower(u)]);
+        let slip: Vec<_> = slip.collect();
         pen.line(&slip, inked(DATA));
         pen.label([edge + 10.0, lower(0.0) + 24.0], Start, "slip");
-        pen.line(
-            [[x(0.0), 232.0], [x(until), 232.0]],
-            inked(SECONDARY).alpha(0.15),
-        );
+        let rule = [[x(0.0), 232.0], [x(until), 232.0]];
+        pen.line(rule, inked(SECONDARY).alpha(0.15));
     });
     let rows = corners.iter().map(|&t| {
         let m = course.at(t);

@@ -55,11 +55,8 @@ fn tugged(pen: &mut Pen, spool: &Spool, ratio: f64, x: f64, angle: f64) -> Resul
     pen.dot(center, 2.2);
     pen.disc(contact, 5.0, Torque, 1.0);
     let tip = along(touch, 98.0);
-    pen.note(
-        [(tip[0] - 2.0).max(24.0), tip[1] - 9.0],
-        Middle,
-        &degrees(angle),
-    );
+    let spot = [(tip[0] - 2.0).max(24.0), tip[1] - 9.0];
+    pen.note(spot, Middle, &degrees(angle));
     let below = GROUND + 26.0;
     let way = spool.way(angle)?;
     let (from, to) = match way {
@@ -189,10 +186,8 @@ pub fn dial(values: &Values) -> Result<Figure> {
         pen.disc(HUB, 44.0, Shade, 0.6);
         pen.ring(HUB, 44.0, inked(DATA));
         pen.ring(HUB, 44.0 * values.of(&AXLE), inked(SECONDARY));
-        pen.line(
-            [[20.0, HUB[1] + 44.0], [580.0, HUB[1] + 44.0]],
-            inked(SECONDARY),
-        );
+        let ends = [[20.0, HUB[1] + 44.0], [580.0, HUB[1] + 44.0]];
+        pen.line(ends, inked(SECONDARY));
         pen.arc(HUB, INNER, 0.0, PI, inked(HAIR));
         for &(angle, a) in &rays {
             let ray = [place(INNER, angle), place(INNER + unit * a.abs(), angle)];
@@ -200,23 +195,13 @@ pub fn dial(values: &Values) -> Result<Figure> {
             pen.line(ray, stroke(role, DATA));
         }
         let outside = place(INNER + 62.0, critical);
-        pen.line(
-            [place(44.0, critical), outside],
-            stroke(Torque, 1.4).dotted(),
-        );
+        let ends = [place(44.0, critical), outside];
+        pen.line(ends, stroke(Torque, 1.4).dotted());
         let name = place(INNER + 72.0, critical);
-        pen.text(
-            [name[0] + 4.0, name[1] - 16.0],
-            End,
-            "cos θ = *r*/*R*",
-            label(Torque),
-        );
-        pen.text(
-            [name[0] + 4.0, name[1] + 2.0],
-            End,
-            &format!("θ = {degrees}°"),
-            small(Torque),
-        );
+        let spot = [name[0] + 4.0, name[1] - 16.0];
+        pen.text(spot, End, "cos θ = *r*/*R*", label(Torque));
+        let spot = [name[0] + 4.0, name[1] + 2.0];
+        pen.text(spot, End, &format!("θ = {degrees}°"), small(Torque));
         // The words stand clear of the rays, however long these are.
         let tip = |k: usize| INNER + unit * rays[k].1.abs();
         let half = ((critical / PI * 18.0).round() as usize).min(18);

@@ -84,12 +84,9 @@ pub fn energy_drift() -> Result<Figure> {
          in proportion to the number of steps. That of rotations of order 2 is level, and rk4 crosses it after some two hundred thousand steps. That of the discrete top stays below 1e-12."
     );
     Ok(figure("accuracy-drift", 384.0, words, |pen| {
-        frame.draw(
-            pen,
-            &powers([4, 5, 6, 7]),
-            &powers([-4, -6, -8, -10, -12, -14, -16]),
-            ["steps", "energy, relative error"],
-        );
+        let across = powers([4, 5, 6, 7]);
+        let up = powers([-4, -6, -8, -10, -12, -14, -16]);
+        frame.draw(pen, &across, &up, ["steps", "energy, relative error"]);
         for (k, (line, style, name)) in lines.iter().enumerate() {
             let places: Vec<Point> = thinned(line)
                 .map(|[x, y]| frame.at(x, y.max(1e-16)))

@@ -64,12 +64,9 @@ pub fn three_numbers() -> Result<Figure> {
          precision at about 1e-15, two doubles go on falling with the tenth power."
     );
     Ok(figure("accuracy-numbers", 424.0, words, |pen| {
-        frame.draw(
-            pen,
-            &marks(&[8.0, 32.0, 128.0, 512.0], ""),
-            &powers([0, -5, -10, -15, -20, -25]),
-            ["steps a turn", "error, rad"],
-        );
+        let across = marks(&[8.0, 32.0, 128.0, 512.0], "");
+        let up = powers([0, -5, -10, -15, -20, -25]);
+        frame.draw(pen, &across, &up, ["steps a turn", "error, rad"]);
         for (k, (line, style, name)) in lines.iter().enumerate() {
             let places = frame.trace(line.iter().copied());
             beaded(pen, &places, *style);

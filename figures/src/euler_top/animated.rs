@@ -56,21 +56,12 @@ pub fn animated() -> Result<Figure> {
          and back. Without motion: the racket upside down, turned half out of its plane."
     );
     let still = figure(NAME, 424.0, words, |pen| {
-        pen.line(
-            [[150.0, CENTER[1]], [520.0, CENTER[1]]],
-            stroke(AngularMomentum, AXIS).dotted(),
-        );
-        pen.arrow(
-            [480.0, CENTER[1]],
-            [552.0, CENTER[1]],
-            stroke(AngularMomentum, 2.6),
-        );
-        pen.text(
-            [562.0, CENTER[1] + 6.0],
-            Start,
-            "*L*",
-            label(AngularMomentum),
-        );
+        let ends = [[150.0, CENTER[1]], [520.0, CENTER[1]]];
+        pen.line(ends, stroke(AngularMomentum, AXIS).dotted());
+        let tail = [480.0, CENTER[1]];
+        pen.arrow(tail, [552.0, CENTER[1]], stroke(AngularMomentum, 2.6));
+        let place = [562.0, CENTER[1] + 6.0];
+        pen.text(place, Start, "*L*", label(AngularMomentum));
         axes(pen, &upright);
         let [left, right, middle, _] = GRAPH;
         pen.line([[left, middle], [right, middle]], inked(HAIR));
@@ -78,20 +69,13 @@ pub fn animated() -> Result<Figure> {
             let x = between([left, 0.0], [right, 0.0], half)[0];
             pen.line([[x, middle - 4.0], [x, middle + 4.0]], inked(AXIS));
             let time = format!("{} s", number(half * period, 2));
-            pen.note(
-                [x, middle + if half < 1.0 { -10.0 } else { 22.0 }],
-                Middle,
-                &time,
-            );
+            let place = [x, middle + if half < 1.0 { -10.0 } else { 22.0 }];
+            pen.note(place, Middle, &time);
         }
         let curve = (0..=PICTURES).map(graph);
         pen.line(curve, stroke(Omega, 2.0));
-        pen.text(
-            [left - 10.0, graph(0)[1] + 5.0],
-            End,
-            "*Ω*_{2}",
-            label(Omega),
-        );
+        let place = [left - 10.0, graph(0)[1] + 5.0];
+        pen.text(place, End, "*Ω*_{2}", label(Omega));
     });
     let attitudes: Vec<Attitude> = states.iter().map(|s| s.attitude).collect();
     let dots: Vec<Point> = (0..PICTURES).map(graph).collect();

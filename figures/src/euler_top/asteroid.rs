@@ -122,12 +122,8 @@ pub fn two_axes(values: &Values) -> Result<Figure> {
             tip,
             stroke(AngularMomentum, 2.0),
         );
-        pen.text(
-            [tip[0] + 14.0, tip[1] + 12.0],
-            Start,
-            "*L*",
-            label(AngularMomentum),
-        );
+        let place = [tip[0] + 14.0, tip[1] + 12.0];
+        pen.text(place, Start, "*L*", label(AngularMomentum));
         // Leaders go to what is nearest.
         let remarks = [
             ([112.0, 96.0], End, "long axis", [116.0, 92.0], &ring),

@@ -74,10 +74,8 @@ pub fn film(values: &Values) -> Result<Figure> {
         let off = format!("thrown with *L* {off}° off it");
         for (y, text) in ROWS.into_iter().zip(["thrown exactly about *x*_{2}", &off]) {
             pen.note([10.0, y - 88.0], Start, text);
-            pen.line(
-                [[10.0, y], [566.0, y]],
-                stroke(AngularMomentum, AXIS).dotted(),
-            );
+            let rule = [[10.0, y], [566.0, y]];
+            pen.line(rule, stroke(AngularMomentum, AXIS).dotted());
             pen.arrow([570.0, y], [594.0, y], stroke(AngularMomentum, DATA));
             pen.text([582.0, y - 8.0], Middle, "*L*", label(AngularMomentum));
         }

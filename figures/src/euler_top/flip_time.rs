@@ -216,11 +216,8 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
         pen.ring(course.place(course.marked), 7.0, inked(DATA));
         let (a, b) = (points[11], points[12]);
         pen.line([a, [b[0], a[1]], b], muted(AXIS));
-        pen.note(
-            [b[0] + 6.0, 0.5 * (a[1] + b[1]) + 9.0],
-            Start,
-            &format!("{} s a decade", seconds(decade)),
-        );
+        let spot = [b[0] + 6.0, 0.5 * (a[1] + b[1]) + 9.0];
+        pen.note(spot, Start, &format!("{} s a decade", seconds(decade)));
         for peer in stubborn.iter().chain(&silent) {
             let points: Vec<Point> = peer.answers.iter().map(|&at| course.place(at)).collect();
             pen.line(&points, muted(SECONDARY).dashed());

@@ -234,10 +234,8 @@ impl Scene {
         let center = self.view.project(&Vector::zeros());
         let foot = self.view.project(&(Vector::z() * self.distance));
         pen.line([center, foot], stroke(AngularMomentum, SECONDARY).dotted());
-        pen.line(
-            [center, self.view.project(&self.contact)],
-            stroke(Omega, SECONDARY).dotted(),
-        );
+        let rule = [center, self.view.project(&self.contact)];
+        pen.line(rule, stroke(Omega, SECONDARY).dotted());
         pen.dot(center, 2.6);
     }
 
@@ -321,12 +319,8 @@ impl Scene {
         ] {
             pen.text([at[0], at[1] + 5.0], Middle, text, label(role));
         }
-        let seen: Vec<Vector> = self
-            .polhode
-            .iter()
-            .filter(|p| self.seen(p))
-            .copied()
-            .collect();
+        let seen = self.polhode.iter().filter(|p| self.seen(p)).copied();
+        let seen: Vec<Vector> = seen.collect();
         for (at, anchor, text, role, from, curve) in [
             (
                 [488.0, 40.0],

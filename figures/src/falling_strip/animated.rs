@@ -96,10 +96,8 @@ pub fn animated() -> Result<Figure> {
             for ([x, y], angle) in film.pictures.iter().step_by(6) {
                 let (sine, cosine) = angle.sin_cos();
                 let (dx, dy) = (film.half * cosine, film.half * sine);
-                pen.line(
-                    [[x - dx, y - dy], [x + dx, y + dy]],
-                    inked(SECONDARY).alpha(0.22),
-                );
+                let ends = [[x - dx, y - dy], [x + dx, y + dy]];
+                pen.line(ends, inked(SECONDARY).alpha(0.22));
             }
             let at = [film.start[0].max(130.0), 34.0];
             let anchor = if film.start[0] > 200.0 {

@@ -98,10 +98,8 @@ pub fn rate() -> Result<Figure> {
     let widths: Vec<f64> = (0..48)
         .map(|k| 0.5 * 36_f64.powf(f64::from(k) / 47.0))
         .collect();
-    let sheets: Vec<Sheet> = widths
-        .iter()
-        .map(|w| Sheet::of_paper(w / 100.0))
-        .collect::<Result<_>>()?;
+    let sheets = widths.iter().map(|w| Sheet::of_paper(w / 100.0));
+    let sheets: Vec<Sheet> = sheets.collect::<Result<_>>()?;
     let ratios: Vec<f64> = sheets.iter().map(Sheet::mass_ratio).collect();
     let runs = scan(&ratios, Coefficients::PAPER)?;
     let frame = Frame::log([0.4, 24.0], [0.4, 40.0], [76.0, 570.0, 330.0, 40.0]);

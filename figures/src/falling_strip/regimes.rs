@@ -46,11 +46,8 @@ pub fn regimes() -> Result<Figure> {
     Ok(figure("strip-regimes", 370.0, words, |pen| {
         // The measured band.
         let [low, middle, high] = measured.map(|ratio| LINE.at(ratio));
-        pen.fill(
-            [[low, 128.0], [high, 128.0], [high, 300.0], [low, 300.0]],
-            Muted,
-            0.16,
-        );
+        let corners = [[low, 128.0], [high, 128.0], [high, 300.0], [low, 300.0]];
+        pen.fill(corners, Muted, 0.16);
         pen.line([[middle, 128.0], [middle, 300.0]], muted(AXIS).dashed());
         pen.remark([middle, 122.0], Middle, "measured");
         // Strips end on, to scale, over their mass ratio.

@@ -229,10 +229,8 @@ fn borders() -> Result<[(Vec<Point>, bool); 6]> {
 /// The kinds of nutation on the map of the two momenta.
 pub fn nutations(values: &Values) -> Result<Figure> {
     let globes = globes()?;
-    let drawn = globes
-        .iter()
-        .map(Globe::trace)
-        .collect::<Result<Vec<_>>>()?;
+    let drawn = globes.iter().map(Globe::trace);
+    let drawn = drawn.collect::<Result<Vec<_>>>()?;
     let [slow, fast] = [4, 5].map(|k: usize| globes[k].pace());
     let yours = yours(values);
     let own = yours.trace()?;
@@ -287,19 +285,11 @@ pub fn nutations(values: &Values) -> Result<Figure> {
             pen.line([[x - 5.0, y], [x, y]], ink);
             pen.note([x - 9.0, y + 5.0], End, &number(f64::from(k), 0));
         }
-        pen.text(
-            [place(right, 0.0)[0], ORIGIN[1] + 48.0],
-            End,
-            "*L*_{vert}",
-            label(AngularMomentum),
-        );
+        let spot = [place(right, 0.0)[0], ORIGIN[1] + 48.0];
+        pen.text(spot, End, "*L*_{vert}", label(AngularMomentum));
         let [x, y] = place(0.0, top);
-        pen.text(
-            [x + 9.0, y + 10.0],
-            Start,
-            "*L*_{3}",
-            label(AngularMomentum),
-        );
+        let spot = [x + 9.0, y + 10.0];
+        pen.text(spot, Start, "*L*_{3}", label(AngularMomentum));
         for (k, (points, pole)) in borders.iter().enumerate() {
             let style = match (k, pole) {
                 (_, true) => muted(SECONDARY).dotted(),

@@ -189,10 +189,8 @@ fn axes(pen: &mut Pen) {
     let [left, right, bottom, top] = FRAME;
     pen.line([[left, top], [left, bottom]], ink);
     pen.line([place(0.0, 0.0), place(PI, 0.0)], ink);
-    pen.line(
-        [place(0.5 * PI, SHOWN[0]), place(0.5 * PI, SHOWN[1])],
-        muted(HAIR),
-    );
+    let rule = [place(0.5 * PI, SHOWN[0]), place(0.5 * PI, SHOWN[1])];
+    pen.line(rule, muted(HAIR));
     for rate in [-2.0, 0.0, 2.0, 4.0, 6.0] {
         let [x, y] = place(0.0, rate);
         pen.line([[x - 5.0, y], [x, y]], ink);
@@ -201,11 +199,8 @@ fn axes(pen: &mut Pen) {
     for degrees in [0.0, 30.0, 60.0, 90.0, 120.0, 150.0, 180.0] {
         let x = place(f64::to_radians(degrees), 0.0)[0];
         pen.line([[x, bottom], [x, bottom + 5.0]], ink);
-        pen.note(
-            [x, bottom + 22.0],
-            Middle,
-            &format!("{}°", number(degrees, 0)),
-        );
+        let spot = [x, bottom + 22.0];
+        pen.note(spot, Middle, &format!("{}°", number(degrees, 0)));
     }
     pen.line([[left, bottom], [right, bottom]], ink);
     pen.label([left + 10.0, top + 6.0], Start, "*φ*\u{2032}");

@@ -156,10 +156,8 @@ fn cut(pen: &mut Pen, center: Point, scale: f64, hollow: &[Point], low: f64) {
     pen.fill(hollow, Paper, 1.0);
     pen.outline(hollow, inked(SECONDARY));
     let [x, y] = center;
-    pen.line(
-        [[x, y - scale - 8.0], [x, y + scale + 8.0]],
-        muted(AXIS).dotted(),
-    );
+    let ends = [[x, y - scale - 8.0], [x, y + scale + 8.0]];
+    pen.line(ends, muted(AXIS).dotted());
     for (name, down, aside, anchor) in [("*K*", 0.0, -9.0, End), ("*C*", low, 9.0, Anchor::Start)] {
         let at = [x, y + scale * down];
         pen.dot(at, 3.5);

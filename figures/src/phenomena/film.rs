@@ -47,11 +47,8 @@ pub fn cat_film() -> Result<Figure> {
             let view = View::new(AZIMUTH, ELEVATION, center, SCALE);
             draw(pen, &pieces(&body, state, &view, SCALE));
             let milliseconds = number(1000.0 * fractions[k] * DURATION, 0);
-            pen.remark(
-                [center[0], center[1] + 80.0],
-                Middle,
-                &format!("{milliseconds} ms"),
-            );
+            let spot = [center[0], center[1] + 80.0];
+            pen.remark(spot, Middle, &format!("{milliseconds} ms"));
         }
     }))
 }

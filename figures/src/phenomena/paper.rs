@@ -69,10 +69,8 @@ fn turned([x, y]: Point, center: Point, tilt: f64) -> Point {
 fn sheet(pen: &mut Pen, center: Point, tilt: f64) -> Vec<Point> {
     let mut outline: Vec<Point> = SHEET.to_vec();
     outline.extend([[50.0, -4.0], [-44.0, -4.0], [-48.0, 30.0]]);
-    let outline: Vec<Point> = outline
-        .into_iter()
-        .map(|p| turned(p, center, tilt))
-        .collect();
+    let outline = outline.into_iter().map(|p| turned(p, center, tilt));
+    let outline: Vec<Point> = outline.collect();
     pen.fill(&outline, Ink, 0.1);
     pen.outline(&outline, inked(SECONDARY));
     let push = turned([0.0, -44.0], center, tilt);
@@ -112,11 +110,8 @@ pub fn paper_cat(values: &Values) -> Result<Figure> {
         let mut outline = Vec::new();
         for (tilt, x) in tilts.into_iter().zip([108.0, 312.0, 500.0]) {
             outline = sheet(pen, [x, 132.0], tilt);
-            pen.label(
-                [x, 270.0],
-                Middle,
-                &format!("{}°", number(tilt.to_degrees(), 0)),
-            );
+            let spot = [x, 270.0];
+            pen.label(spot, Middle, &format!("{}°", number(tilt.to_degrees(), 0)));
         }
         outline.extend(outline.first().copied());
         let mut taken = along(&outline, 4.0);

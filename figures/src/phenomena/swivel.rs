@@ -144,10 +144,8 @@ pub fn swivel(values: &Values) -> Result<Figure> {
             if state.lower.abs() > 0.01 {
                 pen.arc_arrow(center, 82.0, FRAC_PI_2, tip, stroke(Omega, DATA));
                 let ahead = polar(center, 82.0, tip);
-                pen.line(
-                    [polar(center, 30.0, tip), ahead],
-                    stroke(Omega, SECONDARY).dotted(),
-                );
+                let ends = [polar(center, 30.0, tip), ahead];
+                pen.line(ends, stroke(Omega, SECONDARY).dotted());
             }
             let text = if name.is_empty() {
                 "at first".to_owned()

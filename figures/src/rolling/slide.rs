@@ -81,10 +81,8 @@ pub fn lines(values: &Values) -> Result<Figure> {
         pen.note([8.0, 16.0], Start, "m/s");
         for (t, text) in x.ticks(75.0) {
             let across = x.at(t);
-            pen.line(
-                [[across, BOTTOM - 3.0], [across, BOTTOM + 3.0]],
-                inked(AXIS),
-            );
+            let rule = [[across, BOTTOM - 3.0], [across, BOTTOM + 3.0]];
+            pen.line(rule, inked(AXIS));
             pen.note([across, BOTTOM + 20.0], Middle, &text);
         }
         pen.note([RIGHT + 24.0, BOTTOM + 20.0], Start, "s");

@@ -87,12 +87,8 @@ pub fn reflections(values: &Values) -> Result<Figure> {
             let ends = [polar(CENTER, MIRROR, angle), polar(CENTER, -MIRROR, angle)];
             pen.line(ends, muted(DATA).dashed());
             let shift = if angle > 0.0 { -4.0 } else { 16.0 };
-            pen.text(
-                [ends[0][0] + 6.0, ends[0][1] + shift],
-                Start,
-                name,
-                label(Muted),
-            );
+            let spot = [ends[0][0] + 6.0, ends[0][1] + shift];
+            pen.text(spot, Start, name, label(Muted));
         }
         for pair in motions.windows(2) {
             let (from, to) = (point(&pair[0]), point(&pair[1]));

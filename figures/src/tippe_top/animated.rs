@@ -45,12 +45,9 @@ pub fn turning_over() -> Result<Figure> {
     let still = figure(NAME, 330.0, words, |pen| {
         table(pen, 18.0, 282.0, CENTER[1] + RADIUS);
         pen.disc(CENTER, RADIUS, Shade, 1.0);
-        FRAME.draw(
-            pen,
-            &marks(&[0.0, 2.0, 4.0, 6.0, 8.0], ""),
-            &marks(&[0.0, 90.0, 180.0], "°"),
-            ["time, s", "tilt"],
-        );
+        let across = marks(&[0.0, 2.0, 4.0, 6.0, 8.0], "");
+        let up = marks(&[0.0, 90.0, 180.0], "°");
+        FRAME.draw(pen, &across, &up, ["time, s", "tilt"]);
         FRAME.curve(pen, tilts(&rows), inked(DATA));
         pen.remark(FRAME.at(0.3, 96.0), Start, "on its side");
         spin_arrow(pen);

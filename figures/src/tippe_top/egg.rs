@@ -95,10 +95,8 @@ pub fn egg_film(values: &Values) -> Result<Figure> {
 fn one(pen: &mut Pen, foot: Point, time: f64, tilt: f64) {
     let (points, low) = outline(tilt);
     let center = [foot[0], foot[1] - low];
-    let moved: Vec<Point> = points
-        .iter()
-        .map(|p| [center[0] + p[0], center[1] + p[1]])
-        .collect();
+    let moved = points.iter().map(|p| [center[0] + p[0], center[1] + p[1]]);
+    let moved: Vec<Point> = moved.collect();
     pen.fill(&moved, Ink, 0.09);
     pen.outline(&moved, inked(1.4));
     let tip = |sign: f64| {
@@ -107,11 +105,8 @@ fn one(pen: &mut Pen, foot: Point, time: f64, tilt: f64) {
     };
     pen.line([tip(1.0), tip(-1.0)], inked(HAIR).alpha(0.7));
     pen.dot(center, 2.8);
-    pen.note(
-        [foot[0], foot[1] + 22.0],
-        Middle,
-        &format!("{}°", number(tilt.to_degrees(), 0)),
-    );
+    let place = [foot[0], foot[1] + 22.0];
+    pen.note(place, Middle, &format!("{}°", number(tilt.to_degrees(), 0)));
     pen.remark([foot[0], foot[1] + 41.0], Middle, &format!("{time:.2} s"));
 }
 

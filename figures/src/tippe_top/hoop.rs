@@ -109,12 +109,8 @@ fn one(pen: &mut Pen, k: Point, alpha: f64, (tilt, torque): (f64, SpaceVector)) 
         [mass[0], mass[1] - 0.86 * RADIUS],
         stroke(AngularMomentum, DATA),
     );
-    pen.text(
-        [mass[0] - 8.0, mass[1] - 0.74 * RADIUS],
-        End,
-        "*L*",
-        label(AngularMomentum),
-    );
+    let place = [mass[0] - 8.0, mass[1] - 0.74 * RADIUS];
+    pen.text(place, End, "*L*", label(AngularMomentum));
     pen.arc(mass, 34.0, FRAC_PI_2 - tilt, FRAC_PI_2, inked(AXIS));
     let half = FRAC_PI_2 - 0.5 * tilt;
     let [x, y] = polar(mass, 46.0, half);
@@ -144,9 +140,6 @@ fn one(pen: &mut Pen, k: Point, alpha: f64, (tilt, torque): (f64, SpaceVector)) 
     pen.disc(foot, 7.5, Ink, 0.18);
     pen.ring(foot, 7.5, inked(1.4));
     pen.dot(foot, 2.2);
-    pen.note(
-        [foot[0], foot[1] + 29.0],
-        Middle,
-        "friction, out of the page",
-    );
+    let place = [foot[0], foot[1] + 29.0];
+    pen.note(place, Middle, "friction, out of the page");
 }

@@ -104,10 +104,8 @@ pub fn effective(values: &Values) -> Result<Figure> {
         let frame = frame(&top);
         let names = ["tilt *θ*", "(*V* − *V* (0))/*MgR*"];
         frame.draw(pen, &marks(&TILTS, "°"), &frame.y.ticks(45.0), names);
-        let right: Vec<f64> = spins
-            .iter()
-            .map(|&spin| frame.y.at(height(&top, spin, PI)))
-            .collect();
+        let right = spins.iter().map(|&spin| frame.y.at(height(&top, spin, PI)));
+        let right: Vec<f64> = right.collect();
         let labels = apart(&right, 18.0, 352.0);
         for (k, &spin) in spins.iter().enumerate() {
             let (width, role) = match spin == chosen {

@@ -83,10 +83,8 @@ pub fn two_pairs_of_axes(values: &Values) -> Result<Figure> {
             .map(f64::sin_cos)
             .map(|(s, c)| [METRE * BELLY[0] * c, METRE * BELLY[1] * s])
             .collect();
-        let placed: Vec<Point> = outline
-            .iter()
-            .map(|p| [MIDDLE[0] + p[0], MIDDLE[1] - p[1]])
-            .collect();
+        let placed = outline.iter().map(|p| [MIDDLE[0] + p[0], MIDDLE[1] - p[1]]);
+        let placed: Vec<Point> = placed.collect();
         pen.fill(&placed, Ink, 0.08);
         pen.outline(&placed, inked(SECONDARY));
         let cross = |pen: &mut Pen, turned: f64, style: Stroke| {
@@ -142,10 +140,8 @@ fn lens(pen: &mut Pen, outline: &[Point], angle: f64, [belly, inertia]: [Stroke;
     pen.dot([MIDDLE[0] + tip, MIDDLE[1]], 3.5);
     pen.ring(center, radius, muted(AXIS));
     let to = [MIDDLE[0] + tip, MIDDLE[1] + 8.0];
-    pen.line(
-        [to, [to[0] - 4.0, center[1] - radius]],
-        muted(AXIS).dotted(),
-    );
+    let ends = [to, [to[0] - 4.0, center[1] - radius]];
+    pen.line(ends, muted(AXIS).dotted());
     let curves = [
         (outline.to_vec(), inked(SECONDARY)),
         (axis(0.0), belly),

@@ -107,10 +107,8 @@ pub fn animated() -> Result<Figure> {
         let middle = 0.5 * (asleep[0] + asleep[asleep.len() - 1]);
         let [x, y] = depth.at(middle, 0.36);
         pen.remark([x, y - 10.0], Middle, "asleep");
-        pen.line(
-            [[HAND[0] - 56.0, HAND[1]], [HAND[0] - 36.0, HAND[1]]],
-            inked(AXIS),
-        );
+        let rule = [[HAND[0] - 56.0, HAND[1]], [HAND[0] - 36.0, HAND[1]]];
+        pen.line(rule, inked(AXIS));
         pen.text([HAND[0] - 60.0, HAND[1] + 5.0], End, "hand", label(Muted));
     });
     let picture = pictures.len() / 2;

@@ -107,11 +107,8 @@ impl Orbit {
         };
         let (from, to) = (view.project(from), view.project(to));
         let length = distance(to, from);
-        pen.arrow(
-            between(to, from, 9.0 / length),
-            to,
-            stroke(AngularMomentum, width),
-        );
+        let style = stroke(AngularMomentum, width);
+        pen.arrow(between(to, from, 9.0 / length), to, style);
     }
 }
 

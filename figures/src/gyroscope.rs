@@ -70,9 +70,8 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
         let state = top.at(time)?;
         Ok(state.attitude.to_space(state.angular_momentum).components())
     };
-    let path = spaced([0.0, TAU / rate], 180)
-        .map(momentum)
-        .collect::<Result<Vec<_>>>()?;
+    let path = spaced([0.0, TAU / rate], 180).map(momentum);
+    let path = path.collect::<Result<Vec<_>>>()?;
     let [now, later] = [path[0], momentum(STEP)?];
     let percent = 1e2 * (rate / law - 1.0);
     let level = percent.abs() < 5e-4;
@@ -123,11 +122,8 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
         pen.line([at(&foot), at(&origin)], inked(DATA));
         pen.line(&circle, muted(AXIS).dotted());
         pen.line([at(&origin), at(&(axle * HOLD))], inked(SECONDARY));
-        pen.arrow(
-            at(&origin),
-            at(&tips[1]),
-            stroke(AngularMomentum, DATA).alpha(0.5),
-        );
+        let style = stroke(AngularMomentum, DATA).alpha(0.5);
+        pen.arrow(at(&origin), at(&tips[1]), style);
         pen.fill(&rim, Ink, 0.14);
         pen.outline(&rim, inked(SECONDARY));
         for k in 0..3 {
@@ -141,11 +137,8 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
         pen.arrow(at(&hub), at(&down), inked(DATA));
         let pushed = tips[0] + torque * STEP * LENGTH;
         pen.arrow(at(&tips[0]), at(&pushed), stroke(Torque, 2.6));
-        pen.arrow(
-            at(&tips[0]),
-            at(&tips[1]),
-            stroke(AngularMomentum, DATA).dashed(),
-        );
+        let style = stroke(AngularMomentum, DATA).dashed();
+        pen.arrow(at(&tips[0]), at(&tips[1]), style);
         pen.dot(at(&origin), 4.0);
 
         // Each name near its point, in this direction if there is room.

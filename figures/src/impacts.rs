@@ -150,14 +150,10 @@ fn glass(pen: &mut Pen, exact: Point, rough: Point) {
         .into_iter()
         .find(|times| times * apart < 50.0)
         .unwrap_or(1.0);
-    pen.ring(
-        exact,
-        (GLASS_RADIUS / magnified + 3.0).min(14.0),
-        inked(AXIS),
-    );
+    let rim = (GLASS_RADIUS / magnified + 3.0).min(14.0);
+    pen.ring(exact, rim, inked(AXIS));
     let (dx, dy) = (GLASS[0] - exact[0], GLASS[1] - exact[1]);
     let way = dy.atan2(dx);
-    let rim = (GLASS_RADIUS / magnified + 3.0).min(14.0);
     let start = [exact[0] + rim * way.cos(), exact[1] + rim * way.sin()];
     let stop = [
         GLASS[0] - GLASS_RADIUS * way.cos(),

@@ -93,10 +93,8 @@ pub fn circle(values: &Values) -> Result<Figure> {
     let mut angles: Vec<f64> = hers.iter().map(|p| p[1][1].atan2(p[1][0])).collect();
     angles.sort_by(f64::total_cmp);
     let round = angles[0] + core::f64::consts::TAU - angles[angles.len() - 1];
-    let open = angles
-        .windows(2)
-        .map(|pair| pair[1] - pair[0])
-        .fold(round, f64::max);
+    let open = angles.windows(2).map(|pair| pair[1] - pair[0]);
+    let open = open.fold(round, f64::max);
     let named = short(ratio, 2);
     let [low, high] = [least, greatest].map(|radius| number(radius, 2));
     let (told, ring) = if greatest - least > 1e-3 * greatest {
@@ -130,10 +128,8 @@ pub fn circle(values: &Values) -> Result<Figure> {
 
     let made = figure("kovalevskaya-circle", 246.0, words, |pen| {
         // Each fills its panel: the scribble is wider to the left than to the right.
-        let reach = hers
-            .iter()
-            .map(|p| p[0][0].hypot(p[0][1]))
-            .fold(0.0, f64::max);
+        let reach = hers.iter().map(|p| p[0][0].hypot(p[0][1]));
+        let reach = reach.fold(0.0, f64::max);
         let panels = [100.0, 300.0, 500.0];
         let place = |x: f64, reach: f64| {
             let scale = PANEL / reach;
@@ -156,9 +152,8 @@ pub fn circle(values: &Values) -> Result<Figure> {
         }
         let path = hers.iter().map(|p| scribble(p[0]));
         pen.line(path, stroke(Omega, AXIS).alpha(0.8));
-        let ring = (0..=360)
-            .map(|n| f64::from(n).to_radians().sin_cos())
-            .map(|(sine, cosine)| smear([k * cosine, k * sine]));
+        let ring = (0..=360).map(|n| f64::from(n).to_radians().sin_cos());
+        let ring = ring.map(|(sine, cosine)| smear([k * cosine, k * sine]));
         let path = hers.iter().map(|p| circle(p[1]));
         pen.line(path, inked(DATA));
         let path = wandering.iter().map(|p| smear(*p));
@@ -338,11 +333,8 @@ pub fn classes(values: &Values) -> Result<Figure> {
             (diagram.shared_lower(greatest), "*e*_{5}"),
         ];
         let own = ends.into_iter().flatten().map(|h| (h, "cubic"));
-        let named: Vec<(f64, &str)> = shared
-            .into_iter()
-            .chain(own)
-            .filter(|(h, _)| inside(&[greatest, *h]))
-            .collect();
+        let named = shared.into_iter().chain(own);
+        let named: Vec<(f64, &str)> = named.filter(|(h, _)| inside(&[greatest, *h])).collect();
         let heights = named.iter().map(|(h, _)| place([greatest, *h])[1]);
         let heights: Vec<f64> = heights.collect();
         for ((_, text), y) in named.iter().zip(apart(&heights, 18.0, 258.0)) {

@@ -392,9 +392,8 @@ fn corners(points: &[Point]) -> Vec<Point> {
     let drawn = points
         .iter()
         .filter(|[price, error]| *price > 0.0 && error.is_finite());
-    let mut points: Vec<Point> = drawn
-        .map(|&[price, error]| [price, error.max(1e-17)])
-        .collect();
+    let points = drawn.map(|&[price, error]| [price, error.max(1e-17)]);
+    let mut points: Vec<Point> = points.collect();
     points.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let mut best = f64::INFINITY;
     points.retain(|point| {

@@ -164,11 +164,8 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
                 if !well_inside(inside, [a, r, b]) {
                     continue;
                 }
-                pen.arrow(
-                    inside,
-                    [on[0] - outward[0], on[1] - outward[1]],
-                    inked(HAIR).alpha(0.55),
-                );
+                let style = inked(HAIR).alpha(0.55);
+                pen.arrow(inside, [on[0] - outward[0], on[1] - outward[1]], style);
             }
         }
 

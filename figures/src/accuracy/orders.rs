@@ -37,11 +37,8 @@ pub fn orders() -> Result<Figure> {
     for (name, _, before, ..) in METHODS {
         let rows = swept(&turn, name, 40_000)?;
         let line = points(&rows, |row| row.steps as f64);
-        let line: Vec<Point> = line
-            .into_iter()
-            .filter(|p| p[0] < 4000.0 && p[1] > 3e-16)
-            .map(|[x, y]| frame.at(x, y.max(1e-16)))
-            .collect();
+        let line = line.into_iter().filter(|p| p[0] < 4000.0 && p[1] > 3e-16);
+        let line: Vec<Point> = line.map(|[x, y]| frame.at(x, y.max(1e-16))).collect();
         let slope = measured_order(&rows).unwrap_or(f64::NAN);
         slopes.push(format!("{name} {}", number(slope, 2)));
         lines.push((line, format!("{before}{}", number(slope, 2))));

@@ -117,11 +117,8 @@ pub fn two_axes(values: &Values) -> Result<Figure> {
             pen.dot(view.project(day), 3.0);
         }
         let tip = view.project(&(Vector::z() * BEYOND));
-        pen.arrow(
-            view.project(&Vector::z()),
-            tip,
-            stroke(AngularMomentum, 2.0),
-        );
+        let style = stroke(AngularMomentum, 2.0);
+        pen.arrow(view.project(&Vector::z()), tip, style);
         let place = [tip[0] + 14.0, tip[1] + 12.0];
         pen.text(place, Start, "*L*", label(AngularMomentum));
         // Leaders go to what is nearest.

@@ -99,9 +99,8 @@ impl Course {
             let time = Some(0.5 * top.period()).filter(|time| time.is_finite());
             Ok([exponent, time.unwrap_or_default()])
         };
-        let line = (0..=DECADES)
-            .map(|k| time(f64::from(k)))
-            .collect::<Result<Vec<_>>>()?;
+        let line = (0..=DECADES).map(|k| time(f64::from(k)));
+        let line = line.collect::<Result<Vec<_>>>()?;
         Ok(Self {
             moments,
             spin,
@@ -120,11 +119,8 @@ impl Course {
 
     fn frame(&self) -> Frame {
         let [left, right, bottom, top] = FRAME;
-        Frame::linear(
-            [0.0, f64::from(DECADES)],
-            [0.0, self.longest],
-            [left, right, bottom, top],
-        )
+        let places = [left, right, bottom, top];
+        Frame::linear([0.0, f64::from(DECADES)], [0.0, self.longest], places)
     }
 
     fn axes(&self, pen: &mut Pen) {
@@ -160,10 +156,8 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
     let others = if measured { peers(PEERS) } else { Vec::new() };
     let (stubborn, silent): (Vec<Peer>, Vec<Peer>) = others.into_iter().partition(Peer::goes_on);
     let end = silent.iter().filter_map(|peer| peer.answers.last()).next();
-    let longest = stubborn
-        .iter()
-        .flat_map(|peer| &peer.answers)
-        .fold(0.0, |most: f64, answer| most.max(answer[1]));
+    let longest = stubborn.iter().flat_map(|peer| &peer.answers);
+    let longest = longest.fold(0.0, |most: f64, answer| most.max(answer[1]));
     let (others_give_up, others_measured, others_seen) = match measured {
         true => (
             "; the usual formulas give up half-way",

@@ -119,10 +119,8 @@ pub struct Parts {
 /// The racket.
 pub fn parts() -> Parts {
     let [a, b] = HEAD;
-    let head = (0..72)
-        .map(|k| (TAU * f64::from(k) / 72.0).sin_cos())
-        .map(|(s, c)| [MIDDLE + a * c, b * s])
-        .collect();
+    let head = (0..72).map(|k| (TAU * f64::from(k) / 72.0).sin_cos());
+    let head = head.map(|(s, c)| [MIDDLE + a * c, b * s]).collect();
     // Where the throat leaves the head.
     let leave = MIDDLE - a * (1.0 - (SHOULDER / b).powi(2)).sqrt();
     let throat = [1.0, -1.0].map(|side| {

@@ -171,9 +171,8 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
         }
     });
     let columns = "time (days) | angle about the axis of figure (°)";
-    let dots = (0..)
-        .map(|k| STEP * f64::from(k))
-        .take_while(|day| *day <= days);
+    let dots = (0..).map(|k| STEP * f64::from(k));
+    let dots = dots.take_while(|day| *day <= days);
     let row = |lane: &Lane| {
         let rate = lane.rate;
         dots.clone()

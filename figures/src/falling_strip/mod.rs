@@ -95,9 +95,8 @@ pub fn paths() -> Result<Figure> {
 
 /// Rotation rate of strips of paper against their width. Fifty long runs: it stays as the book has it.
 pub fn rate() -> Result<Figure> {
-    let widths: Vec<f64> = (0..48)
-        .map(|k| 0.5 * 36_f64.powf(f64::from(k) / 47.0))
-        .collect();
+    let widths = (0..48).map(|k| 0.5 * 36_f64.powf(f64::from(k) / 47.0));
+    let widths: Vec<f64> = widths.collect();
     let sheets = widths.iter().map(|w| Sheet::of_paper(w / 100.0));
     let sheets: Vec<Sheet> = sheets.collect::<Result<_>>()?;
     let ratios: Vec<f64> = sheets.iter().map(Sheet::mass_ratio).collect();

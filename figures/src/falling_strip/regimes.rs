@@ -17,9 +17,8 @@ const CENTIMETRE: f64 = 3.0;
 
 /// Regimes against the mass ratio, for both sets of coefficients and for paper. Three hundred long runs: it stays as the book has it.
 pub fn regimes() -> Result<Figure> {
-    let ratios: Vec<f64> = (0..=150)
-        .map(|k| 0.25 * 48_f64.powf(f64::from(k) / 150.0))
-        .collect();
+    let ratios = (0..=150).map(|k| 0.25 * 48_f64.powf(f64::from(k) / 150.0));
+    let ratios: Vec<f64> = ratios.collect();
     let sets = [Coefficients::PAPER, Coefficients::PUBLISHED];
     let [paper, published] = sets.map(|set| scan(&ratios, set));
     let rows = [paper?, published?];

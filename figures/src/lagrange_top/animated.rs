@@ -110,9 +110,8 @@ impl Loop {
             let [front, _] = view.halves(&latitude(h, r, 180));
             pen.lines(front, inked(HAIR).alpha(0.5));
         }
-        let path = spaced([0.0, self.time], 900)
-            .map(|t| nose(&self.top, t))
-            .collect::<Result<Vec<_>>>()?;
+        let path = spaced([0.0, self.time], 900).map(|t| nose(&self.top, t));
+        let path = path.collect::<Result<Vec<_>>>()?;
         let [front, back] = view.halves(&path);
         pen.lines(back, inked(AXIS).alpha(0.5));
         pen.lines(front, inked(DATA).alpha(0.85));

@@ -85,9 +85,8 @@ impl Globe {
         };
         // A top that falls from the upright position takes for ever.
         let time = if time.is_finite() { time } else { 20.0 };
-        let points = spaced([0.0, time], 600)
-            .map(|t| Ok((t, nose(&top, t)?)))
-            .collect::<Result<Vec<_>>>()?;
+        let points = spaced([0.0, time], 600).map(|t| Ok((t, nose(&top, t)?)));
+        let points = points.collect::<Result<Vec<_>>>()?;
         let turned = top.precession_per_nutation().unwrap_or_default() * self.cycles;
         Ok(Trace {
             points,

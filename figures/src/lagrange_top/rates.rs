@@ -118,10 +118,8 @@ pub fn precession_rates(values: &Values) -> Result<Figure> {
         false => "none".to_owned(),
     };
     let degrees = number(height.acos().to_degrees(), 0);
-    let latest = slow
-        .iter()
-        .map(|(_, end)| end.to_degrees())
-        .fold(0.0, f64::max);
+    let latest = slow.iter().map(|(_, end)| end.to_degrees());
+    let latest = latest.fold(0.0, f64::max);
     let branches = match told[..] {
         [] => "All of them reach the upright axis.".to_owned(),
         _ => format!(

@@ -80,9 +80,8 @@ pub fn let_go(values: &Values) -> Result<Figure> {
 
 fn drawn(name: &'static str, values: &Values, words: Words, path: bool) -> Result<Figure> {
     let (top, view) = (launched(values)?, view());
-    let noses = spaced([0.0, SHOWN], 2000)
-        .map(|t| nose(&top, t))
-        .collect::<Result<Vec<_>>>()?;
+    let noses = spaced([0.0, SHOWN], 2000).map(|t| nose(&top, t));
+    let noses = noses.collect::<Result<Vec<_>>>()?;
     let held = noses[0];
     let roots = top.roots();
     let made = figure(name, 392.0, words, |pen| {

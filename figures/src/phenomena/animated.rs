@@ -25,9 +25,8 @@ const LOOP: f64 = 4.2;
 
 /// A cat that falls and falls.
 pub fn cat_animated() -> Result<Figure> {
-    let fractions: Vec<f64> = (0..PICTURES)
-        .map(|k| k as f64 / (PICTURES - 1) as f64)
-        .collect();
+    let fractions = (0..PICTURES).map(|k| k as f64 / (PICTURES - 1) as f64);
+    let fractions: Vec<f64> = fractions.collect();
     let states = turnover(&fractions)?;
     let turn = turned(&states[PICTURES - 1]).to_degrees();
     let forward = number(FORWARD.to_degrees(), 0);

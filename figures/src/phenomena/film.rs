@@ -121,9 +121,8 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
             let text = format!("{}°", number(back, 0));
             pen.note([x, BOTTOM + 22.0], Middle, &text);
         }
-        let turns = (0..=4)
-            .map(|k| 60.0 * f64::from(k))
-            .filter(|turn| *turn >= low);
+        let turns = (0..=4).map(|k| 60.0 * f64::from(k));
+        let turns = turns.filter(|turn| *turn >= low);
         for turn in turns {
             let y = y.at(turn);
             pen.line([[LEFT - 5.0, y], [LEFT, y]], axis);

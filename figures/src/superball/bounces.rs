@@ -113,10 +113,8 @@ pub fn reflections(values: &Values) -> Result<Figure> {
         let beside = [34.0, -34.0, 52.0, -52.0, 80.0].map(|x| [CENTER[0] + x, 15.0]);
         pen.name(beside, "√κ *R*\u{03a9}", label(Omega));
     });
-    let rows = motions
-        .iter()
-        .enumerate()
-        .map(|(n, m)| [n as f64, m.velocity, m.rim_speed]);
+    let rows = motions.iter().enumerate();
+    let rows = rows.map(|(n, m)| [n as f64, m.velocity, m.rim_speed]);
     Ok(made.data("ball", "bounces | velocity (V) | rim speed (V)", rows))
 }
 
@@ -243,10 +241,8 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
     let hollow = number(-motions[2][2].velocity, 3);
     let mut made = made.value("threshold", threshold).value("hollow", hollow);
     for (of, name) in motions.iter().zip(&names) {
-        let rows = of
-            .iter()
-            .zip([1.0, 2.0, 3.0])
-            .map(|(m, n)| [n, m.velocity, m.rim_speed]);
+        let rows = of.iter().zip([1.0, 2.0, 3.0]);
+        let rows = rows.map(|(m, n)| [n, m.velocity, m.rim_speed]);
         let columns = "bounces | velocity (V) | rim speed (V)";
         made = made.data(format!("κ = {name}"), columns, rows);
     }

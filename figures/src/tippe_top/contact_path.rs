@@ -21,10 +21,8 @@ pub fn path(values: &Values) -> Result<Figure> {
     // Four fifths of the time that the estimate allows.
     let end = 1.25 * (spin / 200.0) / (3.0 * mu);
     let rows = run(&toy_scene(alpha, spin, mu)?, end, 4000, 1e-3)?;
-    let aloft = rows
-        .iter()
-        .filter(|row| row.1.support == Support::Airborne)
-        .count();
+    let aloft = rows.iter().filter(|row| row.1.support == Support::Airborne);
+    let aloft = aloft.count();
     // The contact lies opposite to the vertical, seen from K in the body's axes.
     let path: Vec<Vector> = rows.iter().map(|(_, s)| -s.up().components()).collect();
     let turns: f64 = path

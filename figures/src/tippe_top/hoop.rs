@@ -104,11 +104,8 @@ fn one(pen: &mut Pen, k: Point, alpha: f64, (tilt, torque): (f64, SpaceVector)) 
     pen.line([along(-RADIUS), along(reach)], inked(AXIS).dotted());
     let top = k[1] - 1.22 * RADIUS;
     pen.line([[mass[0], mass[1]], [mass[0], top + 30.0]], muted(HAIR));
-    pen.arrow(
-        mass,
-        [mass[0], mass[1] - 0.86 * RADIUS],
-        stroke(AngularMomentum, DATA),
-    );
+    let style = stroke(AngularMomentum, DATA);
+    pen.arrow(mass, [mass[0], mass[1] - 0.86 * RADIUS], style);
     let place = [mass[0] - 8.0, mass[1] - 0.74 * RADIUS];
     pen.text(place, End, "*L*", label(AngularMomentum));
     pen.arc(mass, 34.0, FRAC_PI_2 - tilt, FRAC_PI_2, inked(AXIS));

@@ -29,18 +29,13 @@ fn height(top: &TippeTop, spin: f64, tilt: f64) -> f64 {
 /// The diagram: from the deepest place of the fastest top to the highest of the slowest.
 fn frame(top: &TippeTop) -> Frame {
     let steps = || spaced([0.0, PI], 60);
-    let low = steps()
-        .map(|tilt| height(top, SPINS[3], tilt))
-        .fold(0.0, f64::min);
-    let high = steps()
-        .map(|tilt| height(top, SPINS[0], tilt))
-        .fold(0.0, f64::max);
+    let low = steps().map(|tilt| height(top, SPINS[3], tilt));
+    let low = low.fold(0.0, f64::min);
+    let high = steps().map(|tilt| height(top, SPINS[0], tilt));
+    let high = high.fold(0.0, f64::max);
     let room = 0.06 * (high - low);
-    Frame::linear(
-        [0.0, 180.0],
-        [low - room, high + room],
-        [58.0, 500.0, 352.0, 36.0],
-    )
+    let places = [58.0, 500.0, 352.0, 36.0];
+    Frame::linear([0.0, 180.0], [low - room, high + room], places)
 }
 
 /// Where the heavy curve ends.

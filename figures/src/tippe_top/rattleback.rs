@@ -78,11 +78,8 @@ pub fn reversals(values: &Values) -> Result<Figure> {
         Some(time) => format!("at {time:.2} s"),
         None => "not within the picture".to_owned(),
     });
-    let greatest = quick
-        .iter()
-        .chain(&slow)
-        .map(|(_, s)| s.spin().abs())
-        .fold(spin, f64::max);
+    let greatest = quick.iter().chain(&slow).map(|(_, s)| s.spin().abs());
+    let greatest = greatest.fold(spin, f64::max);
     let [spun, askew] = numbers([spin, tilt], 1);
     let [wrong, right] = &told;
     let words = words!(
@@ -93,11 +90,8 @@ pub fn reversals(values: &Values) -> Result<Figure> {
          {right}."
     );
     let made = figure("rattleback", 372.0, words, |pen| {
-        let frame = Frame::linear(
-            [0.0, END],
-            [-1.3 * greatest, 1.3 * greatest],
-            [58.0, 572.0, 322.0, 34.0],
-        );
+        let places = [58.0, 572.0, 322.0, 34.0];
+        let frame = Frame::linear([0.0, END], [-1.3 * greatest, 1.3 * greatest], places);
         frame.draw_round(pen, ["time, s", "spin, rad/s"]);
         pen.line([frame.at(0.0, 0.0), frame.at(END, 0.0)], inked(AXIS));
         for (rows, role) in [(&slow, Muted), (&quick, Ink)] {

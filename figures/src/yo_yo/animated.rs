@@ -86,20 +86,13 @@ pub fn animated() -> Result<Figure> {
          plateau, the sleep, and returns; the spin rises on the way down, declines slowly in the sleep, drops a little at the jerk, and declines on the way up, \
          without ever changing its sense. Without motion: the yo-yo asleep."
     );
-    let asleep: Vec<f64> = pictures
-        .iter()
-        .filter(|p| p.1.phase == Phase::Asleep)
-        .map(|p| p.0)
-        .collect();
+    let asleep = pictures.iter().filter(|p| p.1.phase == Phase::Asleep);
+    let asleep: Vec<f64> = asleep.map(|p| p.0).collect();
     let still = figure(NAME, 420.0, words, |pen| {
         let seconds = marks(&[0.0, 0.25, 0.5, 0.75], "");
         depth.draw(pen, &[], &marks(&[0.0, 0.36], ""), ["", "depth, m"]);
-        spin.draw(
-            pen,
-            &seconds,
-            &marks(&[0.0, 200.0, 300.0], ""),
-            ["time, s", "spin, rad/s"],
-        );
+        let y_ticks = marks(&[0.0, 200.0, 300.0], "");
+        spin.draw(pen, &seconds, &y_ticks, ["time, s", "spin, rad/s"]);
         let line: Vec<Point> = pictures.iter().map(|p| depth.at(p.0, p.1.depth)).collect();
         pen.line(&line, inked(DATA));
         let line: Vec<Point> = pictures.iter().map(|p| spin.at(p.0, p.1.omega)).collect();

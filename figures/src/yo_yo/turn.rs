@@ -26,9 +26,8 @@ pub fn turn(values: &Values) -> Result<Figure> {
         let time = share * turn.duration;
         Ok((time, turn.at(time)?))
     };
-    let pictures = (0..5)
-        .map(|k| at(f64::from(k) / 4.0))
-        .collect::<Result<Vec<_>>>()?;
+    let pictures = (0..5).map(|k| at(f64::from(k) / 4.0));
+    let pictures = pictures.collect::<Result<Vec<_>>>()?;
     let peak = pictures[2].1.tension;
     let told = pictures.iter().map(|(_, s)| number(s.tension / weight, 1));
     let pulls: Vec<String> = told.collect();
@@ -62,13 +61,8 @@ pub fn turn(values: &Values) -> Result<Figure> {
             let velocity = [center[0] - speed * sin, center[1] + speed * cos];
             pen.arrow(center, velocity, inked(SECONDARY));
             let around = [0.9, -0.7].map(|turned| turned - state.angle);
-            pen.arc_arrow(
-                center,
-                0.8 * radius,
-                around[0],
-                around[1],
-                stroke(Omega, DATA),
-            );
+            let style = stroke(Omega, DATA);
+            pen.arc_arrow(center, 0.8 * radius, around[0], around[1], style);
             let row = |pen: &mut crate::style::Pen, y: f64, text: &str, role| {
                 let at: Point = [64.0 + 118.0 * k as f64, y];
                 pen.text(at, Middle, text, small(role));

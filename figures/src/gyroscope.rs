@@ -77,15 +77,11 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
     let level = percent.abs() < 5e-4;
     let beside = match level {
         true => "exactly Mgℓ/L₃".to_owned(),
-        false => format!(
-            "{} per cent {} Mgℓ/L₃",
-            number(percent.abs(), 3),
-            if percent > 0.0 {
-                "more than"
-            } else {
-                "less than"
-            }
-        ),
+        false => {
+            let than = if percent > 0.0 { "more" } else { "less" };
+            let percent = number(percent.abs(), 3);
+            format!("{percent} per cent {than} than Mgℓ/L₃")
+        }
     };
     let (pace, round) = (number(rate, 3), number(TAU / rate, 2));
     let (spun, lean) = (short(turns, 1), short(values.of(&TILT), 1));

@@ -151,11 +151,9 @@ fn panel(pen: &mut Pen, corner: Point, title: &[String], steps: &[Comparison]) -
         ((|step| step.textbook) as fn(&Comparison) -> f64, TEXTBOOK),
         (|step| step.ours, OURS),
     ] {
-        let line: Vec<Point> = steps
-            .iter()
-            .filter(|step| (1e-16..=1.0).contains(&step.nearness))
-            .map(|step| frame.at(step.nearness, shown(error(step))))
-            .collect();
+        let place = |step: &Comparison| frame.at(step.nearness, shown(error(step)));
+        let known = |step: &&Comparison| (1e-16..=1.0).contains(&step.nearness);
+        let line: Vec<Point> = steps.iter().filter(known).map(place).collect();
         beaded(pen, &line, stroke(role, DATA));
     }
     frame

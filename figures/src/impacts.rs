@@ -44,12 +44,8 @@ pub fn meteorite(values: &Values) -> Result<Figure> {
     let miss = 100.0 * (rough - after).norm() / (after - before).norm();
 
     let triple = |v: BodyVector| {
-        format!(
-            "({}, {}, {})",
-            number(v.x(), 3),
-            number(v.y(), 3),
-            number(v.z(), 3)
-        )
+        let [x, y, z] = numbers(v.components().into(), 3);
+        format!("({x}, {y}, {z})")
     };
     let ascii = |text: String| text.replace('\u{2212}', "-");
     let claim = match hit.tilt()?.to_degrees() >= 10.0 {

@@ -197,15 +197,13 @@ pub fn bands(values: &Values) -> Result<Figure> {
 
     let moving = low.zip(high).zip(turn).zip(top.frequencies());
     let told = match moving {
-        Some((((low, high), turn), [first, second])) => format!(
-            "$s_1$ swings between {} and {}, {} times a second; $s_2$ comes from infinitely far below, turns at {} and goes back, {} times a second. Their ratio is {}.",
-            number(low, 3),
-            number(high, 3),
-            number(first, 4),
-            number(turn, 3),
-            number(second, 4),
-            number(first / second, 3)
-        ),
+        Some((((low, high), turn), [first, second])) => {
+            let [low, high, turn, ratio] = numbers([low, high, turn, first / second], 3);
+            let [first, second] = numbers([first, second], 4);
+            format!(
+                "$s_1$ swings between {low} and {high}, {first} times a second; $s_2$ comes from infinitely far below, turns at {turn} and goes back, {second} times a second. Their ratio is {ratio}."
+            )
+        }
         None => "Two roots meet, and the two quantities do not swing.".to_owned(),
     };
     let claim = match moving {

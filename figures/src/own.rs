@@ -54,10 +54,9 @@ impl Quantity {
         let values: Vec<f64> = self.values.iter().map(|value| value - origin).collect();
         let [low, high] = extent(&values);
         let power = low.abs().max(high.abs()).log10().floor();
-        let power = if (-3.0..5.0).contains(&power) || !power.is_finite() {
-            0.0
-        } else {
-            power
+        let power = match (-3.0..5.0).contains(&power) || !power.is_finite() {
+            true => 0.0,
+            false => power,
         };
         let values = values.iter().map(|value| value / 10_f64.powf(power));
         let values: Vec<f64> = values.collect();
@@ -103,12 +102,8 @@ pub fn diagram(title: &str, panels: &[[Quantity; 2]]) -> Figure {
     let told = |[_, y]: &[Quantity; 2]| {
         let [low, high] = extent(&y.values);
         let unit = if y.unit == "1" { "" } else { y.unit };
-        format!(
-            "{} goes from {} to {} {unit}",
-            y.name,
-            short(low),
-            short(high)
-        )
+        let [low, high] = [low, high].map(short);
+        format!("{} goes from {low} to {high} {unit}", y.name)
     };
     let told: Vec<String> = panels.iter().map(told).collect();
     let details = format!("{}.", told.join("; ").replace(" ;", ";").trim_end());
@@ -175,11 +170,8 @@ pub fn diagram(title: &str, panels: &[[Quantity; 2]]) -> Figure {
     });
     panels.iter().fold(made, |made, [x, y]| {
         let rows = x.values.iter().zip(&y.values).map(|(&x, &y)| vec![x, y]);
-        made.data(
-            format!("{} against {}", y.name, x.name),
-            "across | up",
-            rows,
-        )
+        let name = format!("{} against {}", y.name, x.name);
+        made.data(name, "across | up", rows)
     })
 }
 

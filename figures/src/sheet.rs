@@ -132,16 +132,11 @@ pub fn speeds(values: &Values) -> Result<Figure> {
             }
         }
         pen.note([x(until), bottom + 20.0], End, "ms");
-        let velocity: Vec<_> = corners
-            .iter()
-            .map(|&t| [x(t), upper(course.at(t).velocity)])
-            .collect();
-        let rim: Vec<_> = corners
-            .iter()
-            .map(|&t| [x(t), upper(course.at(t).rim_speed)])
-            .collect();
-        pen.line(&velocity, inked(2.6));
-        pen.line(&rim, stroke(Omega, 2.6));
+        let moments = || corners.iter().map(|&t| (x(t), course.at(t)));
+        let velocity = moments().map(|(x, m)| [x, upper(m.velocity)]);
+        let rim = moments().map(|(x, m)| [x, upper(m.rim_speed)]);
+        pen.line(velocity, inked(2.6));
+        pen.line(rim, stroke(Omega, 2.6));
         // Beside the longer of the two slopes.
         let after = stops - leaves > leaves;
         let (from, to, anchor) = match after {

@@ -94,29 +94,22 @@ pub fn three_tugs(values: &Values) -> Result<Figure> {
     ];
     let named = angles.map(degrees);
     let [low, _, steep] = angles.map(|angle| spool.way(angle));
-    let (low, steep) = (low?, steep?);
-    let claim = match (low, steep) {
+    let ways = (low?, steep?);
+    let [first, second, third] = &named;
+    let [low, steep] = [ways.0, ways.1].map(told);
+    let claim = match ways {
         (Way::WindsUp, Way::PaysOut) => {
             "The line of force decides: above the point of contact the spool comes, below it the spool goes."
                 .to_owned()
         }
         _ if low == steep => format!(
-            "Tugs at {} and {} pull on the same side of the point of contact: both times the spool {}.",
-            named[0],
-            named[2],
-            told(low)
+            "Tugs at {first} and {third} pull on the same side of the point of contact: both times the spool {low}."
         ),
         _ => format!(
-            "The line of force decides: at {} the spool {}, at {} it {}.",
-            named[0],
-            told(low),
-            named[2],
-            told(steep)
+            "The line of force decides: at {first} the spool {low}, at {third} it {steep}."
         ),
     };
     let axle = number(values.of(&AXLE), 2);
-    let [first, second, third] = &named;
-    let [low, steep] = [low, steep].map(told);
     let words = words!(
         "{claim}",
         "Axle {axle} of the discs, string leaving from below, tug to the left at {first}, {second} and {third} (the tutorial's pictures f, e \

@@ -179,14 +179,11 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
     } else {
         "does not come back: after three bounces it still goes on"
     };
+    let plain = |text: &str| text.replace('\u{2212}', "-");
     let about_spin = match spin == 0.0 {
         true => "no spin".to_owned(),
-        false => format!(
-            "rim speed ${}\\,V$",
-            short(spin, 2).replace('\u{2212}', "-")
-        ),
+        false => format!("rim speed ${}\\,V$", plain(&short(spin, 2))),
     };
-    let plain = |text: &str| text.replace('\u{2212}', "-");
     let inertia = inline(kappa, fraction_of(kappa));
     let [p1, p2, p3] = [&v1, &v2, &v3].map(|text| plain(text));
     let [s1, s2, s3] = [s1, s2, s3].map(|text| plain(&text));
@@ -293,11 +290,8 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
     let mut from = 0.0;
     for (name, motion) in names.into_iter().zip(motions) {
         let row = [from, motion.velocity, motion.rim_speed];
-        made = made.data(
-            name,
-            "place (flights) | velocity (V) | rim speed (V)",
-            [row],
-        );
+        let columns = "place (flights) | velocity (V) | rim speed (V)";
+        made = made.data(name, columns, [row]);
         from += motion.velocity;
     }
     Ok(made)
@@ -323,9 +317,8 @@ fn velocity_label(pen: &mut Pen, leg: &Leg, text: &str, taken: &mut Vec<Point>) 
             [on[0] + side * (half + RADIUS + 8.0), on[1]]
         })
     };
-    let places = [1.0, 1.3, 1.7, -1.0, -1.3, -1.7]
-        .into_iter()
-        .flat_map(beside);
+    let far = [1.0, 1.3, 1.7, -1.0, -1.3, -1.7];
+    let places = far.into_iter().flat_map(beside);
     let inside = places.filter(|p| (40.0..=560.0).contains(&p[0]) && p[1] > 30.0);
     let at = roomiest(inside, [half, 20.0], taken);
     taken.extend(area(at, [half, 20.0]));

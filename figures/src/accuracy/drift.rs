@@ -69,10 +69,8 @@ pub fn energy_drift() -> Result<Figure> {
         (by_steps(&rotations)?, inked(DATA).dashed(), "rotations-2"),
         (by_steps(&discrete)?, inked(DATA), "moser-veselov-2"),
     ];
-    let last: Vec<f64> = lines
-        .iter()
-        .filter_map(|(line, ..)| line.last().map(|p| p[1]))
-        .collect();
+    let last = lines.iter().filter_map(|(line, ..)| line.last());
+    let last: Vec<f64> = last.map(|p| p[1]).collect();
     let frame = Frame::log([2e3, 1e7], [1e-16, 1e-2], [64.0, 584.0, 332.0, 32.0]);
     let told = |k: usize| format!("${}$", scientific(last[k], 1));
     let [rk4, rotations, discrete] = [0, 1, 2].map(told);

@@ -90,16 +90,11 @@ pub fn precession_rates(values: &Values) -> Result<Figure> {
     }
     let ends = spins.map(|axial| (axial, least_tilt(axial)));
     let slow: Vec<&(f64, f64)> = ends.iter().filter(|(axial, _)| *axial < 2.0).collect();
-    let told: Vec<String> = slow
-        .iter()
-        .map(|(axial, end)| {
-            format!(
-                "{}° for $L_3 = {}$",
-                number(end.to_degrees(), 2),
-                brief(*axial)
-            )
-        })
-        .collect();
+    let told = |(axial, end): &&(f64, f64)| {
+        let (tilt, axial) = (number(end.to_degrees(), 2), brief(*axial));
+        format!("{tilt}° for $L_3 = {axial}$")
+    };
+    let told: Vec<String> = slow.iter().map(told).collect();
     let (claim, meeting) = match told[..] {
         [] => (
             "Spun fast enough, a top can precess slowly or fast at every tilt.",

@@ -85,18 +85,11 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
     let y = Axis::linear([low, 240.0], [BOTTOM, TOP]);
     let needed = |k: usize| curves[k].2.map(|back| number(back, 2));
     let name = |forward: f64| short(forward, 1);
-    let listed: Vec<String> = [1, 2, 4]
-        .map(|k| &curves[k])
-        .into_iter()
-        .filter_map(|(forward, _, back)| Some((forward, (*back)?)))
-        .map(|(forward, back)| {
-            format!(
-                "{}° back after {}° forward",
-                number(back, 2),
-                name(*forward)
-            )
-        })
-        .collect();
+    let told = |k: usize| {
+        let (back, forward) = (needed(k)?, name(curves[k].0));
+        Some(format!("{back}° back after {forward}° forward"))
+    };
+    let listed: Vec<String> = [1, 2, 4].into_iter().filter_map(told).collect();
     let half_turns = match listed.is_empty() {
         true => "None of these bends makes it half a turn".to_owned(),
         false => format!("Half a turn takes {}", listed.join(", ")),
@@ -182,11 +175,8 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
         .value("after-120", needed(4).unwrap_or_default());
     for (forward, points, _) in &curves {
         let columns = "bend backward (°) | turn (°)";
-        made = made.data(
-            format!("{}° forward", name(*forward)),
-            columns,
-            points.clone(),
-        );
+        let curve = format!("{}° forward", name(*forward));
+        made = made.data(curve, columns, points.clone());
     }
     Ok(made)
 }

@@ -46,10 +46,8 @@ pub fn lines(values: &Values) -> Result<Figure> {
             Course::new(kappa, Load::weight(9.81), effects, start, until)
         })
         .collect::<Result<Vec<_>>>()?;
-    let finals: Vec<String> = courses
-        .iter()
-        .map(|course| number(course.at(until).velocity, 2))
-        .collect();
+    let finals = courses.iter().map(|course| course.at(until).velocity);
+    let finals: Vec<String> = finals.map(|pace| number(pace, 2)).collect();
     let [lowest, highest] = [0, 4].map(|k| shots[k].rim_speed);
     let sweet = short(ball.pure_rolling_height(), 2);
     let [factor, rough] = shorts([kappa, mu], 3);
@@ -129,18 +127,15 @@ pub fn lines(values: &Values) -> Result<Figure> {
     });
     let mut made = made;
     for (course, height) in courses.iter().zip(heights) {
-        let corners = core::iter::once(0.0)
-            .chain(course.events.iter().map(|event| event.time))
-            .chain([until]);
+        let events = course.events.iter().map(|event| event.time);
+        let corners = core::iter::once(0.0).chain(events).chain([until]);
         let row = |t: f64| {
             let moment = course.at(t);
             [t, moment.velocity, moment.rim_speed]
         };
-        made = made.data(
-            format!("H = {} R", short(height, 2)),
-            "time (s) | velocity (m/s) | rim speed (m/s)",
-            corners.map(row),
-        );
+        let shot = format!("H = {} R", short(height, 2));
+        let columns = "time (s) | velocity (m/s) | rim speed (m/s)";
+        made = made.data(shot, columns, corners.map(row));
     }
     Ok(made)
 }

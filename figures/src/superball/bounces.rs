@@ -53,11 +53,8 @@ pub fn reflections(values: &Values) -> Result<Figure> {
         format!("{}° from the opposite point", number(missing, 1))
     };
     let plural = if count == 1 { "" } else { "s" };
-    let listed: Vec<String> = angles
-        .iter()
-        .enumerate()
-        .map(|(n, angle)| format!("{n} at {}", number(angle.to_degrees(), 1)))
-        .collect();
+    let told = |(n, angle): (usize, &f64)| format!("{n} at {}", number(angle.to_degrees(), 1));
+    let listed: Vec<String> = angles.iter().enumerate().map(told).collect();
     let (factor, listed) = (short(kappa, 3), listed.join(", "));
     let words = words!(
         "A bounce is a reflection; floor and ceiling have a mirror each.",

@@ -88,11 +88,12 @@ fn moving(rows: &[(f64, State)]) -> String {
     }
     style += &finish::stops(NAME, &format!(".{ball},.{dot}"));
     let (time, state) = &rows[STILL];
-    let cap: String = cap_outline(RADIUS * CANVAS, 0.0)
-        .iter()
-        .enumerate()
-        .map(|(k, p)| format!("{}{:.0} {:.0}", if k == 0 { "M" } else { "L" }, p[0], p[1]))
-        .collect();
+    let step = |(k, [x, y]): (usize, &Point)| match k {
+        0 => format!("M{x:.0} {y:.0}"),
+        _ => format!("L{x:.0} {y:.0}"),
+    };
+    let cap = cap_outline(RADIUS * CANVAS, 0.0);
+    let cap: String = cap.iter().enumerate().map(step).collect();
     let [x, y] = CENTER.map(|c| c * CANVAS);
     let (r, c) = (RADIUS * CANVAS, ALPHA.default * RADIUS * CANVAS);
     let [dx, dy] = FRAME.at(*time, degrees(state)).map(|c| c * CANVAS);

@@ -64,16 +64,11 @@ pub fn egg_film(values: &Values) -> Result<Figure> {
         ),
         _ => "Laid down and spun hard, a boiled egg stands up.".to_owned(),
     };
-    let times: Vec<String> = frames
-        .iter()
-        .map(|(time, tilt)| {
-            format!(
-                "{} degrees at {} s",
-                number(tilt.to_degrees(), 0),
-                number(*time, 2)
-            )
-        })
-        .collect();
+    let told = |(time, tilt): &(f64, f64)| {
+        let (angle, time) = (number(tilt.to_degrees(), 0), number(*time, 2));
+        format!("{angle} degrees at {time} s")
+    };
+    let times: Vec<String> = frames.iter().map(told).collect();
     let times = times.join(", ");
     let words = words!(
         "{claim}",
@@ -141,10 +136,8 @@ pub fn how_far_eggs_rise() -> Result<Figure> {
             if let 10.0 | 14.0 = turns {
                 let [x, y] = frame.at(turns, end);
                 let (points, _) = outline(end.to_radians());
-                let small_egg: Vec<Point> = points
-                    .iter()
-                    .map(|p| [x + 62.0 + 0.62 * p[0], y - 12.0 + 0.62 * p[1]])
-                    .collect();
+                let small = |p: &Point| [x + 62.0 + 0.62 * p[0], y - 12.0 + 0.62 * p[1]];
+                let small_egg: Vec<Point> = points.iter().map(small).collect();
                 pen.fill(&small_egg, Ink, 0.09);
                 pen.outline(&small_egg, inked(DATA * 0.6));
             }

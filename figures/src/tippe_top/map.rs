@@ -35,18 +35,15 @@ pub fn outcomes() -> Result<Figure> {
     let (plus, minus) = (rings(1.0)?, rings(-1.0)?);
     let count = |rings: &[Vec<bool>]| rings.iter().flatten().filter(|x| **x).count();
     let total = TILTS.len() * AZIMUTHS as usize;
-    let by_ring: Vec<String> = plus
+    let told = |(ring, tilt): (&Vec<bool>, f64)| {
+        let (over, tilt) = (ring.iter().filter(|x| **x).count(), number(tilt, 0));
+        format!("{over} of {AZIMUTHS} at {tilt}°")
+    };
+    let some = plus
         .iter()
         .zip(TILTS)
-        .filter(|(ring, _)| ring.iter().any(|x| *x))
-        .map(|(ring, tilt)| {
-            format!(
-                "{} of {AZIMUTHS} at {}°",
-                ring.iter().filter(|x| **x).count(),
-                number(tilt, 0)
-            )
-        })
-        .collect();
+        .filter(|(ring, _)| ring.contains(&true));
+    let by_ring: Vec<String> = some.map(told).collect();
     let [clockwise, other] = [&minus, &plus].map(|rings| count(rings));
     let by_ring = by_ring.join(", ");
     let words = words!(

@@ -177,14 +177,14 @@ enum Shown {
 
 fn scene(root: &Path, asked: usage::Scene) -> Result<()> {
     let file = scene_file(root, asked.file.unwrap_or_default())?;
-    let output = asked.output.as_deref();
+    let output = asked.written.output.as_deref();
     let shown = if asked.film {
         plot::form(output, &[Form::Svg])?;
         Shown::Film
     } else if let Some(stills) = Stills::of(&asked.frames)? {
         Shown::Stills(stills)
     } else if asked.plot.is_empty() {
-        Shown::Rows(Format::of(asked.format, output)?)
+        Shown::Rows(Format::of(asked.written.format, output)?)
     } else {
         Shown::Plot(plot::form(output, &Form::ALL)?)
     };
@@ -218,7 +218,7 @@ fn scene(root: &Path, asked: usage::Scene) -> Result<()> {
 
 fn scan(root: &Path, asked: usage::Scan) -> Result<()> {
     let file = scene_file(root, asked.file)?;
-    let output = asked.output.as_deref();
+    let output = asked.written.output.as_deref();
     let target = || Target::new(output, Some(&file));
     match asked.plot {
         Some(plot) => {
@@ -229,7 +229,7 @@ fn scan(root: &Path, asked: usage::Scan) -> Result<()> {
             target.put(pictures::file(&figure, Copying::of(form))?)
         }
         None => {
-            let format = Format::of(asked.format, output)?;
+            let format = Format::of(asked.written.format, output)?;
             let target = target()?;
             let scan = Scan::new(&file, asked.over, asked.tell)?;
             let (text, ran) = counted(scan.points(), "scenes", |done| scan.run(format, done));

@@ -247,12 +247,8 @@ pub struct Scene {
     /// Form of these pictures; all but svg need a build with `--features book/pictures` [default: svg]
     #[arg(long = "as", value_enum, value_name = "FORM", requires = "frames", conflicts_with_all = ["plot", "film"])]
     pub form: Option<Form>,
-    /// Form of the rows [default: by the ending of the output's name, otherwise csv]
-    #[arg(long, value_enum)]
-    pub format: Option<Format>,
-    /// File to write; without it, standard output
-    #[arg(long, value_name = "FILE")]
-    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub written: Written,
 }
 
 /// Simulates a scene file over a grid of its numbers, on all cores; a line for each point
@@ -271,6 +267,13 @@ pub struct Scan {
     /// Draws one number instead, told as for --tell: a line over one --over, a map over two
     #[arg(long, value_name = "WHAT", conflicts_with_all = ["tell", "format"])]
     pub plot: Option<Tell>,
+    #[command(flatten)]
+    pub written: Written,
+}
+
+// Where the rows or the picture of a scene go, and in which form. A comment of documentation would stand in `--help`.
+#[derive(Debug, Args)]
+pub struct Written {
     /// Form of the rows [default: by the ending of the output's name, otherwise csv]
     #[arg(long, value_enum)]
     pub format: Option<Format>,

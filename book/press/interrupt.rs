@@ -78,10 +78,9 @@ fn unfinished() -> std::sync::MutexGuard<'static, Vec<PathBuf>> {
 fn remove(path: &Path) {
     // Somebody may still be writing into a folder while it is removed.
     for _ in 0..100 {
-        let removed = if path.is_dir() {
-            std::fs::remove_dir_all(path)
-        } else {
-            std::fs::remove_file(path)
+        let removed = match path.is_dir() {
+            true => std::fs::remove_dir_all(path),
+            false => std::fs::remove_file(path),
         };
         if removed.is_ok() || !path.exists() {
             return;

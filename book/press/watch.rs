@@ -58,10 +58,8 @@ pub fn watch(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
         let changed: Vec<PathBuf> = changed.cloned().collect();
         printed = now;
         let name = |file: &Path| {
-            file.strip_prefix(root)
-                .unwrap_or(file)
-                .display()
-                .to_string()
+            let file = file.strip_prefix(root).unwrap_or(file);
+            file.display().to_string()
         };
         let Some(first) = changed.first().map(|file| name(file)) else {
             continue;

@@ -42,12 +42,32 @@ pub struct Entry {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Value {
+pub(crate) enum Value {
     Scalar(f64),
     Vector([f64; 3]),
 }
 
+impl From<f64> for Value {
+    fn from(value: f64) -> Self {
+        Self::Scalar(value)
+    }
+}
+
+impl<Axes> From<FrameVector<Axes>> for Value {
+    fn from(vector: FrameVector<Axes>) -> Self {
+        Self::Vector(vector.components().into())
+    }
+}
+
 impl Value {
+    /// This, if its components are finite.
+    fn checked(self, name: &'static str) -> Result<Self> {
+        for component in self.components() {
+            finite(name, component)?;
+        }
+        Ok(self)
+    }
+
     fn magnitude(self) -> f64 {
         match self {
             Self::Scalar(value) => value.abs(),
@@ -124,10 +144,7 @@ impl Entry {
         if drift > self.drift {
             self.drift = drift;
         }
-        for component in value.components() {
-            finite(self.name, component)?;
-        }
-        Ok(())
+        value.checked(self.name).map(|_| ())
     }
 
     fn violation(&mut self, value: Value) -> f64 {
@@ -258,27 +275,28 @@ impl Ledger {
         name: &'static str,
         first: FrameVector<Axes>,
     ) -> Result<VectorAccount> {
-        let value = vector_value(name, first)?;
+        let value = Value::from(first).checked(name)?;
         let scale = finite(name, value.magnitude())?;
         self.push(name, Law::Conserved, value, scale);
         Ok(VectorAccount(self.entries.len() - 1))
     }
 
-    /// Opens an account for a conserved vector whose relative drift is measured against `scale`: needed when
-    /// the vector is zero, as a falling cat's angular momentum is.
+    /// Opens an account for a scalar or a conserved vector and records all its values. Its drift is measured against a scale; 0 means that any will do.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for `first`, [`Error::NotPositive`] for the scale.
-    pub(crate) fn open_vector_scaled<Axes>(
+    /// [`Error::NotFinite`].
+    pub(crate) fn keep<V: Into<Value>>(
         &mut self,
-        name: &'static str,
-        first: FrameVector<Axes>,
-        scale: f64,
-    ) -> Result<VectorAccount> {
-        let value = vector_value(name, first)?;
-        let scale = positive("the scale of a ledger account", scale)?;
-        self.push(name, Law::Conserved, value, scale);
-        Ok(VectorAccount(self.entries.len() - 1))
+        (name, law, scale): (&'static str, Law, f64),
+        first: V,
+        mut values: impl Iterator<Item = V>,
+    ) -> Result<()> {
+        let first = first.into().checked(name)?;
+        let scale = if scale > 0.0 { scale } else { 1.0 };
+        let scale = finite("the scale of a ledger account", scale)?;
+        self.push(name, law, first, scale);
+        let place = self.entries.len() - 1;
+        values.try_for_each(|value| self.entries[place].book(value.into()))
     }
 
     /// Records a value of a scalar.
@@ -299,7 +317,7 @@ impl Ledger {
     /// ```
     pub fn record(&mut self, account: ScalarAccount, value: f64) -> Result<()> {
         let entry = self.entry_mut(account.0, |v| matches!(v, Value::Scalar(_)))?;
-        entry.book(Value::Scalar(value))
+        entry.book(value.into())
     }
 
     /// Records a value of a conserved vector, along the same axes as the first.
@@ -322,7 +340,7 @@ impl Ledger {
         value: FrameVector<Axes>,
     ) -> Result<()> {
         let entry = self.entry_mut(account.0, |v| matches!(v, Value::Vector(_)))?;
-        entry.book(Value::Vector([value.x(), value.y(), value.z()]))
+        entry.book(value.into())
     }
 
     /// All lines, in the order of opening.
@@ -395,12 +413,4 @@ impl fmt::Display for Ledger {
         }
         Ok(())
     }
-}
-
-fn vector_value<Axes>(name: &'static str, vector: FrameVector<Axes>) -> Result<Value> {
-    let components = [vector.x(), vector.y(), vector.z()];
-    for component in components {
-        finite(name, component)?;
-    }
-    Ok(Value::Vector(components))
 }

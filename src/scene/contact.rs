@@ -31,9 +31,9 @@ use nalgebra::Vector3;
 use super::columns::Columns;
 use super::effects::Effect;
 use super::engine::{self, Answer, Ended, Flow, planned, solved, to_accuracy};
-use super::motion::{Account, ledger};
+use super::motion::Accounts;
 use super::{Budget, Motion, Plan, Request, Scene, Solver, Tabulated};
-use crate::conservation::{Law, Ledger};
+use crate::conservation::Law;
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::integrators::{Cost, Effort, Kept, Leg, Passage, Stop, System};
@@ -164,51 +164,32 @@ impl TableTop {
     }
 
     /// What is conserved, or may only be lost, angular momenta against those at this rate (rad/s).
-    fn ledger(
+    fn accounts(
         &self,
         request: &Request,
         turning: f64,
         start: &State,
         rows: &[State],
-    ) -> Result<Ledger> {
+    ) -> Result<Accounts> {
         let spin = self.body.inertia().matrix().amax() * turning;
         let energy = |row: usize| rows[row].energy;
         let balance = |row: usize| rows[row].energy + rows[row].dissipated;
         let jellett = |row: usize| rows[row].jellett;
         let vertical = |row: usize| rows[row].vertical_angular_momentum;
         let first = start.energy;
-        let mut accounts: Vec<Account<'_>> = vec![
-            ("energy", Law::NonIncreasing, first, first, &energy),
-            (
-                "energy and what contact has taken",
-                Law::Conserved,
-                first,
-                first,
-                &balance,
-            ),
-        ];
+        let mut accounts = Accounts::of(request);
+        accounts.keep(("energy", Law::NonIncreasing, first), first, energy)?;
+        accounts.conserved("energy and what contact has taken", first, first, balance)?;
         let no_couple = self.resistance.is_none();
         if self.gravity.is_some() && no_couple && self.body.has_jellett_integral() {
             let scale = spin * self.body.surface().size();
-            accounts.push((
-                "Jellett's integral",
-                Law::Conserved,
-                scale,
-                start.jellett,
-                &jellett,
-            ));
+            accounts.conserved("Jellett's integral", scale, start.jellett, jellett)?;
         }
         if self.friction.is_none() && no_couple {
             let first = start.vertical_angular_momentum;
-            accounts.push((
-                "vertical angular momentum",
-                Law::Conserved,
-                spin,
-                first,
-                &vertical,
-            ));
+            accounts.conserved("vertical angular momentum", spin, first, vertical)?;
         }
-        ledger(request, &accounts)
+        Ok(accounts)
     }
 }
 
@@ -848,8 +829,8 @@ impl Scene for TableTop {
         let start = flow.state(0.0, &mode, &y);
         let rows = request.times().iter().zip(&trace.samples);
         let states: Vec<State> = rows.map(|(&t, (mode, y))| flow.state(t, mode, y)).collect();
-        let ledger = self.ledger(request, flow.turning, &start, &states)?;
-        Motion::of(request, plan, trace.cost, error, ledger, states)
+        let accounts = self.accounts(request, flow.turning, &start, &states)?;
+        Motion::of(request, plan, trace.cost, error, accounts, states)
     }
 
     fn further(&self) -> Columns<State> {

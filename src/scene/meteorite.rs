@@ -4,9 +4,9 @@ use nalgebra::UnitQuaternion;
 
 use super::columns::Columns;
 use super::effects::{Effect, Impact};
-use super::motion::ascending;
+use super::motion::Accounts;
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
-use crate::conservation::{Law, Ledger};
+use crate::conservation::Law;
 use crate::error::{Error, Result};
 use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector, SpaceVector};
@@ -262,9 +262,20 @@ impl Scene for StruckPlanet {
         let error = before.error(first)?.max(after.error(last)?);
         // From just before the blow.
         let opening = at(first.min(-f64::MIN_POSITIVE))?.1;
-        let ledger = ledger(request, opening, &rows, self.impact.is_some())?;
+        let (p, l, energy) = (opening.momentum, opening.angular, opening.energy);
+        let law = match self.impact {
+            Some(_) => Law::NonIncreasing,
+            None => Law::Conserved,
+        };
+        let turning = "angular momentum about the origin";
+        let mut accounts = Accounts::of(request);
+        accounts.conserved("momentum", p.norm(), p, |k| rows[k].1.momentum)?;
+        accounts.conserved(turning, l.norm(), l, |k| rows[k].1.angular)?;
+        accounts.keep(("kinetic energy", law, energy), energy, |k| {
+            rows[k].1.energy
+        })?;
         let states = rows.iter().map(|(state, _)| *state).collect();
-        Motion::of(request, plan, Cost::default(), error, ledger, states)
+        Motion::of(request, plan, Cost::default(), error, accounts, states)
     }
 
     fn further(&self) -> Columns<Flying> {
@@ -276,32 +287,4 @@ impl Scene for StruckPlanet {
             )
             .angular_momentum(|state| state.attitude, |state| state.angular_momentum)
     }
-}
-
-fn ledger(
-    request: &Request,
-    opening: Kept,
-    rows: &[(Flying, Kept)],
-    struck: bool,
-) -> Result<Ledger> {
-    let or_one = |size: f64| if size > 0.0 { size } else { 1.0 };
-    let mut ledger = Ledger::new();
-    let (p, l) = (opening.momentum, opening.angular);
-    let momentum = ledger.open_vector_scaled("momentum", p, or_one(p.norm()))?;
-    let name = "angular momentum about the origin";
-    let angular = ledger.open_vector_scaled(name, l, or_one(l.norm()))?;
-    let law = if struck {
-        Law::NonIncreasing
-    } else {
-        Law::Conserved
-    };
-    let (name, e) = ("kinetic energy", opening.energy);
-    let energy = ledger.open_scaled(name, law, e, or_one(e))?;
-    for place in ascending(request.times()) {
-        let kept = &rows[place].1;
-        ledger.record_vector(momentum, kept.momentum)?;
-        ledger.record_vector(angular, kept.angular)?;
-        ledger.record(energy, kept.energy)?;
-    }
-    Ok(ledger)
 }

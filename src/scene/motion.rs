@@ -2,7 +2,7 @@
 
 use super::budget::{Budget, Progress};
 use super::plan::{Choice, Plan};
-use crate::conservation::{Law, Ledger};
+use crate::conservation::{Law, Ledger, Value};
 use crate::error::{Error, Result, finite, within};
 use crate::integrators::{Cost, Effort, GeneralMethods};
 
@@ -221,7 +221,7 @@ impl Request {
     /// # Errors
     /// [`Error::OutOfRange`] for a time before the start.
     pub(super) fn forward(&self) -> Result<(Vec<usize>, Vec<f64>)> {
-        let order = ascending(&self.times);
+        let order = ascending((0..self.times.len()).collect(), &self.times);
         let sorted: Vec<f64> = order.iter().map(|&i| self.times[i]).collect();
         match sorted.first() {
             Some(&first) if first < 0.0 => Err(Error::OutOfRange {
@@ -267,7 +267,7 @@ pub struct Motion<S> {
 }
 
 impl<S> Motion<S> {
-    /// The states at the times of the request, if their error is within its accuracy and the ledger balances.
+    /// The states at the times of the request, if their error is within its accuracy and the accounts balance.
     ///
     /// # Errors
     /// [`Error::Amplified`], [`Error::Ledger`].
@@ -276,7 +276,7 @@ impl<S> Motion<S> {
         plan: Plan,
         cost: Cost,
         error: f64,
-        ledger: Ledger,
+        accounts: Accounts,
         states: Vec<S>,
     ) -> Result<Self> {
         // An error that is not a number must not pass for a small one.
@@ -285,7 +285,7 @@ impl<S> Motion<S> {
                 plan,
                 cost,
                 error_estimate: error,
-                ledger: balanced(ledger, request.accuracy())?,
+                ledger: balanced(accounts.ledger, request.accuracy())?,
                 rows: request.times().iter().copied().zip(states).collect(),
             })
         } else {
@@ -298,24 +298,50 @@ impl<S> Motion<S> {
     }
 }
 
-/// What a scene conserves, or may only lose or gain: name, law, scale (0: any will do), value at the start, and value in a row.
-pub(crate) type Account<'a> = (&'static str, Law, f64, f64, &'a dyn Fn(usize) -> f64);
+/// What a scene conserves, or may only lose or gain, over its rows in the order of time.
+pub(crate) struct Accounts {
+    pub order: Vec<usize>,
+    pub ledger: Ledger,
+}
 
-/// The ledger of these over all rows of a request, in the order of time.
-///
-/// # Errors
-/// [`Error::NotFinite`].
-pub(crate) fn ledger(request: &Request, accounts: &[Account<'_>]) -> Result<Ledger> {
-    let mut ledger = Ledger::new();
-    let order = ascending(request.times());
-    for &(name, law, scale, start, row) in accounts {
-        let scale = if scale > 0.0 { scale } else { 1.0 };
-        let account = ledger.open_scaled(name, law, start, scale)?;
-        for &place in &order {
-            ledger.record(account, row(place))?;
+impl Accounts {
+    /// Over all rows of a request.
+    pub fn of(request: &Request) -> Self {
+        Self::over(request, usize::MAX)
+    }
+
+    /// Over at most so many of them, evenly chosen, and the last.
+    pub fn over(request: &Request, most: usize) -> Self {
+        let every = request.times.len().div_ceil(most);
+        let last = request.times.len() - 1;
+        let chosen = (0..last).step_by(every).chain([last]);
+        Self {
+            order: ascending(chosen.collect(), &request.times),
+            ledger: Ledger::new(),
         }
     }
-    Ok(ledger)
+
+    /// A quantity by its name and law and the scale of its drift (0: any will do), its value at the start, and that in a row.
+    pub fn keep<V: Into<Value>>(
+        &mut self,
+        account: (&'static str, Law, f64),
+        start: V,
+        row: impl Fn(usize) -> V,
+    ) -> Result<()> {
+        let rows = self.order.iter().map(|&place| row(place));
+        self.ledger.keep(account, start, rows)
+    }
+
+    /// One that keeps its value.
+    pub fn conserved<V: Into<Value>>(
+        &mut self,
+        name: &'static str,
+        scale: f64,
+        start: V,
+        row: impl Fn(usize) -> V,
+    ) -> Result<()> {
+        self.keep((name, Law::Conserved, scale), start, row)
+    }
 }
 
 /// The time furthest from the start.
@@ -324,11 +350,10 @@ pub(crate) fn furthest(times: &[f64]) -> f64 {
     times.iter().fold(0.0, further)
 }
 
-/// The places of the times in ascending order.
-pub(crate) fn ascending(times: &[f64]) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..times.len()).collect();
-    order.sort_by(|&i, &j| times[i].total_cmp(&times[j]));
-    order
+/// These places in the ascending order of their times.
+fn ascending(mut places: Vec<usize>, times: &[f64]) -> Vec<usize> {
+    places.sort_by(|&i, &j| times[i].total_cmp(&times[j]));
+    places
 }
 
 /// The ledger, if every drift in it is within what the accuracy asked for allows: 100 times the accuracy, and never less than 1e-11.

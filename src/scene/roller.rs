@@ -4,9 +4,9 @@ use super::columns::Columns;
 use super::effects::Effect;
 use super::engine::{Answer, Ended, Flow, OF_CLOSED_FORMS, apart, greater};
 use super::engine::{planned, to_accuracy};
-use super::motion::{Account, ledger};
+use super::motion::Accounts;
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
-use crate::conservation::{Law, Ledger};
+use crate::conservation::Law;
 use crate::error::{Result, finite, positive};
 use crate::integrators::Cost;
 use crate::rolling::Sheet;
@@ -207,15 +207,12 @@ impl Scene for Roller {
     fn simulate(&self, request: &Request) -> Result<Motion<Rolling>> {
         let plan = self.plan(request)?;
         let table = self.table(request.furthest())?;
-        let (moments, cost, error) = table.moments(&plan, request)?;
-        let ledger = table.ledger(request, &moments)?;
         let (mass, kappa) = (self.body.mass(), self.body.inertia_factor());
-        let states = moments.iter().map(|moment| Rolling {
-            moment: *moment,
+        table.motion(request, plan, |moment| Rolling {
+            moment,
             energy: mass * moment.energy(kappa),
             heat: mass * moment.heat,
-        });
-        Motion::of(request, plan, cost, error, ledger, states.collect())
+        })
     }
 
     fn further(&self) -> Columns<Rolling> {
@@ -290,9 +287,22 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 const RADIANS: f64 = 16.0;
 
 impl OnTable<'_> {
+    /// The motion by the solver of a plan, each moment told as a state.
+    pub fn motion<S>(
+        &self,
+        request: &Request,
+        plan: Plan,
+        state: impl Fn(Moment) -> S,
+    ) -> Result<Motion<S>> {
+        let (moments, cost, error) = self.moments(&plan, request)?;
+        let accounts = self.accounts(request, &moments)?;
+        let states = moments.into_iter().map(state).collect();
+        Motion::of(request, plan, cost, error, accounts, states)
+    }
+
     /// Moments at the times of a request by the solver of a plan, what they have cost, and by how much they may be off: lengths in radii, speeds
     /// and energies in the greatest of the motion.
-    pub fn moments(&self, plan: &Plan, request: &Request) -> Result<(Vec<Moment>, Cost, f64)> {
+    fn moments(&self, plan: &Plan, request: &Request) -> Result<(Vec<Moment>, Cost, f64)> {
         let times = request.times();
         if !matches!(plan.solver, Solver::Exact | Solver::Events) {
             let Answer { trace, error } = to_accuracy(request, plan.solver, |_| Ok(*self))?;
@@ -363,7 +373,7 @@ impl OnTable<'_> {
     }
 
     /// What is kept, or may only be lost.
-    pub fn ledger(&self, request: &Request, moments: &[Moment]) -> Result<Ledger> {
+    fn accounts(&self, request: &Request, moments: &[Moment]) -> Result<Accounts> {
         let Laws { kappa, load, .. } = self.laws;
         let (mass, drive) = (self.body.mass(), load.push + load.twist);
         let scale = |size: &dyn Fn(&Moment) -> f64| {
@@ -378,7 +388,7 @@ impl OnTable<'_> {
         let about = |row: usize| {
             mass * (moments[row].about_the_table(kappa) - request.times()[row] * drive)
         };
-        let mut accounts: Vec<Account<'_>> = Vec::new();
+        let mut accounts = Accounts::of(request);
         if self.laws.resistance.is_none() {
             let name = match self.driven() {
                 true => "angular momentum about the table less the tug's",
@@ -387,17 +397,21 @@ impl OnTable<'_> {
             let first = mass * self.start.about_the_table(kappa);
             let own = |m: &Moment| m.velocity.abs() + kappa * m.rim_speed.abs();
             let size = scale(&own).max(mass * self.speed());
-            accounts.push((name, Law::Conserved, size, first, &about));
+            accounts.conserved(name, size, first, about)?;
         }
         let pull = |m: &Moment| (load.push * m.position).abs() + (load.twist * m.turned).abs();
         let size = scale(&|m| m.energy(kappa) + m.heat + m.work.abs() + pull(m));
         let name = "energy plus heat less work";
-        accounts.push((name, Law::Conserved, size, balance(&self.start), &balances));
+        accounts.conserved(name, size, balance(&self.start), balances)?;
         if !self.driven() && self.laws.sheet.is_none() {
             let (size, first) = (scale(&|m| m.energy(kappa)), kinetic(&self.start));
-            accounts.push(("kinetic energy", Law::NonIncreasing, size, first, &energies));
+            accounts.keep(
+                ("kinetic energy", Law::NonIncreasing, size),
+                first,
+                energies,
+            )?;
         }
-        ledger(request, &accounts)
+        Ok(accounts)
     }
 
     /// Whether something pulls at the body.

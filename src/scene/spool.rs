@@ -155,17 +155,14 @@ impl Scene for TuggedSpool {
     fn simulate(&self, request: &Request) -> Result<Motion<Spooling>> {
         let plan = self.plan(request)?;
         let table = self.table(request.furthest())?;
-        let (moments, cost, error) = table.moments(&plan, request)?;
-        let ledger = table.ledger(request, &moments)?;
         let (mass, kappa) = (table.body.mass(), table.body.inertia_factor());
-        let states = moments.iter().map(|moment| Spooling {
-            moment: *moment,
-            wound: self.spool.wound(moment),
+        table.motion(request, plan, |moment| Spooling {
+            moment,
+            wound: self.spool.wound(&moment),
             energy: mass * moment.energy(kappa),
             heat: mass * moment.heat,
             work: mass * moment.work,
-        });
-        Motion::of(request, plan, cost, error, ledger, states.collect())
+        })
     }
 
     fn further(&self) -> Columns<Spooling> {

@@ -3,7 +3,7 @@
 use super::columns::Columns;
 use super::effects::{Effect, Gravity};
 use super::engine::{Answer, Ended, Flow, OF_CLOSED_FORMS, ROUNDING, greater, planned, solved};
-use super::motion::{Account, ledger};
+use super::motion::Accounts;
 use super::{Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Result, finite, not_negative};
@@ -358,20 +358,18 @@ impl Scene for Strip {
         let heat = |k: usize| states[k].heat;
         let across = |k: usize| equations.impulse(&rows[k])[0];
         let up = |k: usize| equations.impulse(&rows[k])[1] + weight * times[k];
-        let both = "energy and heat";
-        let mut accounts: Vec<Account<'_>> =
-            vec![(both, Law::Conserved, energy, opening, &balance)];
+        let mut accounts = Accounts::of(request);
+        accounts.conserved("energy and heat", energy, opening, balance)?;
         if self.brakes() {
-            accounts.push(("heat", Law::NonDecreasing, energy, 0.0, &heat));
+            accounts.keep(("heat", Law::NonDecreasing, energy), 0.0, heat)?;
         }
         // Without lift and drag only the weight changes the impulse of plate and fluid.
         if equations.lift.is_none() && equations.drag.is_none() {
             let vertical = "vertical impulse and that of the weight";
-            accounts.push(("horizontal impulse", Law::Conserved, impulse, px, &across));
-            accounts.push((vertical, Law::Conserved, impulse, py, &up));
+            accounts.conserved("horizontal impulse", impulse, px, across)?;
+            accounts.conserved(vertical, impulse, py, up)?;
         }
-        let ledger = ledger(request, &accounts)?;
-        Motion::of(request, plan, trace.cost, error, ledger, states)
+        Motion::of(request, plan, trace.cost, error, accounts, states)
     }
 
     fn further(&self) -> Columns<StripState> {

@@ -4,7 +4,7 @@ use super::columns::Columns;
 use super::effects::Effect;
 use super::engine::{Answer, Ended, Flow, OF_CLOSED_FORMS, apart, greater};
 use super::engine::{planned, to_accuracy};
-use super::motion::{Account, ledger};
+use super::motion::Accounts;
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Result, not_negative, positive};
@@ -213,16 +213,14 @@ impl Scene for Superball {
         let energies = |row: usize| energy(&balls[row]);
         let depths = |row: usize| depth(&balls[row]);
         let name = "depth in floor or ceiling";
-        let accounts: [Account<'_>; 2] = [
-            ("energy", law, first, first, &energies),
-            (name, Law::Conserved, highest, inside, &depths),
-        ];
-        let ledger = ledger(request, &accounts)?;
+        let mut accounts = Accounts::of(request);
+        accounts.keep(("energy", law, first), first, energies)?;
+        accounts.conserved(name, highest, inside, depths)?;
         let states = balls.iter().map(|ball| Bouncing {
             ball: *ball,
             energy: energy(ball),
         });
-        Motion::of(request, plan, cost, error, ledger, states.collect())
+        Motion::of(request, plan, cost, error, accounts, states.collect())
     }
 
     fn further(&self) -> Columns<Bouncing> {

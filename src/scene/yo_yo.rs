@@ -5,7 +5,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use super::columns::{Columns, state};
 use super::effects::Effect;
 use super::engine::{Answer, Ended, Flow, OF_CLOSED_FORMS, greater, planned, solved};
-use super::motion::{Account, ledger};
+use super::motion::Accounts;
 use super::{Budget, Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Error, Result, not_negative, positive};
@@ -573,12 +573,10 @@ impl Scene for Play {
         let balance = |k: usize| states[k].energy + states[k].heat - states[k].work;
         let heat = |k: usize| states[k].heat;
         let name = "energy and heat less the work of the hand";
-        let accounts: [Account<'_>; 2] = [
-            (name, Law::Conserved, scale, playing.energy, &balance),
-            ("heat", Law::NonDecreasing, scale, 0.0, &heat),
-        ];
-        let ledger = ledger(request, &accounts)?;
-        Motion::of(request, plan, trace.cost, error, ledger, states)
+        let mut accounts = Accounts::of(request);
+        accounts.conserved(name, scale, playing.energy, balance)?;
+        accounts.keep(("heat", Law::NonDecreasing, scale), 0.0, heat)?;
+        Motion::of(request, plan, trace.cost, error, accounts, states)
     }
 
     fn further(&self) -> Columns<YoYoState> {

@@ -5,7 +5,6 @@ use core::f64::consts::FRAC_PI_2;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use super::path::{Turnover, next_of};
-use crate::conservation::Ledger;
 use crate::error::Result;
 use crate::frame::{Attitude, BodyVector, SpaceVector, finite_vector};
 use crate::integrators::Kept;
@@ -14,7 +13,7 @@ use crate::phenomena::{self, Bend, EqualHalves, ShapePlane};
 use crate::scene::columns::Columns;
 use crate::scene::effects::Effect;
 use crate::scene::engine::{AN_INTEGRAL, Answer, Flow, planned, solved};
-use crate::scene::motion::ascending;
+use crate::scene::motion::Accounts;
 use crate::scene::{Motion, Plan, Request, Scene, Solver, Tabulated};
 
 /// A cat of two halves, let go: attitude and angular momentum at the start, a path of shapes, and gravity.
@@ -203,20 +202,17 @@ impl Cat {
         })
     }
 
-    fn ledger(&self, request: &Request, states: &[CatState]) -> Result<Ledger> {
+    fn accounts(&self, request: &Request, states: &[CatState]) -> Result<Accounts> {
         let pace =
             |s: &CatState| s.omega.norm() + s.bend.angle_rate.abs() + s.bend.direction_rate.abs();
         let fastest = states.iter().map(pace).fold(0.0, f64::max);
         let moments: f64 = self.body.halves.iter().map(|half| half.transverse).sum();
         let l = self.angular_momentum;
         let scale = (moments * fastest).max(l.norm());
-        let scale = if scale > 0.0 { scale } else { 1.0 };
-        let mut ledger = Ledger::new();
-        let account = ledger.open_vector_scaled("angular momentum", l, scale)?;
-        for place in ascending(request.times()) {
-            ledger.record_vector(account, states[place].angular_momentum)?;
-        }
-        Ok(ledger)
+        let mut accounts = Accounts::of(request);
+        let now = |place: usize| states[place].angular_momentum;
+        accounts.conserved("angular momentum", scale, l, now)?;
+        Ok(accounts)
     }
 }
 
@@ -288,8 +284,8 @@ impl Scene for Cat {
         let rows = request.times().iter().zip(&trace.samples);
         let states = rows.map(|(&t, ((), y))| self.state(t, y, exact));
         let states: Vec<CatState> = states.collect::<Result<_>>()?;
-        let ledger = self.ledger(request, &states)?;
-        Motion::of(request, plan, trace.cost, error, ledger, states)
+        let accounts = self.accounts(request, &states)?;
+        Motion::of(request, plan, trace.cost, error, accounts, states)
     }
 
     fn further(&self) -> Columns<CatState> {

@@ -10,7 +10,7 @@ use crate::rolling::Coulomb;
 use crate::scene::columns::{Columns, state};
 use crate::scene::effects::Effect;
 use crate::scene::engine::{Answer, Ended, Flow, planned, solved};
-use crate::scene::motion::{Account, ledger};
+use crate::scene::motion::Accounts;
 use crate::scene::{Budget, Motion, Plan, Request, Scene, Solver};
 
 /// Two feet and a muscle on the ground, at rest at first.
@@ -293,12 +293,10 @@ impl Scene for Crawler {
         let heat = |place: usize| rows[place].1[3];
         let given = "momentum less the impulse of friction";
         let left = "energy and heat less the work of the muscle";
-        let accounts: [Account<'_>; 3] = [
-            (given, Law::Conserved, mass_speed, 0.0, &momentum),
-            (left, Law::Conserved, energy + spent, 0.0, &balance),
-            ("heat", Law::NonDecreasing, spent.max(1.0), 0.0, &heat),
-        ];
-        let ledger = ledger(request, &accounts)?;
+        let mut accounts = Accounts::of(request);
+        accounts.conserved(given, mass_speed, 0.0, momentum)?;
+        accounts.conserved(left, energy + spent, 0.0, balance)?;
+        accounts.keep(("heat", Law::NonDecreasing, spent.max(1.0)), 0.0, heat)?;
         let states = rows.iter().map(|&(t, [center, velocity, _, heat, work])| {
             let [rear, front] = body.feet(center, gap(t).gap);
             CrawlerState {
@@ -310,7 +308,7 @@ impl Scene for Crawler {
                 heat,
             }
         });
-        Motion::of(request, plan, trace.cost, error, ledger, states.collect())
+        Motion::of(request, plan, trace.cost, error, accounts, states.collect())
     }
 
     fn further(&self) -> Columns<CrawlerState> {

@@ -9,7 +9,7 @@ use crate::phenomena;
 use crate::scene::columns::{Columns, state};
 use crate::scene::effects::Effect;
 use crate::scene::engine::{Answer, Flow, apart, planned, solved};
-use crate::scene::motion::{Account, ledger};
+use crate::scene::motion::Accounts;
 use crate::scene::{Motion, Plan, Request, Scene, Solver};
 
 /// What the double nearest to π leaves of it.
@@ -255,11 +255,9 @@ impl Scene for PaperCat {
         let balance = |place: usize| energy(place) + numbers[place][4];
         let largest = numbers.iter().map(|y| y[1] * y[1]).fold(0.0, f64::max);
         let (whole, name) = ("energy of fall with what the air took", "energy of fall");
-        let accounts: [Account<'_>; 2] = [
-            (whole, Law::Conserved, largest, 0.0, &balance),
-            (name, Law::NonIncreasing, largest, 0.0, &energy),
-        ];
-        let ledger = ledger(request, &accounts)?;
+        let mut accounts = Accounts::of(request);
+        accounts.conserved(whole, largest, 0.0, balance)?;
+        accounts.keep((name, Law::NonIncreasing, largest), 0.0, energy)?;
         let state = |&[fall, velocity, tilt, tilt_rate, lost]: &[f64; 5]| PaperCatState {
             fall,
             velocity,
@@ -268,7 +266,7 @@ impl Scene for PaperCat {
             lost,
         };
         let states = numbers.iter().map(state).collect();
-        Motion::of(request, plan, trace.cost, error, ledger, states)
+        Motion::of(request, plan, trace.cost, error, accounts, states)
     }
 
     fn further(&self) -> Columns<PaperCatState> {

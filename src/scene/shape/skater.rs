@@ -1,14 +1,13 @@
 //! The skater who pulls in the arms (tutorial 1.1).
 
 use super::path::{Draw, next_of};
-use crate::conservation::Law;
 use crate::error::{Result, finite, not_negative};
 use crate::phenomena;
 use crate::phenomena::quadrature::integral;
 use crate::scene::columns::{Columns, state};
 use crate::scene::effects::Effect;
 use crate::scene::engine::{AN_INTEGRAL, Answer, Flow, apart, planned, solved};
-use crate::scene::motion::{Account, ledger};
+use crate::scene::motion::Accounts;
 use crate::scene::{Motion, Plan, Request, Scene, Solver};
 
 /// A skater who spins: a core, two hands, a path for them, and what the ice does.
@@ -212,12 +211,10 @@ impl Scene for Skater {
         };
         let balance = |place: usize| states[place].energy + states[place].heat - states[place].work;
         let (name, left) = ("angular momentum", "energy less the work of the arms");
-        let accounts: [Account<'_>; 2] = [
-            (name, Law::Conserved, l.abs(), l, &momentum),
-            (left, Law::Conserved, largest, start.energy, &balance),
-        ];
-        let ledger = ledger(request, &accounts)?;
-        Motion::of(request, plan, trace.cost, error, ledger, states)
+        let mut accounts = Accounts::of(request);
+        accounts.conserved(name, l.abs(), l, momentum)?;
+        accounts.conserved(left, largest, start.energy, balance)?;
+        Motion::of(request, plan, trace.cost, error, accounts, states)
     }
 
     fn further(&self) -> Columns<SkaterState> {

@@ -1,14 +1,13 @@
 //! The swivel on ice (tutorial 1.1, picture b).
 
 use super::path::{FourPhases, Twist};
-use crate::conservation::Law;
 use crate::error::{Result, finite, positive};
 use crate::phenomena;
 use crate::phenomena::quadrature::integral;
 use crate::scene::columns::{Columns, state};
 use crate::scene::effects::Effect;
 use crate::scene::engine::{AN_INTEGRAL, Answer, Flow, planned, solved};
-use crate::scene::motion::ledger;
+use crate::scene::motion::Accounts;
 use crate::scene::{Motion, Plan, Request, Scene, Solver};
 
 /// Two parts on one vertical axis, the lower one free to turn on the ice: angular momentum L, a path of shapes, and what the bearing does.
@@ -245,9 +244,9 @@ impl Scene for Swivel {
         };
         let largest = (0..states.len()).map(|place| parts(place)[0].abs());
         let scale = largest.fold(self.angular_momentum.abs(), f64::max);
-        let name = "angular momentum";
-        let ledger = ledger(request, &[(name, Law::Conserved, scale, l, &whole)])?;
-        Motion::of(request, plan, trace.cost, error, ledger, states)
+        let mut accounts = Accounts::of(request);
+        accounts.conserved("angular momentum", scale, l, whole)?;
+        Motion::of(request, plan, trace.cost, error, accounts, states)
     }
 
     fn further(&self) -> Columns<SwivelState> {

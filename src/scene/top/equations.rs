@@ -1,13 +1,14 @@
 //! The equations of a stepped top: L along the body's axes, the attitude's quaternion and, where something resists, the work it takes.
 
 use super::body::DOUBT;
-use super::held::Top;
+use super::held::{State, Top};
+use super::ledger::Conserved;
 use crate::error::{Error, Result};
 use crate::euler_equations::quaternion_rate;
 use crate::frame::{Attitude, BodyVector};
 use crate::integrators::Kept;
 use crate::integrators::geometric::Phase;
-use crate::scene::engine::{Ended, Flow, greater};
+use crate::scene::engine::{Ended, Flow, Trace, greater};
 
 /// A top as a flow: seven numbers, L and the quaternion, and an eighth, the energy lost, where something resists.
 ///
@@ -104,16 +105,21 @@ impl Turning {
     }
     // ANCHOR_END: resistance
 
-    /// Attitude and Ω of a state.
-    pub fn unpacked<const N: usize>(&self, y: &[f64; N]) -> (Attitude, BodyVector) {
-        let Phase { l, q } = phase(y);
-        let [w, x, y, z] = q;
-        let quaternion = nalgebra::Quaternion::new(w, x, y, z);
-        let [o1, o2, o3] = core::array::from_fn(|k| l[k] / self.moments[k]);
-        (
-            Attitude::from_unit(quaternion / quaternion.norm()),
-            BodyVector::new(o1, o2, o3),
-        )
+    /// The states of a motion.
+    pub fn states<const N: usize>(
+        &self,
+        trace: &Trace<Spin, N>,
+        conserved: &Conserved,
+    ) -> Vec<State> {
+        let state = |(_, numbers): &(Spin, [f64; N])| {
+            let Phase { l, q } = phase(numbers);
+            let [w, x, y, z] = q;
+            let quaternion = nalgebra::Quaternion::new(w, x, y, z);
+            let omega: [f64; 3] = core::array::from_fn(|k| l[k] / self.moments[k]);
+            let attitude = Attitude::from_unit(quaternion / quaternion.norm());
+            conserved.state(attitude, omega.into())
+        };
+        trace.samples.iter().map(state).collect()
     }
 
     /// Ω̇ along the body's axes, rad/s², at this attitude and Ω. A spin that dry friction has stopped is exactly 0.

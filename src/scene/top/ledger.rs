@@ -2,10 +2,12 @@
 
 use super::body::{Body, Start};
 use super::held::State;
-use crate::conservation::{Law, Ledger};
+use crate::conservation::Law;
 use crate::error::{Result, finite};
 use crate::euler_equations::{Integrability, classify};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
+use crate::scene::Request;
+use crate::scene::motion::Accounts;
 
 /// The body and its start, as the ledger needs them.
 pub(super) struct Conserved {
@@ -71,18 +73,6 @@ impl Conserved {
         }
     }
 
-    /// Times and states with their energies.
-    pub fn rows(
-        &self,
-        times: &[f64],
-        states: impl IntoIterator<Item = (Attitude, BodyVector)>,
-    ) -> Vec<(f64, State)> {
-        let states = states
-            .into_iter()
-            .map(|(attitude, omega)| self.state(attitude, omega));
-        times.iter().copied().zip(states).collect()
-    }
-
     #[inline]
     /// ½⟨IΩ, Ω⟩ + ⟨MgC, z⟩, J.
     fn energy(&self, attitude: &Attitude, omega: BodyVector) -> f64 {
@@ -94,72 +84,42 @@ impl Conserved {
     }
 
     /// No torque resists: E is kept; L, or of it what gravity leaves; the fourth integral of tops that have one.
-    pub fn lossless(&self, rows: &[(f64, State)]) -> Result<Ledger> {
-        let mut ledger = Ledger::new();
-        let energy = ledger.open_scaled(
-            "energy",
-            Law::Conserved,
-            self.start.energy,
-            self.energy_scale,
-        )?;
-        let chosen: Vec<&State> = in_time(rows, MOST_READ).map(|i| &rows[i].1).collect();
-        for state in &chosen {
-            ledger.record(energy, state.energy)?;
-        }
+    pub fn lossless(&self, request: &Request, states: &[State]) -> Result<Accounts> {
+        let mut accounts = Accounts::over(request, MOST_READ);
+        let (first, scale) = (self.start.energy, self.energy_scale);
+        accounts.conserved("energy", scale, first, |k| states[k].energy)?;
         let momentum = |state: &State| state.attitude.to_space(self.angular_momentum(state.omega));
+        let (first, scale) = (momentum(&self.start), self.momentum_scale);
         if matches!(self.kind, Integrability::Euler) {
-            let first = momentum(&self.start);
-            let account =
-                ledger.open_vector_scaled("angular momentum", first, self.momentum_scale)?;
-            for state in &chosen {
-                ledger.record_vector(account, momentum(state))?;
-            }
-            return Ok(ledger);
+            accounts.conserved("angular momentum", scale, first, |k| momentum(&states[k]))?;
+            return Ok(accounts);
         }
-        let first = momentum(&self.start).z();
         let name = "angular momentum about the vertical";
-        let account = ledger.open_scaled(name, Law::Conserved, first, self.momentum_scale)?;
-        for state in &chosen {
-            ledger.record(account, momentum(state).z())?;
-        }
+        accounts.conserved(name, scale, first.z(), |k| momentum(&states[k]).z())?;
         if let Some((name, first, scale)) = self.fourth(&self.start) {
-            let account = ledger.open_scaled(name, Law::Conserved, first, scale)?;
-            for state in &chosen {
-                if let Some((_, value, _)) = self.fourth(state) {
-                    ledger.record(account, value)?;
-                }
-            }
+            let fourth = |k| self.fourth(&states[k]).map_or(first, |(_, value, _)| value);
+            accounts.conserved(name, scale, first, fourth)?;
         }
-        Ok(ledger)
+        Ok(accounts)
     }
 
     /// Something resists: the energy can only fall, and with what was lost it is kept; without gravity |L| can only fall.
-    pub fn lossy(&self, rows: &[(f64, State)], losses: &[f64]) -> Result<Ledger> {
-        let mut ledger = Ledger::new();
-        let scale = self.energy_scale;
-        let order: Vec<usize> = in_time(rows, usize::MAX).collect();
+    pub fn lossy(&self, request: &Request, states: &[State], losses: &[f64]) -> Result<Accounts> {
+        let mut accounts = Accounts::of(request);
         // The motion may be asked for before the start: monotone quantities begin with the earliest row.
-        let earliest = order
-            .first()
-            .map_or(self.start.energy, |&i| rows[i].1.energy);
-        let energy = ledger.open_scaled("energy", Law::NonIncreasing, earliest, scale)?;
-        let name = "energy and what resistance took";
-        let total = ledger.open_scaled(name, Law::Conserved, self.start.energy, scale)?;
-        for &i in &order {
-            ledger.record(energy, rows[i].1.energy)?;
-            ledger.record(total, rows[i].1.energy + losses[i])?;
-        }
+        let earliest = accounts.order.first().map_or(&self.start, |&k| &states[k]);
+        let scale = self.energy_scale;
+        let falling = ("energy", Law::NonIncreasing, scale);
+        accounts.keep(falling, earliest.energy, |k| states[k].energy)?;
+        let (name, first) = ("energy and what resistance took", self.start.energy);
+        accounts.conserved(name, scale, first, |k| states[k].energy + losses[k])?;
         if matches!(self.kind, Integrability::Euler) {
             let size = |state: &State| self.angular_momentum(state.omega).norm();
-            let first = order.first().map_or(0.0, |&i| size(&rows[i].1));
             let name = "size of the angular momentum";
-            let account =
-                ledger.open_scaled(name, Law::NonIncreasing, first, self.momentum_scale)?;
-            for &i in &order {
-                ledger.record(account, size(&rows[i].1))?;
-            }
+            let falling = (name, Law::NonIncreasing, self.momentum_scale);
+            accounts.keep(falling, size(earliest), |k| size(&states[k]))?;
         }
-        Ok(ledger)
+        Ok(accounts)
     }
 
     /// Name, value and scale of the fourth integral: L along the axis of symmetry, or Kovalevskaya's.
@@ -196,14 +156,4 @@ impl Conserved {
 
 fn up(attitude: &Attitude) -> BodyVector {
     attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0))
-}
-
-/// The numbers of at most `most` rows, evenly chosen, the last among them, in ascending order of time.
-fn in_time(rows: &[(f64, State)], most: usize) -> impl Iterator<Item = usize> {
-    let stride = rows.len().div_ceil(most).max(1);
-    let last = rows.len().checked_sub(1);
-    let mut order: Vec<usize> = (0..rows.len()).step_by(stride).chain(last).collect();
-    order.dedup();
-    order.sort_by(|&i, &j| rows[i].0.total_cmp(&rows[j].0));
-    order.into_iter()
 }

@@ -22,8 +22,8 @@ pub use held::{State, Top};
 
 pub use super::effects::{AirDrag, BearingFriction, Gravity, PivotFriction, TipFriction};
 
-use super::engine::{Stepper, greater, to_accuracy, vouched};
-use super::{Budget, Choice, Columns, Geometric, Motion, Plan, Request, Scene, Solver, balanced};
+use super::engine::{Answer, Stepper, greater, to_accuracy, vouched};
+use super::{Budget, Choice, Columns, Geometric, Motion, Plan, Request, Scene, Solver};
 use crate::error::{Error, Result};
 use crate::integrators::Cost;
 
@@ -127,7 +127,6 @@ impl Top {
         request: &Request,
         conserved: &Conserved,
     ) -> Result<Motion<State>> {
-        let times = request.times();
         let angle = self.pace()? * request.furthest().abs();
         let doubted = self.doubted(closed, request)?;
         let told = closed.rounding(request.furthest(), angle) + body::DOUBTED * doubted;
@@ -140,20 +139,15 @@ impl Top {
             }),
         };
         within(told)?;
-        let mut rows = Vec::with_capacity(times.len());
+        let mut states = Vec::with_capacity(request.times().len());
         let mut fastest = self.start.omega(self.body.moments)?.norm();
-        closed.each(times, &request.budget(), |t, attitude, omega| {
+        closed.each(request.times(), &request.budget(), |_, attitude, omega| {
             fastest = fastest.max(omega.norm());
-            rows.push((t, conserved.state(attitude, omega)));
+            states.push(conserved.state(attitude, omega));
         })?;
         let error = within(told + closed.hardly_moving(self.pace()?, fastest))?;
-        Ok(Motion {
-            plan,
-            cost: Cost::default(),
-            error_estimate: error,
-            ledger: balanced(conserved.lossless(&rows)?, request.accuracy())?,
-            rows,
-        })
+        let accounts = conserved.lossless(request, &states)?;
+        Motion::of(request, plan, Cost::default(), error, accounts, states)
     }
 
     /// How far a start that rounding cannot tell from this one gets from it by the last of the times, or by some of the others. Closed forms that take what is
@@ -200,35 +194,22 @@ impl Top {
     ) -> Result<Motion<State>> {
         let turning = || Turning::new(self, conserved.energy_scale);
         let here = turning()?;
-        let times = request.times();
         if self.resisting().next().is_some() {
-            let answer = to_accuracy::<8, _>(request, plan.solver, |_| turning())?;
-            let states = answer.trace.samples.iter();
-            let rows = conserved.rows(times, states.clone().map(|(_, y)| here.unpacked(y)));
-            let losses: Vec<f64> = states.map(|(_, y)| y[7]).collect();
-            return Ok(Motion {
-                plan,
-                cost: answer.trace.cost,
-                error_estimate: answer.error,
-                ledger: balanced(conserved.lossy(&rows, &losses)?, request.accuracy())?,
-                rows,
-            });
+            let Answer { trace, error } = to_accuracy::<8, _>(request, plan.solver, |_| turning())?;
+            let states = here.states(&trace, conserved);
+            let losses: Vec<f64> = trace.samples.iter().map(|(_, y)| y[7]).collect();
+            let accounts = conserved.lossy(request, &states, &losses)?;
+            return Motion::of(request, plan, trace.cost, error, accounts, states);
         }
-        let answer = match plan.solver {
+        let Answer { trace, error } = match plan.solver {
             Solver::Geometric(method) if method != Geometric::DormandPrince8 => {
                 let steps = methods::steps(self, &here, method, request)?;
                 vouched::<7, _>(request, Stepper::Even(&steps), |_| turning())?
             }
             solver => to_accuracy::<7, _>(request, solver, |_| turning())?,
         };
-        let samples = answer.trace.samples.iter();
-        let rows = conserved.rows(times, samples.map(|(_, y)| here.unpacked(y)));
-        Ok(Motion {
-            plan,
-            cost: answer.trace.cost,
-            error_estimate: answer.error,
-            ledger: balanced(conserved.lossless(&rows)?, request.accuracy())?,
-            rows,
-        })
+        let states = here.states(&trace, conserved);
+        let accounts = conserved.lossless(request, &states)?;
+        Motion::of(request, plan, trace.cost, error, accounts, states)
     }
 }

@@ -30,7 +30,7 @@ use nalgebra::Vector3;
 
 use super::columns::Columns;
 use super::effects::Effect;
-use super::engine::{self, Answer, Ended, Flow, planned, solved, to_accuracy};
+use super::engine::{self, Ahead, Answer, Flow, planned, solved, to_accuracy};
 use super::motion::Accounts;
 use super::{Budget, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
@@ -626,7 +626,7 @@ impl Flow<NUMBERS> for OnTheTable {
         }
     }
 
-    fn next(&self, mode: Mode, _: Ended, t: f64, y: &mut Numbers) -> Result<Mode> {
+    fn next(&self, mode: Mode, _: Stop, t: f64, y: &mut Numbers) -> Result<Mode> {
         if let Mode::Airborne(takeoff) = mode {
             let (_, climb) = takeoff.at(t, self.table.gravity);
             *y = self.table.landed(y, climb)?;
@@ -657,19 +657,12 @@ impl Flow<NUMBERS> for OnTheTable {
         })
     }
 
-    fn known(
-        &self,
-        mode: Mode,
-        (now, y): (f64, &Numbers),
-        times: &[f64],
-        until: f64,
-        budget: &Budget,
-    ) -> Option<Result<Passage<Numbers>>> {
+    fn known(&self, mode: Mode, ahead: &Ahead<'_, NUMBERS>) -> Option<Result<Passage<Numbers>>> {
         match (mode, self.coulomb()) {
             (Mode::Airborne(takeoff), _) if !(self.free && self.stepped) => {
-                Some(self.flown(takeoff, y, times, until))
+                Some(self.flown(takeoff, ahead))
             }
-            (Mode::Stopping, Some(law)) => Some(self.slowed(law, (now, y), times, until, budget)),
+            (Mode::Stopping, Some(law)) => Some(self.slowed(law, ahead)),
             _ => None,
         }
     }
@@ -683,47 +676,24 @@ impl Flow<NUMBERS> for OnTheTable {
 }
 
 impl OnTheTable {
-    fn flown(
-        &self,
-        takeoff: TakeOff,
-        y: &Numbers,
-        times: &[f64],
-        until: f64,
-    ) -> Result<Passage<Numbers>> {
-        let flight = Flight::from(self.body(), self.table.gravity, y, takeoff)?;
-        let landing = if self.free {
-            None
-        } else {
-            flight.landing(until)?
+    fn flown(&self, takeoff: TakeOff, ahead: &Ahead<'_, NUMBERS>) -> Result<Passage<Numbers>> {
+        let flight = Flight::from(self.body(), self.table.gravity, ahead.start.1, takeoff)?;
+        let landing = match self.free {
+            true => None,
+            false => flight.landing(ahead.end)?,
         };
-        let time = landing.unwrap_or(until);
-        let times = times.iter().take_while(|&&t| t <= time);
-        Ok(Passage {
-            states: times.map(|&t| flight.at(t)).collect::<Result<_>>()?,
-            time,
-            end: flight.at(time)?,
-            stopped: landing.map_or(Stop::AtTheEnd, |_| Stop::AtTheEvent),
-            cost: Cost::default(),
-        })
+        ahead.in_closed_form(landing, |t| flight.at(t))
     }
-}
 
-impl OnTheTable {
     /// Near rest, where friction turns with the slip, faster and faster. Counted is not the time but ∫μg dt/|slip|: the slip then goes to nothing
     /// like an exponential function, and its direction turns at a finite rate.
-    fn slowed(
-        &self,
-        law: Coulomb,
-        (now, y): (f64, &Numbers),
-        times: &[f64],
-        until: f64,
-        budget: &Budget,
-    ) -> Result<Passage<Numbers>> {
+    fn slowed(&self, law: Coulomb, ahead: &Ahead<'_, NUMBERS>) -> Result<Passage<Numbers>> {
+        let (now, y) = ahead.start;
         let slowing = Slowing {
             on: self,
             scale: law.grip() * self.table.gravity,
             now,
-            budget,
+            budget: ahead.budget,
         };
         let parted = |z: &[f64; NUMBERS + 1]| -> Numbers { core::array::from_fn(|n| z[n]) };
         let [mut scales, mut z] = [[1.0 / self.turning; NUMBERS + 1], [0.0; NUMBERS + 1]];
@@ -736,7 +706,7 @@ impl OnTheTable {
             stopped: Stop::AtTheEnd,
             cost: Cost::default(),
         };
-        for &time in times.iter().chain([&until]) {
+        for &time in ahead.times.iter().chain([&ahead.end]) {
             let left = |z: &[f64; NUMBERS + 1]| self.turning * (time - now - z[NUMBERS]);
             let lasts = |z: &[f64; NUMBERS + 1]| self.margin(Mode::Stopping, now, &parted(z));
             let whole = left(&z);
@@ -764,7 +734,7 @@ impl OnTheTable {
                 return Ok(passage);
             }
             passage.time = time;
-            if passage.states.len() < times.len() {
+            if passage.states.len() < ahead.times.len() {
                 passage.states.push(passage.end);
             }
         }

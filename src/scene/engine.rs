@@ -62,7 +62,7 @@ pub(crate) trait Flow<const N: usize> {
     fn next(
         &self,
         phase: Self::Phase,
-        _ended: Ended,
+        _ended: Stop,
         _t: f64,
         _y: &mut [f64; N],
     ) -> Result<Self::Phase> {
@@ -70,14 +70,7 @@ pub(crate) trait Flow<const N: usize> {
     }
 
     /// The motion of a phase in closed form, if there is one: numbers at the times, up to the end of the phase or of the run. What it evaluates it counts.
-    fn known(
-        &self,
-        _phase: Self::Phase,
-        _from: (f64, &[f64; N]),
-        _times: &[f64],
-        _until: f64,
-        _budget: &Budget,
-    ) -> Option<Result<Passage<[f64; N]>>> {
+    fn known(&self, _: Self::Phase, _: &Ahead<'_, N>) -> Option<Result<Passage<[f64; N]>>> {
         None
     }
 
@@ -106,13 +99,35 @@ pub(crate) trait Flow<const N: usize> {
     }
 }
 
-/// What has ended a phase.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Ended {
-    /// Its margin.
-    ByEvent,
-    /// The clock.
-    ByTheClock,
+/// What lies ahead of a motion.
+#[derive(Clone, Copy)]
+pub(crate) struct Ahead<'a, const N: usize> {
+    /// Where it is, and when.
+    pub start: (f64, &'a [f64; N]),
+    /// When it is asked for, in its order.
+    pub times: &'a [f64],
+    /// When it ends at the latest.
+    pub end: f64,
+    pub budget: &'a Budget,
+}
+
+impl<const N: usize> Ahead<'_, N> {
+    /// The passage in closed form, up to an event at this time, if there is one.
+    pub fn in_closed_form(
+        &self,
+        event: Option<f64>,
+        at: impl Fn(f64) -> Result<[f64; N]>,
+    ) -> Result<Passage<[f64; N]>> {
+        let time = event.unwrap_or(self.end);
+        let times = self.times.iter().take_while(|&&t| t <= time);
+        Ok(Passage {
+            states: times.map(|&t| at(t)).collect::<Result<_>>()?,
+            time,
+            end: at(time)?,
+            stopped: event.map_or(Stop::AtTheEnd, |_| Stop::AtTheEvent),
+            cost: Cost::default(),
+        })
+    }
 }
 
 /// A phase and, if it took few steps, half of one and how long it lasted, s.
@@ -144,7 +159,7 @@ const MOST_PHASES: usize = 10_000_000;
 const MOST_AT_ONCE: usize = 1000;
 
 /// One run: a flow, a stepper, and how hard it works.
-pub(crate) struct Run<'a, F> {
+pub(crate) struct Run<'a, F, const N: usize> {
     pub flow: &'a F,
     pub stepper: Stepper<'a>,
     pub effort: Effort,
@@ -191,7 +206,7 @@ impl<const N: usize, F: Flow<N>> Event<N> for InPhase<'_, F, F::Phase> {
     }
 }
 
-impl<'a, F> Run<'a, F> {
+impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
     const fn new(flow: &'a F, stepper: Stepper<'a>, effort: Effort, budget: &'a Budget) -> Self {
         Self {
             flow,
@@ -202,15 +217,12 @@ impl<'a, F> Run<'a, F> {
     }
 
     /// From the start through all phases to the last of the times, which ascend, or descend into the past.
-    fn follow<const N: usize>(
+    fn follow(
         &self,
         start: (F::Phase, [f64; N]),
         times: &[f64],
         halves: &[Half<F::Phase>],
-    ) -> Result<Trace<F::Phase, N>>
-    where
-        F: Flow<N>,
-    {
+    ) -> Result<Trace<F::Phase, N>> {
         let (mut phase, mut y) = start;
         let end = times.last().copied().unwrap_or(0.0);
         self.budget.begin(end);
@@ -227,7 +239,13 @@ impl<'a, F> Run<'a, F> {
             let until = if clock < end { clock } else { end };
             let leg = |until: f64, effort: Effort| {
                 let within = left.partition_point(|&t| (t - until) * end.signum() <= 0.0);
-                self.leg(phase, (now, &y), &left[..within], until, effort)
+                let ahead = Ahead {
+                    start: (now, &y),
+                    times: &left[..within],
+                    end: until,
+                    budget: self.budget,
+                };
+                self.leg(phase, &ahead, effort)
             };
             let mut halved = None;
             if let Some(&(same, Some([half, lasted]))) = halves.get(trace.halves.len())
@@ -260,12 +278,10 @@ impl<'a, F> Run<'a, F> {
             trace.samples.extend(states.map(|state| (phase, state)));
             at_once = if passage.time == now { at_once + 1 } else { 0 };
             (now, y) = (passage.time, passage.end);
-            let ended = match passage.stopped {
-                Stop::AtTheEvent => Ended::ByEvent,
-                Stop::AtTheEnd if until == end => break,
-                Stop::AtTheEnd => Ended::ByTheClock,
-            };
-            phase = self.flow.next(phase, ended, now, &mut y)?;
+            if passage.stopped == Stop::AtTheEnd && until == end {
+                break;
+            }
+            phase = self.flow.next(phase, passage.stopped, now, &mut y)?;
             for &number in &y {
                 finite("the state after an event", number)?;
             }
@@ -284,18 +300,13 @@ impl<'a, F> Run<'a, F> {
     }
 
     /// One phase, to its end or to this time.
-    fn leg<const N: usize>(
+    fn leg(
         &self,
         phase: F::Phase,
-        (now, y): (f64, &[f64; N]),
-        times: &[f64],
-        end: f64,
+        ahead: &Ahead<'_, N>,
         effort: Effort,
-    ) -> Result<Passage<[f64; N]>>
-    where
-        F: Flow<N>,
-    {
-        if let Some(known) = self.flow.known(phase, (now, y), times, end, self.budget) {
+    ) -> Result<Passage<[f64; N]>> {
+        if let Some(known) = self.flow.known(phase, ahead) {
             let passage = known?;
             self.budget.reached(passage.time)?;
             return Ok(passage);
@@ -310,58 +321,58 @@ impl<'a, F> Run<'a, F> {
             .flow
             .may_end(phase)
             .then_some(&equations as &dyn Event<N>);
-        match self.stepper {
-            Stepper::OrderEight => Leg {
-                system: &equations as &dyn System<N>,
-                kept: self.flow.kept(),
-                start: (now, y),
-                scales: &scales,
-                times,
-                end,
-            }
-            .follow(event, effort),
-            Stepper::General(..) | Stepper::Even(_) => {
-                let rate = |t: f64, y: &[f64], rates: &mut [f64]| {
-                    rates.copy_from_slice(&equations.rate(t, &sized(y)));
-                };
-                let margin = |t: f64, y: &[f64]| equations.value(t, &sized(y));
-                let leg = AnyLeg {
-                    rate: &rate,
-                    reached: &|time| self.budget.reached(time),
-                    event: event.is_some().then_some(&margin),
+        let Ahead {
+            start: (now, y),
+            times,
+            end,
+            ..
+        } = *ahead;
+        let rate = |t: f64, y: &[f64], rates: &mut [f64]| {
+            rates.copy_from_slice(&equations.rate(t, &sized(y)));
+        };
+        let margin = |t: f64, y: &[f64]| equations.value(t, &sized(y));
+        let any = AnyLeg {
+            rate: &rate,
+            reached: &|time| self.budget.reached(time),
+            event: event.is_some().then_some(&margin),
+            start: (now, y),
+            scales: &scales,
+            times,
+            end,
+        };
+        let passage = match self.stepper {
+            Stepper::OrderEight => {
+                let leg = Leg {
+                    system: &equations as &dyn System<N>,
+                    kept: self.flow.kept(),
                     start: (now, y),
                     scales: &scales,
                     times,
                     end,
                 };
-                let passage = match self.stepper {
-                    Stepper::General(methods, method) => methods.follow(method, &leg, effort)?,
-                    Stepper::Even(follow) => follow(&leg, effort)?,
-                    _ => return Err(NO_STEPS),
-                };
-                Ok(Passage {
-                    states: passage.states.iter().map(|y| sized(y)).collect(),
-                    time: passage.time,
-                    end: sized(&passage.end),
-                    stopped: passage.stopped,
-                    cost: passage.cost,
-                })
+                return leg.follow(event, effort);
             }
-            Stepper::Events => Err(NO_STEPS),
-        }
+            Stepper::General(methods, method) => methods.follow(method, &any, effort)?,
+            Stepper::Even(follow) => follow(&any, effort)?,
+            Stepper::Events => return Err(NO_STEPS),
+        };
+        Ok(Passage {
+            states: passage.states.iter().map(|y| sized(y)).collect(),
+            time: passage.time,
+            end: sized(&passage.end),
+            stopped: passage.stopped,
+            cost: passage.cost,
+        })
     }
 
     /// The samples at times in any order, before and after the start alike. Phases that another run has taken in few steps are taken in twice as many:
     /// two tolerances might give both the same.
-    pub fn at<const N: usize>(
+    pub fn at(
         &self,
         start: (F::Phase, [f64; N]),
         times: &[f64],
         halves: &[Half<F::Phase>],
-    ) -> Result<Trace<F::Phase, N>>
-    where
-        F: Flow<N>,
-    {
+    ) -> Result<Trace<F::Phase, N>> {
         let mut whole = Trace {
             samples: vec![start; times.len()],
             phases: Vec::new(),
@@ -853,7 +864,7 @@ mod tests {
             true
         }
 
-        fn next(&self, (): (), _: Ended, _: f64, y: &mut [f64; 2]) -> Result<()> {
+        fn next(&self, (): (), _: Stop, _: f64, y: &mut [f64; 2]) -> Result<()> {
             *y = [0.0, -0.9 * y[1]];
             Ok(())
         }

@@ -2,13 +2,13 @@
 
 use super::columns::Columns;
 use super::effects::Effect;
-use super::engine::{Answer, Ended, Flow, OF_CLOSED_FORMS, apart, greater};
+use super::engine::{Answer, Flow, OF_CLOSED_FORMS, apart, greater};
 use super::engine::{planned, to_accuracy};
 use super::motion::Accounts;
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Result, finite, positive};
-use crate::integrators::Cost;
+use crate::integrators::{Cost, Stop};
 use crate::rolling::Sheet;
 use crate::rolling::moment::State;
 use crate::rolling::stretch::{Laws, Stretch};
@@ -462,10 +462,10 @@ impl Flow<8> for OnTable<'_> {
         }
     }
 
-    fn next(&self, stretch: Stretch, ended: Ended, t: f64, y: &mut State) -> Result<Stretch> {
+    fn next(&self, stretch: Stretch, ended: Stop, t: f64, y: &mut State) -> Result<Stretch> {
         let what = match ended {
-            Ended::ByEvent => stretch.ends(y).min_by(|a, b| a.0.total_cmp(&b.0)),
-            Ended::ByTheClock => stretch.next(f64::INFINITY).filter(|next| next.0 == 0.0),
+            Stop::AtTheEvent => stretch.ends(y).min_by(|a, b| a.0.total_cmp(&b.0)),
+            Stop::AtTheEnd => stretch.next(f64::INFINITY).filter(|next| next.0 == 0.0),
         };
         let what = what.map(|(_, what)| what);
         let (next, _) = self.laws.after(&stretch, t - stretch.start, y, what);

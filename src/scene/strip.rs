@@ -2,12 +2,13 @@
 
 use super::columns::Columns;
 use super::effects::{Effect, Gravity};
-use super::engine::{Answer, Ended, Flow, OF_CLOSED_FORMS, ROUNDING, greater, planned, solved};
+use super::engine::{Answer, Flow, OF_CLOSED_FORMS, ROUNDING, greater, planned, solved};
 use super::motion::Accounts;
 use super::{Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Result, finite, not_negative};
 use crate::falling_strip::{AddedMass, Coefficients, Equations, Plate, RotationalDamping, Sheet};
+use crate::integrators::Stop;
 
 /// The state of a strip.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -289,7 +290,7 @@ impl Flow<7> for Strip {
         (self.equations.damping).is_some_and(|damping| damping.quadratic != 0.0)
     }
 
-    fn next(&self, sense: f64, _: Ended, _: f64, y: &mut [f64; 7]) -> Result<f64> {
+    fn next(&self, sense: f64, _: Stop, _: f64, y: &mut [f64; 7]) -> Result<f64> {
         y[5] = 0.0;
         Ok(-sense)
     }

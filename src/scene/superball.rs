@@ -2,13 +2,13 @@
 
 use super::columns::Columns;
 use super::effects::Effect;
-use super::engine::{Answer, Ended, Flow, OF_CLOSED_FORMS, apart, greater};
+use super::engine::{Answer, Flow, OF_CLOSED_FORMS, apart, greater};
 use super::engine::{planned, to_accuracy};
 use super::motion::Accounts;
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Result, not_negative, positive};
-use crate::integrators::Cost;
+use crate::integrators::{Cost, Stop};
 use crate::rolling::Coulomb;
 use crate::superball::{Flight, InFlight, Restitution, Surface};
 
@@ -388,8 +388,8 @@ impl Flow<3> for Thrown {
         }
     }
 
-    fn next(&self, flight: InFlight, ended: Ended, _: f64, y: &mut [f64; 3]) -> Result<InFlight> {
-        if ended == Ended::ByTheClock {
+    fn next(&self, flight: InFlight, ended: Stop, _: f64, y: &mut [f64; 3]) -> Result<InFlight> {
+        if ended == Stop::AtTheEnd {
             y[2] = 0.0;
             return Ok(flying(&flight, y));
         }

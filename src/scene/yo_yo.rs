@@ -4,12 +4,12 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use super::columns::{Columns, state};
 use super::effects::Effect;
-use super::engine::{Answer, Ended, Flow, OF_CLOSED_FORMS, greater, planned, solved};
+use super::engine::{Ahead, Answer, Flow, OF_CLOSED_FORMS, greater, planned, solved};
 use super::motion::Accounts;
-use super::{Budget, Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
+use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Error, Result, not_negative, positive};
-use crate::integrators::{Cost, Passage, Stop};
+use crate::integrators::{Passage, Stop};
 use crate::yo_yo::{Turn, Unwinding, YoYo, sleeping_spin, spin_after_waking};
 
 /// What the yo-yo is at.
@@ -297,13 +297,8 @@ impl Playing {
         })
     }
 
-    fn passage(
-        &self,
-        stage: Stage,
-        (from, y): (f64, &Numbers),
-        times: &[f64],
-        until: f64,
-    ) -> Result<Passage<Numbers>> {
+    fn passage(&self, stage: Stage, ahead: &Ahead<'_, 6>) -> Result<Passage<Numbers>> {
+        let (from, y) = ahead.start;
         let (duration, course) = self.course(stage, y)?;
         let at = |t: f64| {
             let [place, omega] = course(t)?;
@@ -317,26 +312,15 @@ impl Playing {
         };
         let since = |t: f64| ((t - from) - y[LATER]).clamp(0.0, duration);
         let rest = y[LATER] + duration;
-        let ends = from + rest < until;
-        let time = if ends { from + rest } else { until };
-        let within = &times[..times.partition_point(|&t| t <= time)];
-        let mut end = at(if ends { duration } else { since(until) })?;
-        // What is lost where the duration is added to the time.
-        end[LATER] = if ends { (from - time) + rest } else { y[LATER] };
-        Ok(Passage {
-            states: within
-                .iter()
-                .map(|&t| at(since(t)))
-                .collect::<Result<_>>()?,
-            time,
-            end,
-            stopped: if ends {
-                Stop::AtTheEvent
-            } else {
-                Stop::AtTheEnd
-            },
-            cost: Cost::default(),
-        })
+        let time = from + rest;
+        let ends = (time < ahead.end).then_some(time);
+        let mut passage = ahead.in_closed_form(ends, |t| at(since(t)))?;
+        if ends.is_some() {
+            passage.end = at(duration)?;
+            // What is lost where the duration is added to the time.
+            passage.end[LATER] = (from - time) + rest;
+        }
+        Ok(passage)
     }
 
     fn state(&self, stage: Stage, y: &Numbers) -> YoYoState {
@@ -457,7 +441,7 @@ impl Flow<6> for Playing {
         }
     }
 
-    fn next(&self, (phase, end): Stage, _: Ended, _: f64, y: &mut Numbers) -> Result<Stage> {
+    fn next(&self, (phase, end): Stage, _: Stop, _: f64, y: &mut Numbers) -> Result<Stage> {
         let toy = &self.play.toy;
         let twice = 2.0 * self.pull();
         y[1] = y[1].max(0.0);
@@ -500,15 +484,8 @@ impl Flow<6> for Playing {
         })
     }
 
-    fn known(
-        &self,
-        stage: Stage,
-        from: (f64, &Numbers),
-        times: &[f64],
-        until: f64,
-        _: &Budget,
-    ) -> Option<Result<Passage<Numbers>>> {
-        (self.closed || rests(stage.0)).then(|| self.passage(stage, from, times, until))
+    fn known(&self, stage: Stage, ahead: &Ahead<'_, 6>) -> Option<Result<Passage<Numbers>>> {
+        (self.closed || rests(stage.0)).then(|| self.passage(stage, ahead))
     }
 
     /// Every phase is off by so much of its own duration.

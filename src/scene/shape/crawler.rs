@@ -4,14 +4,14 @@ use core::f64::consts::TAU;
 
 use crate::conservation::Law;
 use crate::error::{Error, Result, not_negative};
-use crate::integrators::{Cost, Passage, Stop};
+use crate::integrators::{Passage, Stop};
 use crate::phenomena::{self, Foot, Gap, Leg};
 use crate::rolling::Coulomb;
 use crate::scene::columns::{Columns, state};
 use crate::scene::effects::Effect;
-use crate::scene::engine::{Answer, Ended, Flow, planned, solved};
+use crate::scene::engine::{Ahead, Answer, Flow, planned, solved};
 use crate::scene::motion::Accounts;
-use crate::scene::{Budget, Motion, Plan, Request, Scene, Solver};
+use crate::scene::{Motion, Plan, Request, Scene, Solver};
 
 /// Two feet and a muscle on the ground, at rest at first.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -189,18 +189,18 @@ impl Flow<5> for Crawling {
         self.body.strokes().beginning(piece + 1)
     }
 
-    fn next(&self, (piece, leg): Phase, ended: Ended, t: f64, y: &mut [f64; 5]) -> Result<Phase> {
+    fn next(&self, (piece, leg): Phase, ended: Stop, t: f64, y: &mut [f64; 5]) -> Result<Phase> {
         let mut feet = leg.feet;
         let rate = self.gap(piece, t).rate;
         let piece = match ended {
-            Ended::ByEvent => {
+            Stop::AtTheEvent => {
                 if let Some((_, foot)) = self.rest(&leg, y[1], rate) {
                     feet[foot] = Foot::Holds;
                     y[1] = self.body.holding(foot, rate);
                 }
                 piece
             }
-            Ended::ByTheClock => {
+            Stop::AtTheEnd => {
                 // Where the stroke turns, a foot that was dragged by one at rest is at rest as well.
                 if piece % 2 == 1 && feet.contains(&Foot::Holds) {
                     feet = [Foot::Holds; 2];
@@ -215,28 +215,16 @@ impl Flow<5> for Crawling {
     fn known(
         &self,
         (piece, leg): Phase,
-        (from, y): (f64, &[f64; 5]),
-        times: &[f64],
-        until: f64,
-        _: &Budget,
+        ahead: &Ahead<'_, 5>,
     ) -> Option<Result<Passage<[f64; 5]>>> {
+        let (from, y) = ahead.start;
         let gap = self.gap(piece, from);
-        let after = |t: f64| self.body.after(&leg, y, &gap, t - from);
+        let after = |t: f64| Ok(self.body.after(&leg, y, &gap, t - from));
         let rest = self
             .rest(&leg, y[1], gap.rate)
             .map(|(after, _)| from + after);
-        let rest = rest.filter(|&rest| rest < until);
-        let time = rest.unwrap_or(until);
-        let within = times.partition_point(|&t| t <= time);
-        self.closed.then(|| {
-            Ok(Passage {
-                states: times[..within].iter().map(|&t| after(t)).collect(),
-                time,
-                end: after(time),
-                stopped: rest.map_or(Stop::AtTheEnd, |_| Stop::AtTheEvent),
-                cost: Cost::default(),
-            })
-        })
+        let rest = rest.filter(|&rest| rest < ahead.end);
+        self.closed.then(|| ahead.in_closed_form(rest, after))
     }
 }
 

@@ -6,9 +6,9 @@ use super::ledger::Conserved;
 use crate::error::{Error, Result};
 use crate::euler_equations::quaternion_rate;
 use crate::frame::{Attitude, BodyVector};
-use crate::integrators::Kept;
 use crate::integrators::geometric::Phase;
-use crate::scene::engine::{Ended, Flow, Trace, greater};
+use crate::integrators::{Kept, Stop};
+use crate::scene::engine::{Flow, Trace, greater};
 
 /// A top as a flow: seven numbers, L and the quaternion, and an eighth, the energy lost, where something resists.
 ///
@@ -235,7 +235,7 @@ impl<const N: usize> Flow<N> for Turning {
         self.tip_friction.is_some() && spin == Spin::Spinning
     }
 
-    fn next(&self, _: Spin, _: Ended, _: f64, y: &mut [f64; N]) -> Result<Spin> {
+    fn next(&self, _: Spin, _: Stop, _: f64, y: &mut [f64; N]) -> Result<Spin> {
         y[2] = 0.0;
         Ok(Spin::Stopped)
     }

@@ -776,19 +776,19 @@ impl Scene for TableTop {
     type State = State;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
-        let closed = match (self.gravity, self.friction) {
-            (None, _) => Ok((Solver::Exact, "no gravity, so no contact: closed form")),
-            (_, Some(Friction::NoSlip)) => Err("pure rolling: take-off is an event"),
+        let plan = match (self.gravity, self.friction) {
+            (None, _) => Plan::exact("no gravity, so no contact: closed form"),
+            (_, Some(Friction::NoSlip)) => Plan::stepped("pure rolling: take-off is an event"),
             (_, Some(Friction::Coulomb(_))) => {
-                Err("Coulomb friction: slip, roll and take-off are events")
+                Plan::stepped("Coulomb friction: slip, roll and take-off are events")
             }
-            (_, Some(_)) => Err("sliding friction: take-off is an event"),
-            (_, None) => Err("a table without friction: take-off is an event"),
+            (_, Some(_)) => Plan::stepped("sliding friction: take-off is an event"),
+            (_, None) => Plan::stepped("a table without friction: take-off is an event"),
         };
-        if closed.is_err() {
+        if self.gravity.is_some() {
             request.forward()?;
         }
-        planned(request, closed, SOLVERS)
+        planned(request, plan, SOLVERS)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<State>> {

@@ -6,7 +6,7 @@
 //! will do, measures how much the motion amplifies a change of its start. Every evaluation counts against the budget of the request.
 
 use super::motion::furthest;
-use super::{Budget, Choice, Geometric, Plan, Request, Solver, only_for_tops};
+use super::{Budget, Choice, Plan, Request, Solver, only_for_tops};
 use crate::error::{Error, Result, finite};
 use crate::integrators::{
     AnyLeg, Cost, Effort, Event, GeneralMethods, Kept, Leg, Method, Passage, Stop, System,
@@ -798,34 +798,27 @@ const DOUBTS: f64 = 1e4;
 fn stepper(solver: Solver, request: &Request) -> Result<Stepper<'static>> {
     match solver {
         Solver::General(method) => Ok(Stepper::General(request.methods()?, method)),
-        Solver::Geometric(Geometric::DormandPrince8) => Ok(Stepper::OrderEight),
+        Solver::ORDER_EIGHT => Ok(Stepper::OrderEight),
         Solver::Events | Solver::Exact => Ok(Stepper::Events),
         Solver::Geometric(_) => Err(only_for_tops()),
     }
 }
 
-/// The plan in one sentence: the closed form wherever there is one, its solver and why it will do, or why there is none and order 8 steps; or what
-/// was asked for by name.
+/// This plan, or what the request asks for by its name.
 ///
 /// # Errors
 /// [`Error::Solver`] says which solvers the kind has.
-pub(crate) fn planned(
-    request: &Request,
-    closed: core::result::Result<(Solver, &'static str), &'static str>,
-    has: &'static str,
-) -> Result<Plan> {
-    const OURS: Solver = Solver::Geometric(Geometric::DormandPrince8);
-    let plan = |solver, reason: &str| Ok(Plan::new(solver, reason.to_owned()));
-    match (request.choice(), closed) {
-        (Choice::Auto, Ok((solver, reason))) => plan(solver, reason),
-        (Choice::Auto, Err(reason)) => plan(OURS, reason),
-        (Choice::Use(solver), Ok((known, reason))) if solver == known => plan(solver, reason),
-        (Choice::Use(solver @ Solver::General(_)), _) => {
+pub(crate) fn planned(request: &Request, plan: Plan, has: &'static str) -> Result<Plan> {
+    let asked = |solver| Ok(Plan::new(solver, "asked for"));
+    match request.choice() {
+        Choice::Auto => Ok(plan),
+        Choice::Use(Solver::ORDER_EIGHT) => asked(Solver::ORDER_EIGHT),
+        Choice::Use(solver @ Solver::General(_)) => {
             request.methods()?;
-            plan(solver, "asked for")
+            asked(solver)
         }
-        (Choice::Use(solver), _) if solver == OURS => plan(solver, "asked for"),
-        (Choice::Use(_), _) => Err(Error::Solver { condition: has }),
+        Choice::Use(solver) if solver == plan.solver => Ok(plan),
+        Choice::Use(_) => Err(Error::Solver { condition: has }),
     }
 }
 
@@ -872,8 +865,8 @@ mod tests {
 
     #[test]
     fn bounces_that_pile_up_are_refused() {
-        let ours = Solver::Geometric(Geometric::DormandPrince8);
-        let refused = to_accuracy(&Request::at([20.0]).unwrap(), ours, |_| Ok(Ball));
+        let request = Request::at([20.0]).unwrap();
+        let refused = to_accuracy(&request, Solver::ORDER_EIGHT, |_| Ok(Ball));
         let piled = matches!(refused, Err(Error::Integration { .. }));
         assert!(piled, "{refused:?}");
     }

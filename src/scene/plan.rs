@@ -72,6 +72,9 @@ impl Geometric {
 }
 
 impl Solver {
+    /// What steps where there is no closed form.
+    pub(crate) const ORDER_EIGHT: Self = Self::Geometric(Geometric::DormandPrince8);
+
     /// All of them.
     ///
     /// ```
@@ -140,6 +143,23 @@ impl Plan {
             solver,
             reason: reason.into(),
         }
+    }
+}
+
+impl Plan {
+    /// Its closed form.
+    pub(crate) fn exact(reason: impl Into<String>) -> Self {
+        Self::new(Solver::Exact, reason)
+    }
+
+    /// Closed forms from event to event.
+    pub(crate) fn events(reason: impl Into<String>) -> Self {
+        Self::new(Solver::Events, reason)
+    }
+
+    /// Order 8.
+    pub(crate) fn stepped(reason: impl Into<String>) -> Self {
+        Self::new(Solver::ORDER_EIGHT, reason)
     }
 }
 

@@ -259,12 +259,12 @@ const SOLVERS: &str = "the solver of what rolls is `events`, `exact` where no fo
 /// The plan of what rolls: closed forms from event to event for this reason, or without events.
 pub(super) fn rolling_plan(request: &Request, events: Option<&'static str>) -> Result<Plan> {
     request.forward()?;
-    let solver = match (request.choice(), events) {
-        (Choice::Auto | Choice::Use(Solver::Exact), None) => Solver::Exact,
-        _ => Solver::Events,
-    };
     let reason = events.unwrap_or("no force along the table: closed form");
-    planned(request, Ok((solver, reason)), SOLVERS)
+    let plan = match (request.choice(), events) {
+        (Choice::Auto | Choice::Use(Solver::Exact), None) => Plan::exact(reason),
+        _ => Plan::events(reason),
+    };
+    planned(request, plan, SOLVERS)
 }
 
 /// A round body on its table, whatever acts on it: the rolling of [`Roller`] and of the [spool](super::spool).

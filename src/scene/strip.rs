@@ -4,7 +4,7 @@ use super::columns::Columns;
 use super::effects::{Effect, Gravity};
 use super::engine::{Answer, Flow, OF_CLOSED_FORMS, ROUNDING, greater, planned, solved};
 use super::motion::Accounts;
-use super::{Motion, Plan, Request, Scene, Solver, Tabulated};
+use super::{Motion, Plan, Request, Scene, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Result, finite, not_negative};
 use crate::falling_strip::{AddedMass, Coefficients, Equations, Plate, RotationalDamping, Sheet};
@@ -331,12 +331,12 @@ impl Scene for Strip {
         if self.brakes() {
             request.forward()?;
         }
-        let closed = if self.in_a_vacuum() {
-            Ok((Solver::Exact, "a vacuum: closed form"))
+        let plan = if self.in_a_vacuum() {
+            Plan::exact("a vacuum: closed form")
         } else {
-            Err("forces of a fluid: order 8")
+            Plan::stepped("forces of a fluid: order 8")
         };
-        planned(request, closed, SOLVERS)
+        planned(request, plan, SOLVERS)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<StripState>> {

@@ -172,14 +172,13 @@ impl Scene for Superball {
     fn plan(&self, request: &Request) -> Result<Plan> {
         request.forward()?;
         let elastic = self.restitution.is_none() && self.friction.is_none();
-        let (solver, reason) = match request.choice() {
-            Choice::Auto | Choice::Use(Solver::Exact) if elastic => (
-                Solver::Exact,
-                "elastic and non-slipping: a rotation a bounce, closed form",
-            ),
-            _ => (Solver::Events, "bounces: closed form from one to the next"),
+        let plan = match request.choice() {
+            Choice::Auto | Choice::Use(Solver::Exact) if elastic => {
+                Plan::exact("elastic and non-slipping: a rotation a bounce, closed form")
+            }
+            _ => Plan::events("bounces: closed form from one to the next"),
         };
-        planned(request, Ok((solver, reason)), SOLVERS)
+        planned(request, plan, SOLVERS)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<Bouncing>> {

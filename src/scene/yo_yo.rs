@@ -523,11 +523,11 @@ impl Scene for Play {
                 condition: "the solver must choose its steps: a yo-yo falls for seconds and turns in milliseconds",
             });
         }
-        let closed = match self.air_drag {
-            None => Ok((Solver::Events, "no air: closed forms from event to event")),
-            Some(_) => Err("resistance of the air: order 8 with events"),
+        let plan = match self.air_drag {
+            None => Plan::events("no air: closed forms from event to event"),
+            Some(_) => Plan::stepped("resistance of the air: order 8 with events"),
         };
-        planned(request, closed, SOLVERS)
+        planned(request, plan, SOLVERS)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<YoYoState>> {

@@ -75,11 +75,7 @@ pub fn swivel(
             disc(radius(moment), above, upper_turn),
         ];
         let drawn_as = "two discs of 1 kg with its moments, Ω that of the lower";
-        Sight {
-            omega: Vector3::z() * rate,
-            angular_momentum: Some(Vector3::z() * l),
-            ..still(drawn_as, Around::Floor, above, discs)
-        }
+        still(drawn_as, Around::Floor, above, discs).turning(Vector3::z(), [rate, l])
     });
     Some((scene, look))
 }
@@ -140,11 +136,7 @@ pub fn skater(
             solids.push((Solid::ball(0.12 * girth), hand));
         }
         let drawn_as = "hands, and a core on whose rim they would have its moment";
-        Sight {
-            omega: Vector3::z() * spin,
-            angular_momentum: Some(Vector3::z() * l),
-            ..still(drawn_as, Around::Floor, shoulders, solids)
-        }
+        still(drawn_as, Around::Floor, shoulders, solids).turning(Vector3::z(), [spin, l])
     });
     Some((scene, look))
 }
@@ -197,14 +189,8 @@ pub fn cat(
     let acting = listed![effects.turnover, effects.gravity];
     let scene = with(file, scene, acting, Cat::with)?;
     let outlines = halves.map(|half| {
-        let Half {
-            mass,
-            axial,
-            transverse,
-            ..
-        } = half;
-        let length = (6.0 * (2.0 * transverse - axial) / mass).sqrt();
-        Solid::wheel((2.0 * axial / mass).sqrt(), length)
+        let length = (6.0 * (2.0 * half.transverse - half.axial) / half.mass).sqrt();
+        Solid::wheel((2.0 * half.axial / half.mass).sqrt(), length)
     });
     // The axis of a cylinder is its third, the spine the first; their faces look out, the line on them is at the belly, which is +y.
     let [first, second] = [-1.0, 1.0].map(|out| {
@@ -293,15 +279,9 @@ pub fn paper_cat(
         .and(Solid::Bar(lever));
     let look: Look = Box::new(move |told| {
         let [fall, tilt, rate, l] = told.vector(["fall", "tilt", "tilt_rate", "l"]);
-        Sight {
-            omega: Vector3::y() * rate,
-            angular_momentum: Some(Vector3::y() * l),
-            ..outline.sight(
-                Around::Space,
-                Vector3::z() * -fall,
-                about(Vector3::y(), tilt),
-            )
-        }
+        let (place, attitude) = (Vector3::z() * -fall, about(Vector3::y(), tilt));
+        let sight = outline.sight(Around::Space, place, attitude);
+        sight.turning(Vector3::y(), [rate, l])
     });
     Some((scene, look))
 }

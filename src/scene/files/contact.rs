@@ -295,11 +295,10 @@ pub fn superball(
     });
     let look: Look = Box::new(move |told| {
         let [rim, l] = told.vector(["rim_speed", "l_over_radius"]);
+        let sight = flies(told).turning(Vector3::y(), [rim / radius, l * radius]);
         Sight {
             turned: false,
-            omega: Vector3::y() * (rim / radius),
-            angular_momentum: Some(Vector3::y() * (l * radius)),
-            ..flies(told)
+            ..sight
         }
     });
     Some((ball, look))

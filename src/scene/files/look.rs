@@ -143,6 +143,17 @@ pub(super) fn still(
     }
 }
 
+impl Sight {
+    /// The same with Ω and L along this axis.
+    pub(super) fn turning(self, axis: Vector, [omega, l]: [f64; 2]) -> Self {
+        Self {
+            omega: axis * omega,
+            angular_momentum: Some(axis * l),
+            ..self
+        }
+    }
+}
+
 /// A body that tells its attitude.
 pub(super) fn free(body: Outline, around: Around) -> Look {
     Box::new(move |told| {
@@ -152,16 +163,12 @@ pub(super) fn free(body: Outline, around: Around) -> Look {
         let omega = Vector::from(told.vector(["omega1", "omega2", "omega3"]));
         Sight {
             omega: attitude * omega,
-            angular_momentum: momentum(told),
+            angular_momentum: told
+                .number("lx")
+                .map(|_| told.vector(["lx", "ly", "lz"]).into()),
             ..body.sight(around, place.into(), attitude)
         }
     })
-}
-
-/// L along the axes of space.
-pub(super) fn momentum(told: &Told<'_>) -> Option<Vector> {
-    told.number("lx")?;
-    Some(told.vector(["lx", "ly", "lz"]).into())
 }
 
 /// A body that turns in the plane of x and z, about the axis y: its place and its angle (m, rad).
@@ -175,12 +182,9 @@ pub(super) fn rolling(
     Box::new(move |told| {
         let ([x, z], angle) = at(told);
         let attitude = about(Vector::y(), angle) * about(Vector::x(), -FRAC_PI_2);
-        let [omega, l] = told.vector(["omega", "l"]);
-        Sight {
-            omega: Vector::y() * omega,
-            angular_momentum: Some(Vector::y() * l),
-            ..body.sight(around, Vector::new(x, 0.0, z), attitude)
-        }
+        let turning = told.vector(["omega", "l"]);
+        let sight = body.sight(around, Vector::new(x, 0.0, z), attitude);
+        sight.turning(Vector::y(), turning)
     })
 }
 

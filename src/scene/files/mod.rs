@@ -123,10 +123,10 @@ const KIND: Key = Key::new("kind", "");
 type Made<B, I, E, S> = fn(&Reader<'_>, B, I, E) -> Option<(S, Look)>;
 
 /// The scene that the tables of a file make, and what is asked of it. Every table is read before anything is given up.
-fn scene<B: Section, I: Section, E: Section, S>(
+fn read<B: Section, I: Section, E: Section, S: Scene<State: Send + 'static> + 'static>(
     reader: &Reader<'_>,
     made: Made<B, I, E, S>,
-) -> Option<((S, Look), Run, Request)> {
+) -> Option<(AnyScene, Request)> {
     let file = Table::whole(reader);
     file.value::<Option<String>>(&TITLE, None);
     file.entry(KIND.name);
@@ -138,17 +138,10 @@ fn scene<B: Section, I: Section, E: Section, S>(
     let run = file.part::<Run>("run");
     file.done();
     let request = run.as_ref().and_then(|run| run.request(reader));
-    Some((made(reader, body?, initial?, effects?)?, run?, request?))
-}
-
-fn read<B: Section, I: Section, E: Section, S: Scene<State: Send + 'static> + 'static>(
-    reader: &Reader<'_>,
-    made: Made<B, I, E, S>,
-) -> Option<(AnyScene, Request)> {
-    let ((scene, look), run, request) = scene(reader, made)?;
+    let (scene, look) = made(reader, body?, initial?, effects?)?;
+    let (run, request) = (run?, request?);
     let scene = AnyScene::scene(Box::new(scene)).looking(look);
-    let scene = run.told(reader, scene)?;
-    Some((scene, request))
+    Some((run.told(reader, scene)?, request))
 }
 
 fn rows<B: Section, I: Section, E: Section, S>(_: Made<B, I, E, S>) -> Vec<KeyRow> {

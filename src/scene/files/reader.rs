@@ -1,7 +1,7 @@
 //! Tables and keys of one file; what is wrong is gathered, each in one line that names file, line and key.
 
 use core::cell::{Cell, RefCell};
-use core::fmt::{self, Display};
+use core::fmt::Display;
 use core::ops::Range;
 
 use toml::Spanned;
@@ -9,48 +9,18 @@ use toml::de::{DeTable, DeValue};
 
 use super::keys::{Key, KeyRow};
 
-/// What is wrong with a file: in one line the file, the line, the key, and what was expected.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Mistake {
-    /// The file's name.
-    pub file: String,
-    /// The line, counted from 1; none where there is nothing to point at.
-    pub line: Option<usize>,
-    /// The key and what is wrong with it.
-    pub told: String,
-}
-
-impl Display for Mistake {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.line {
-            Some(line) => write!(f, "{}:{line}: {}", self.file, self.told),
-            None => write!(f, "{}: {}", self.file, self.told),
-        }
-    }
-}
-
-/// All that is wrong with a file, a line each, in the order of its lines.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Mistakes(Vec<Mistake>);
-
-impl Display for Mistakes {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (place, mistake) in self.0.iter().enumerate() {
-            let start = if place == 0 { "" } else { "\n" };
-            write!(f, "{start}{mistake}")?;
-        }
-        Ok(())
-    }
-}
-
-impl core::error::Error for Mistakes {}
+/// All that is wrong with a file, in the order of its lines: in one line each the file, the line, the key, and what was expected.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{}", .0.join("\n"))]
+pub struct Mistakes(Vec<String>);
 
 /// A file being read. Whatever gives back nothing has told why.
 pub(super) struct Reader<'a> {
     name: &'a str,
     text: &'a str,
     entries: DeTable<'a>,
-    mistakes: RefCell<Vec<Mistake>>,
+    /// Line, counted from 1, and text; what has no line to point at comes last.
+    mistakes: RefCell<Vec<(usize, String)>>,
     /// Reads another file that this one names.
     pub open: &'a Open<'a>,
 }
@@ -83,18 +53,22 @@ impl<'a> Reader<'a> {
     /// What the file makes, if nothing was wrong with it.
     pub fn finish<T>(self, made: Option<T>) -> Result<T, Mistakes> {
         let mut mistakes = self.mistakes.into_inner();
-        mistakes.sort_by_key(|mistake| mistake.line.unwrap_or(usize::MAX));
+        mistakes.sort_by_key(|mistake| mistake.0);
         match made {
             Some(made) if mistakes.is_empty() => Ok(made),
-            _ => Err(Mistakes(mistakes)),
+            _ => Err(Mistakes(
+                mistakes.into_iter().map(|(_, told)| told).collect(),
+            )),
         }
     }
 
     fn add(&self, place: Option<Range<usize>>, told: String) {
         let before = |place: Range<usize>| self.text.get(..place.start).unwrap_or_default();
         let line = place.map(|place| before(place).matches('\n').count() + 1);
-        let file = self.name.to_owned();
-        let mistake = Mistake { file, line, told };
+        let mistake = match line {
+            Some(line) => (line, format!("{}:{line}: {told}", self.name)),
+            None => (usize::MAX, format!("{}: {told}", self.name)),
+        };
         let mut mistakes = self.mistakes.borrow_mut();
         // A key that is read for two reasons is wrong once.
         if !mistakes.contains(&mistake) {

@@ -9,7 +9,7 @@ use super::values::{keys, section};
 use super::{listed, with};
 use crate::falling_strip::Plate;
 use crate::scene::effects::{AddedMass, Drag, Gravity, Lift, RotationalDamping};
-use crate::scene::{Around, Sight, Solid, Strip, StripStart};
+use crate::scene::{Around, Solid, Strip, StripStart};
 
 section! {
     /// `[body]`.
@@ -74,14 +74,10 @@ pub fn strip(
     let edges = Vector3::new(1.0, 2.0, body.thickness_ratio.max(0.02)) * body.width;
     let outline = Outline::new("a strip, its length cut short", Solid::Cuboid(edges));
     let look: Look = Box::new(move |told| {
-        let [x, z, angle, omega] = told.vector(["x", "y", "angle", "omega"]);
-        let [l] = told.vector(["l"]);
+        let [x, z, angle, omega, l] = told.vector(["x", "y", "angle", "omega", "l"]);
         let attitude = about(Vector3::y(), -angle);
-        Sight {
-            omega: Vector3::y() * -omega,
-            angular_momentum: Some(Vector3::y() * -l),
-            ..outline.sight(Around::Space, Vector3::new(x, 0.0, z), attitude)
-        }
+        let sight = outline.sight(Around::Space, Vector3::new(x, 0.0, z), attitude);
+        sight.turning(Vector3::y(), [-omega, -l])
     });
     Some((scene, look))
 }

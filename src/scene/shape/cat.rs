@@ -263,14 +263,13 @@ impl Scene for Cat {
 
     fn plan(&self, request: &Request) -> Result<Plan> {
         request.forward()?;
-        let closed = match self.equal_halves() {
-            Some(_) => Ok((
-                Solver::Exact,
+        let plan = match self.equal_halves() {
+            Some(_) => Plan::exact(
                 "equal halves without angular momentum: one integral along the path of shapes",
-            )),
-            None => Err("unequal halves or angular momentum: no closed form"),
+            ),
+            None => Plan::stepped("unequal halves or angular momentum: no closed form"),
         };
-        planned(request, closed, SOLVERS)
+        planned(request, plan, SOLVERS)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<CatState>> {

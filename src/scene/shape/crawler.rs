@@ -236,14 +236,11 @@ impl Scene for Crawler {
 
     fn plan(&self, request: &Request) -> Result<Plan> {
         request.forward()?;
-        let closed = match self.grip() {
-            Some(_) => (
-                Solver::Events,
-                "sliding friction: closed forms from event to event",
-            ),
-            None => (Solver::Exact, "no outside force: the centre of mass stays"),
+        let plan = match self.grip() {
+            Some(_) => Plan::events("sliding friction: closed forms from event to event"),
+            None => Plan::exact("no outside force: the centre of mass stays"),
         };
-        planned(request, Ok(closed), SOLVERS)
+        planned(request, plan, SOLVERS)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<CrawlerState>> {

@@ -222,11 +222,11 @@ impl Scene for PaperCat {
 
     fn plan(&self, request: &Request) -> Result<Plan> {
         request.forward()?;
-        let closed = match self.air {
-            Some(_) => Err("air: no closed form"),
-            None => Ok((Solver::Exact, "no air: a rigid body at rest does not turn")),
+        let plan = match self.air {
+            Some(_) => Plan::stepped("air: no closed form"),
+            None => Plan::exact("no air: a rigid body at rest does not turn"),
         };
-        planned(request, closed, SOLVERS)
+        planned(request, plan, SOLVERS)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<PaperCatState>> {
@@ -241,31 +241,29 @@ impl Scene for PaperCat {
             Solver::Exact => 0.0,
             _ => self.rest(),
         };
-        let stepped = trace.samples.into_iter();
-        let numbers: Vec<[f64; 5]> = stepped
-            .map(|((), [fall, velocity, tilt, rate, lost])| {
-                [fall, velocity, rest + tilt, rate, lost]
-            })
-            .collect();
+        let samples = trace.samples.into_iter();
+        let states = samples.map(
+            |((), [fall, velocity, tilt, tilt_rate, lost])| PaperCatState {
+                fall,
+                velocity,
+                tilt: rest + tilt,
+                tilt_rate,
+                lost,
+            },
+        );
+        let states: Vec<PaperCatState> = states.collect();
         let energy = |place: usize| {
-            let [fall, velocity, ..] = numbers[place];
+            let PaperCatState { fall, velocity, .. } = states[place];
             let kinetic = 0.5 * velocity * velocity;
             self.gravity.map_or(kinetic, |g| kinetic - g * fall)
         };
-        let balance = |place: usize| energy(place) + numbers[place][4];
-        let largest = numbers.iter().map(|y| y[1] * y[1]).fold(0.0, f64::max);
+        let balance = |place: usize| energy(place) + states[place].lost;
+        let squares = states.iter().map(|state| state.velocity.powi(2));
+        let largest = squares.fold(0.0, f64::max);
         let (whole, name) = ("energy of fall with what the air took", "energy of fall");
         let mut accounts = Accounts::of(request);
         accounts.conserved(whole, largest, 0.0, balance)?;
         accounts.keep((name, Law::NonIncreasing, largest), 0.0, energy)?;
-        let state = |&[fall, velocity, tilt, tilt_rate, lost]: &[f64; 5]| PaperCatState {
-            fall,
-            velocity,
-            tilt,
-            tilt_rate,
-            lost,
-        };
-        let states = numbers.iter().map(state).collect();
         Motion::of(request, plan, trace.cost, error, accounts, states)
     }
 

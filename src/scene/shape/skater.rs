@@ -8,7 +8,7 @@ use crate::scene::columns::{Columns, state};
 use crate::scene::effects::Effect;
 use crate::scene::engine::{AN_INTEGRAL, Answer, Flow, apart, planned, solved};
 use crate::scene::motion::Accounts;
-use crate::scene::{Motion, Plan, Request, Scene, Solver};
+use crate::scene::{Motion, Plan, Request, Scene};
 
 /// A skater who spins: a core, two hands, a path for them, and what the ice does.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -182,14 +182,11 @@ impl Scene for Skater {
 
     fn plan(&self, request: &Request) -> Result<Plan> {
         request.forward()?;
-        let closed = match self.bearing_friction {
-            Some(_) => Err("bearing friction: no closed form"),
-            None => Ok((
-                Solver::Exact,
-                "no torque: spin and moment have a fixed product",
-            )),
+        let plan = match self.bearing_friction {
+            Some(_) => Plan::stepped("bearing friction: no closed form"),
+            None => Plan::exact("no torque: spin and moment have a fixed product"),
         };
-        planned(request, closed, SOLVERS)
+        planned(request, plan, SOLVERS)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<SkaterState>> {

@@ -197,14 +197,11 @@ impl Scene for Swivel {
 
     fn plan(&self, request: &Request) -> Result<Plan> {
         request.forward()?;
-        let closed = match self.bearing_friction {
-            Some(_) => Err("bearing friction: no closed form"),
-            None => Ok((
-                Solver::Exact,
-                "no torque: one integral along the path of shapes",
-            )),
+        let plan = match self.bearing_friction {
+            Some(_) => Plan::stepped("bearing friction: no closed form"),
+            None => Plan::exact("no torque: one integral along the path of shapes"),
         };
-        planned(request, closed, SOLVERS)
+        planned(request, plan, SOLVERS)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<SwivelState>> {

@@ -31,9 +31,6 @@ use closed::ClosedForm;
 use equations::Turning;
 use ledger::Conserved;
 
-/// What steps where there is no closed form.
-const ORDER_EIGHT: Solver = Solver::Geometric(Geometric::DormandPrince8);
-
 /// At so many of the times asked for a closed form is compared with that from a start beside.
 const OF_THE_TIMES: usize = 64;
 
@@ -41,33 +38,35 @@ impl Top {
     /// The plan: the closed form wherever there is one, otherwise order 8; or what was asked for by name.
     fn planned(&self, request: &Request) -> Result<(Plan, Option<ClosedForm>)> {
         let resisting: Vec<&str> = self.resisting().collect();
-        let stepped = |reason: String| Ok((Plan::new(ORDER_EIGHT, reason), None));
-        match request.choice() {
-            Choice::Auto if !resisting.is_empty() => {
-                stepped(format!("{}: no closed form", resisting.join(" and ")))
+        let refused = |condition| Err(Error::Solver { condition });
+        let closed = match request.choice() {
+            Choice::Auto | Choice::Use(Solver::Exact) => self.closed_form()?,
+            Choice::Use(_) => None,
+        };
+        let plan = match (request.choice(), &closed) {
+            (Choice::Auto, Some(closed)) => Plan::exact(closed.reason()),
+            (Choice::Auto, None) if resisting.is_empty() => Plan::stepped(closed::NONE),
+            (Choice::Auto, None) => {
+                Plan::stepped(format!("{}: no closed form", resisting.join(" and ")))
             }
-            Choice::Auto => match self.closed_form()? {
-                Some(closed) => Ok((Plan::new(Solver::Exact, closed.reason()), Some(closed))),
-                None => stepped(closed::NONE.to_owned()),
-            },
-            Choice::Use(Solver::Exact) => match self.closed_form()? {
-                Some(closed) => Ok((Plan::new(Solver::Exact, "asked for"), Some(closed))),
-                None => Err(Error::Solver {
-                    condition: "the solver `exact` is for scenes with a closed form, this one has none",
-                }),
-            },
-            Choice::Use(Solver::Geometric(method))
+            (Choice::Use(Solver::Exact), None) => {
+                return refused(
+                    "the solver `exact` is for scenes with a closed form, this one has none",
+                );
+            }
+            (Choice::Use(Solver::Geometric(method)), _)
                 if method != Geometric::DormandPrince8 && !resisting.is_empty() =>
             {
-                Err(Error::Solver {
-                    condition: "the geometric solvers are for tops under gravity alone, and dormand-prince-8 for all",
-                })
+                return refused(
+                    "the geometric solvers are for tops under gravity alone, and dormand-prince-8 for all",
+                );
             }
-            Choice::Use(Solver::Events) => Err(Error::Solver {
-                condition: "the solver `events` is for scenes with contacts, a top has none",
-            }),
-            Choice::Use(solver) => Ok((Plan::new(solver, "asked for"), None)),
-        }
+            (Choice::Use(Solver::Events), _) => {
+                return refused("the solver `events` is for scenes with contacts, a top has none");
+            }
+            (Choice::Use(solver), _) => Plan::new(solver, "asked for"),
+        };
+        Ok((plan, closed))
     }
 }
 
@@ -112,7 +111,7 @@ impl Top {
                 if request.choice() == Choice::Auto
                     && matches!(closed, ClosedForm::Kovalevskaya(..)) =>
             {
-                let plan = Plan::new(ORDER_EIGHT, NEAR_A_DOUBLE_ROOT);
+                let plan = Plan::stepped(NEAR_A_DOUBLE_ROOT);
                 self.stepped(plan, request, &conserved)
             }
             done => done,

@@ -61,12 +61,6 @@ impl Progress {
     }
 }
 
-impl PartialEq for Progress {
-    fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.0, &other.0)
-    }
-}
-
 /// The evaluations of an answer, counted over all of its runs.
 pub(crate) struct Budget {
     spent: Cell<u64>,

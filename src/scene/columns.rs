@@ -190,3 +190,15 @@ macro_rules! state {
 }
 
 pub(crate) use state;
+
+/// Numbers of a state, a line each: name, unit, meaning, and the number itself.
+macro_rules! columns {
+    (|$state:ident: &$type:ty| $($name:literal, $unit:literal, $meaning:literal => $number:expr;)*) => {
+        $crate::scene::Columns::default().with(
+            [$([$name, $unit, $meaning]),*],
+            move |$state: &$type| [$($number),*],
+        )
+    };
+}
+
+pub(crate) use columns;

@@ -28,7 +28,7 @@
 
 use nalgebra::Vector3;
 
-use super::columns::Columns;
+use super::columns::{Columns, columns};
 use super::effects::Effect;
 use super::engine::{self, Ahead, Answer, Flow, planned, solved, to_accuracy};
 use super::motion::Accounts;
@@ -314,7 +314,6 @@ pub fn passage(rows: &[(f64, State)], quantity: impl Fn(&State) -> f64, level: f
 
 impl Tabulated for State {
     fn columns() -> Columns<Self> {
-        let energy = "kinetic energy, and of the weight above the table";
         Columns::default()
             .attitude(|state: &Self| state.attitude)
             .omega(|state| state.omega)
@@ -324,15 +323,12 @@ impl Tabulated for State {
             .vector(["vx", "vy", "vz"], ["m/s", "its velocity"], |state| {
                 state.velocity.components()
             })
-            .with(
-                [
-                    ["slip", "m/s", "speed of the point in contact"],
-                    ["reaction", "N", "push of the table, upwards"],
-                    ["energy", "J", energy],
-                    ["dissipated", "J", "what contact has taken so far"],
-                ],
-                |s: &Self| [s.slip.norm(), s.reaction, s.energy, s.dissipated],
-            )
+            .and(columns! { |state: &Self|
+                "slip", "m/s", "speed of the point in contact" => state.slip.norm();
+                "reaction", "N", "push of the table, upwards" => state.reaction;
+                "energy", "J", "kinetic energy, and of the weight above the table" => state.energy;
+                "dissipated", "J", "what contact has taken so far" => state.dissipated;
+            })
     }
 }
 
@@ -805,46 +801,23 @@ impl Scene for TableTop {
 
     fn further(&self) -> Columns<State> {
         let (body, gravity) = (self.body, self.gravity);
-        let momentum = move |state: &State| {
-            let l = body.inertia().angular_momentum(state.omega);
-            state.attitude.to_space(l)
-        };
+        let l = move |state: &State| body.inertia().angular_momentum(state.omega);
+        let momentum = move |state: &State| state.attitude.to_space(l(state));
         let weight = body.mass() * gravity.unwrap_or(0.0);
-        let upright = "angular velocity about the vertical";
         Columns::default()
             .angles(|state: &State| state.attitude)
-            .with(
-                [
-                    ["omega", "rad/s", "size of the angular velocity"],
-                    ["vertical_spin", "rad/s", upright],
-                ],
-                |state| [state.omega.norm(), state.spin()],
-            )
+            .and(columns! { |state: &State|
+                "omega", "rad/s", "size of the angular velocity" => state.omega.norm();
+                "vertical_spin", "rad/s", "angular velocity about the vertical" => state.spin();
+            })
             .angular_momentum(|state| state.attitude, momentum)
-            .with(
-                [
-                    ["friction", "N", "size of the level force of the table"],
-                    ["translation", "J", "kinetic energy of the centre of mass"],
-                    ["rotation", "J", "kinetic energy about the centre of mass"],
-                    ["potential", "J", "energy of the weight above the table"],
-                    ["jellett", "kg m³/s", "Jellett's integral"],
-                    ["support", "1", "0 sliding, 1 rolling, 2 in the air"],
-                ],
-                move |state| {
-                    let l = body.inertia().angular_momentum(state.omega);
-                    let translation = 0.5 * body.mass() * state.velocity.dot(&state.velocity);
-                    let rotation = 0.5 * l.dot(&state.omega);
-                    let potential = weight * state.position.z();
-                    let support = f64::from(state.support as u8);
-                    [
-                        state.friction,
-                        translation,
-                        rotation,
-                        potential,
-                        state.jellett,
-                        support,
-                    ]
-                },
-            )
+            .and(columns! { |state: &State|
+                "friction", "N", "size of the level force of the table" => state.friction;
+                "translation", "J", "kinetic energy of the centre of mass" => 0.5 * body.mass() * state.velocity.dot(&state.velocity);
+                "rotation", "J", "kinetic energy about the centre of mass" => 0.5 * l(state).dot(&state.omega);
+                "potential", "J", "energy of the weight above the table" => weight * state.position.z();
+                "jellett", "kg m³/s", "Jellett's integral" => state.jellett;
+                "support", "1", "0 sliding, 1 rolling, 2 in the air" => f64::from(state.support as u8);
+            })
     }
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::UnitQuaternion;
 
-use super::columns::Columns;
+use super::columns::{Columns, columns};
 use super::effects::{Effect, Impact};
 use super::motion::Accounts;
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
@@ -89,14 +89,9 @@ impl Tabulated for Flying {
             .vector(["x", "y", "z"], ["m", "centre of the planet"], |state| {
                 state.center.components()
             })
-            .with(
-                [[
-                    "energy",
-                    "J",
-                    "kinetic energy, before the blow of both bodies",
-                ]],
-                |state| [state.energy],
-            )
+            .and(columns! { |state: &Self|
+                "energy", "J", "kinetic energy, before the blow of both bodies" => state.energy;
+            })
     }
 }
 
@@ -281,10 +276,9 @@ impl Scene for StruckPlanet {
     fn further(&self) -> Columns<Flying> {
         Columns::default()
             .angles(|state: &Flying| state.attitude)
-            .with(
-                [["omega", "rad/s", "size of the angular velocity"]],
-                |state| [state.omega.norm()],
-            )
+            .and(columns! { |state: &Flying|
+                "omega", "rad/s", "size of the angular velocity" => state.omega.norm();
+            })
             .angular_momentum(|state| state.attitude, |state| state.angular_momentum)
     }
 }

@@ -1,6 +1,6 @@
 //! The scene `roller` (tutorial 4.3 and 4.5): a round body on a table, after the cue or on a sheet that is withdrawn.
 
-use super::columns::Columns;
+use super::columns::{Columns, columns};
 use super::effects::Effect;
 use super::engine::{Answer, Flow, OF_CLOSED_FORMS, apart, greater};
 use super::engine::{planned, to_accuracy};
@@ -153,42 +153,21 @@ pub struct Rolling {
 
 impl Tabulated for Rolling {
     fn columns() -> Columns<Self> {
-        along(|state: &Self| state.moment).with(ENERGIES, |s| [s.energy, s.heat])
+        along(|state: &Self| state.moment).and(columns! { |state: &Self|
+            "energy", "J", "kinetic energy" => state.energy;
+            "heat", "J", "heat of friction and rolling resistance so far" => state.heat;
+        })
     }
 }
 
-/// What both kinds that roll tell of their energy.
-pub(super) const ENERGIES: [[&str; 3]; 2] = [
-    ["energy", "J", "kinetic energy"],
-    [
-        "heat",
-        "J",
-        "heat of friction and rolling resistance so far",
-    ],
-];
-
 /// Where a round body is and how it moves.
 pub(super) fn along<S: 'static>(of: fn(&S) -> Moment) -> Columns<S> {
-    let rim = "radius times angular velocity, positive as in rolling";
-    let slip = "velocity of the point in contact over the ground under it";
-    Columns::default().with(
-        [
-            ["x", "m", "place of the centre along the table"],
-            ["velocity", "m/s", "velocity of the centre"],
-            ["rim_speed", "m/s", rim],
-            ["slip", "m/s", slip],
-        ],
-        move |state| {
-            let Moment {
-                position,
-                velocity,
-                rim_speed,
-                slip,
-                ..
-            } = of(state);
-            [position, velocity, rim_speed, slip]
-        },
-    )
+    columns! { |state: &S|
+        "x", "m", "place of the centre along the table" => of(state).position;
+        "velocity", "m/s", "velocity of the centre" => of(state).velocity;
+        "rim_speed", "m/s", "radius times angular velocity, positive as in rolling" => of(state).rim_speed;
+        "slip", "m/s", "velocity of the point in contact over the ground under it" => of(state).slip;
+    }
 }
 
 impl Scene for Roller {
@@ -223,34 +202,15 @@ impl Scene for Roller {
 /// What can be told of the moments of a round body.
 pub(super) fn moments<S: 'static>(body: RoundBody, of: fn(&S) -> Moment) -> Columns<S> {
     let (mass, kappa, radius) = (body.mass(), body.inertia_factor(), body.radius());
-    let about_table = "angular momentum about the line of contact";
-    Columns::default().with(
-        [
-            ["turned", "rad", "angle turned"],
-            ["omega", "rad/s", "angular velocity"],
-            ["translation", "J", "kinetic energy of the centre"],
-            ["rotation", "J", "kinetic energy about the centre"],
-            ["driven", "J", "work of tug and moving sheet so far"],
-            ["l_about_table", "kg m²/s", about_table],
-            ["l", "kg m²/s", "angular momentum about the centre"],
-        ],
-        move |state| {
-            let moment = of(state);
-            let translation = 0.5 * mass * moment.velocity.powi(2);
-            let rotation = 0.5 * mass * kappa * moment.rim_speed.powi(2);
-            let about = mass * radius * moment.about_the_table(kappa);
-            let [turned, omega] = [moment.turned, moment.rim_speed].map(|way| way / radius);
-            [
-                turned,
-                omega,
-                translation,
-                rotation,
-                mass * moment.work,
-                about,
-                mass * kappa * radius * moment.rim_speed,
-            ]
-        },
-    )
+    columns! { |state: &S|
+        "turned", "rad", "angle turned" => of(state).turned / radius;
+        "omega", "rad/s", "angular velocity" => of(state).rim_speed / radius;
+        "translation", "J", "kinetic energy of the centre" => 0.5 * mass * of(state).velocity.powi(2);
+        "rotation", "J", "kinetic energy about the centre" => 0.5 * mass * kappa * of(state).rim_speed.powi(2);
+        "driven", "J", "work of tug and moving sheet so far" => mass * of(state).work;
+        "l_about_table", "kg m²/s", "angular momentum about the line of contact" => mass * radius * of(state).about_the_table(kappa);
+        "l", "kg m²/s", "angular momentum about the centre" => mass * kappa * radius * of(state).rim_speed;
+    }
 }
 
 /// What may be asked for.

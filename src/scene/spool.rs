@@ -1,8 +1,8 @@
 //! The scene `spool` (tutorial 4.4): a spool on a table, tugged at its string.
 
-use super::columns::Columns;
+use super::columns::{Columns, columns};
 use super::effects::Effect;
-use super::roller::{ENERGIES, OnTable, along, moments, rolling_plan};
+use super::roller::{OnTable, along, moments, rolling_plan};
 use super::{Motion, Plan, Request, Scene, Tabulated};
 use crate::error::{Result, positive};
 use crate::rolling::stretch::Laws;
@@ -132,10 +132,12 @@ pub struct Spooling {
 
 impl Tabulated for Spooling {
     fn columns() -> Columns<Self> {
-        along(|state: &Self| state.moment)
-            .with([["wound", "m", "string wound up so far"]], |s| [s.wound])
-            .with(ENERGIES, |s| [s.energy, s.heat])
-            .with([["work", "J", "work of the tug so far"]], |s| [s.work])
+        along(|state: &Self| state.moment).and(columns! { |state: &Self|
+            "wound", "m", "string wound up so far" => state.wound;
+            "energy", "J", "kinetic energy" => state.energy;
+            "heat", "J", "heat of friction and rolling resistance so far" => state.heat;
+            "work", "J", "work of the tug so far" => state.work;
+        })
     }
 }
 

@@ -1,6 +1,6 @@
 //! A strip that falls through a fluid, broadside length into the picture (tutorial 4.10).
 
-use super::columns::Columns;
+use super::columns::{Columns, columns};
 use super::effects::{Effect, Gravity};
 use super::engine::{Answer, Flow, OF_CLOSED_FORMS, ROUNDING, greater, planned, solved};
 use super::motion::Accounts;
@@ -30,23 +30,16 @@ pub struct StripState {
 
 impl Tabulated for StripState {
     fn columns() -> Columns<Self> {
-        let energy = "kinetic energy, of the fluid taken along too, and potential energy";
-        Columns::default().with(
-            [
-                ["x", "m", "place, to the right"],
-                ["y", "m", "place, up"],
-                ["angle", "rad", "angle of the chord above the horizontal"],
-                ["vx", "m/s", "velocity, to the right"],
-                ["vy", "m/s", "velocity, up"],
-                ["omega", "rad/s", "angular velocity"],
-                ["energy", "J/m", energy],
-                ["heat", "J/m", "what drag and damping have taken so far"],
-            ],
-            |s: &Self| {
-                let ([x, y], [vx, vy]) = (s.position, s.velocity);
-                [x, y, s.angle, vx, vy, s.omega, s.energy, s.heat]
-            },
-        )
+        columns! { |state: &Self|
+            "x", "m", "place, to the right" => state.position[0];
+            "y", "m", "place, up" => state.position[1];
+            "angle", "rad", "angle of the chord above the horizontal" => state.angle;
+            "vx", "m/s", "velocity, to the right" => state.velocity[0];
+            "vy", "m/s", "velocity, up" => state.velocity[1];
+            "omega", "rad/s", "angular velocity" => state.omega;
+            "energy", "J/m", "kinetic energy, of the fluid taken along too, and potential energy" => state.energy;
+            "heat", "J/m", "what drag and damping have taken so far" => state.heat;
+        }
     }
 }
 
@@ -377,20 +370,11 @@ impl Scene for Strip {
         let equations = &self.equations;
         let weight = equations.plate.mass() * equations.gravity.unwrap_or(0.0);
         let moment = equations.plate.moment();
-        let descent = "angle of the velocity below the horizontal";
-        let l = "angular momentum of the strip alone about its axis, a metre of its length";
-        Columns::default().with(
-            [
-                ["speed", "m/s", "size of the velocity"],
-                ["descent", "rad", descent],
-                ["potential", "J/m", "energy of the weight above the start"],
-                ["l", "kg m/s", l],
-            ],
-            move |state: &StripState| {
-                let [x, y] = state.velocity;
-                let potential = weight * state.position[1];
-                [x.hypot(y), (-y).atan2(x), potential, moment * state.omega]
-            },
-        )
+        columns! { |state: &StripState|
+            "speed", "m/s", "size of the velocity" => state.velocity[0].hypot(state.velocity[1]);
+            "descent", "rad", "angle of the velocity below the horizontal" => (-state.velocity[1]).atan2(state.velocity[0]);
+            "potential", "J/m", "energy of the weight above the start" => weight * state.position[1];
+            "l", "kg m/s", "angular momentum of the strip alone about its axis, a metre of its length" => moment * state.omega;
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! The scene `superball` (tutorial 4.6): a bouncing ball, under the open sky or under a table.
 
-use super::columns::Columns;
+use super::columns::{Columns, columns};
 use super::effects::Effect;
 use super::engine::{Answer, Flow, OF_CLOSED_FORMS, apart, greater};
 use super::engine::{planned, to_accuracy};
@@ -128,31 +128,15 @@ pub struct Bouncing {
 
 impl Tabulated for Bouncing {
     fn columns() -> Columns<Self> {
-        let rim = "radius times angular velocity, positive as in rolling";
-        let energy = "kinetic energy, and of the weight above the floor";
-        Columns::default().with(
-            [
-                ["x", "m", "place along the floor"],
-                ["height", "m", "lowest point of the ball above the floor"],
-                ["velocity", "m/s", "velocity along the floor"],
-                ["climb", "m/s", "velocity upward"],
-                ["rim_speed", "m/s", rim],
-                ["bounces", "1", "bounces so far"],
-                ["energy", "J", energy],
-            ],
-            |Self { ball, energy }: &Self| {
-                let [x, height, climb, velocity, rim_speed] = numbers(ball);
-                [
-                    x,
-                    height,
-                    velocity,
-                    climb,
-                    rim_speed,
-                    ball.bounces as f64,
-                    *energy,
-                ]
-            },
-        )
+        columns! { |state: &Self|
+            "x", "m", "place along the floor" => state.ball.position;
+            "height", "m", "lowest point of the ball above the floor" => state.ball.height;
+            "velocity", "m/s", "velocity along the floor" => state.ball.motion.velocity;
+            "climb", "m/s", "velocity upward" => state.ball.climb;
+            "rim_speed", "m/s", "radius times angular velocity, positive as in rolling" => state.ball.motion.rim_speed;
+            "bounces", "1", "bounces so far" => state.ball.bounces as f64;
+            "energy", "J", "kinetic energy, and of the weight above the floor" => state.energy;
+        }
     }
 }
 
@@ -225,22 +209,15 @@ impl Scene for Superball {
     fn further(&self) -> Columns<Bouncing> {
         let (mass, kappa) = (self.mass, self.kappa);
         let weight = mass * self.gravity.unwrap_or(0.0);
-        let l = "angular momentum about the centre over the radius, which nobody has told";
-        Columns::default().with(
-            [
-                ["translation", "J", "kinetic energy of the centre"],
-                ["rotation", "J", "kinetic energy about the centre"],
-                ["potential", "J", "energy of the weight above the floor"],
-                ["l_over_radius", "kg m/s", l],
-            ],
-            move |Bouncing { ball, .. }: &Bouncing| {
-                let [along, rim] = [ball.motion.velocity, ball.motion.rim_speed];
-                let translation = 0.5 * mass * (along.powi(2) + ball.climb.powi(2));
-                let rotation = 0.5 * mass * kappa * rim.powi(2);
-                let l = mass * kappa * rim;
-                [translation, rotation, weight * ball.height, l]
-            },
-        )
+        columns! { |state: &Bouncing|
+            "translation", "J", "kinetic energy of the centre" => {
+                let [along, up] = [state.ball.motion.velocity, state.ball.climb];
+                0.5 * mass * (along.powi(2) + up.powi(2))
+            };
+            "rotation", "J", "kinetic energy about the centre" => 0.5 * mass * kappa * state.ball.motion.rim_speed.powi(2);
+            "potential", "J", "energy of the weight above the floor" => weight * state.ball.height;
+            "l_over_radius", "kg m/s", "angular momentum about the centre over the radius, which nobody has told" => mass * kappa * state.ball.motion.rim_speed;
+        }
     }
 }
 

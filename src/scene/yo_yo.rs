@@ -2,7 +2,7 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use super::columns::{Columns, state};
+use super::columns::{Columns, columns, state};
 use super::effects::Effect;
 use super::engine::{Ahead, Answer, Flow, OF_CLOSED_FORMS, greater, planned, solved};
 use super::motion::Accounts;
@@ -559,23 +559,11 @@ impl Scene for Play {
     fn further(&self) -> Columns<YoYoState> {
         let (toy, weight) = (self.toy, self.toy.mass() * self.gravity.unwrap_or(0.0));
         let inertia = toy.inertia();
-        let phase = "0 down, 1 turning, 2 up, 3 asleep, 4 hanging, 5 caught";
-        Columns::default().with(
-            [
-                ["potential", "J", "energy of the weight below the hand"],
-                ["rotation", "J", "kinetic energy about the axle"],
-                ["phase", "1", phase],
-                ["l", "kg m²/s", "angular momentum about the axle"],
-            ],
-            move |state: &YoYoState| {
-                let rotation = 0.5 * inertia * state.omega.powi(2);
-                [
-                    -weight * state.depth,
-                    rotation,
-                    f64::from(state.phase as u8),
-                    inertia * state.omega,
-                ]
-            },
-        )
+        columns! { |state: &YoYoState|
+            "potential", "J", "energy of the weight below the hand" => -weight * state.depth;
+            "rotation", "J", "kinetic energy about the axle" => 0.5 * inertia * state.omega.powi(2);
+            "phase", "1", "0 down, 1 turning, 2 up, 3 asleep, 4 hanging, 5 caught" => f64::from(state.phase as u8);
+            "l", "kg m²/s", "angular momentum about the axle" => inertia * state.omega;
+        }
     }
 }

@@ -10,7 +10,7 @@ use crate::frame::{Attitude, BodyVector, SpaceVector, finite_vector};
 use crate::integrators::Kept;
 use crate::phenomena::quadrature::integral;
 use crate::phenomena::{self, Bend, EqualHalves, ShapePlane};
-use crate::scene::columns::Columns;
+use crate::scene::columns::{Columns, columns};
 use crate::scene::effects::Effect;
 use crate::scene::engine::{AN_INTEGRAL, Answer, Flow, planned, solved};
 use crate::scene::motion::Accounts;
@@ -44,21 +44,17 @@ pub struct CatState {
 
 impl Tabulated for CatState {
     fn columns() -> Columns<Self> {
-        let size = "size of the angular momentum";
         Columns::default()
             .attitude(|state: &Self| state.attitude)
-            .with(
-                [
-                    ["bend", "rad", "angle between the spines of the halves"],
-                    ["direction", "rad", "direction of the bend about the spine"],
-                ],
-                |state| [state.bend.angle, state.bend.direction],
-            )
+            .and(columns! { |state: &Self|
+                "bend", "rad", "angle between the spines of the halves" => state.bend.angle;
+                "direction", "rad", "direction of the bend about the spine" => state.bend.direction;
+            })
             .vector(["x", "y", "z"], ["m", "centre of mass"], |state| {
                 state.center.components()
             })
-            .with([["angular_momentum", "kg m²/s", size]], |state| {
-                [state.angular_momentum.norm()]
+            .and(columns! { |state: &Self|
+                "angular_momentum", "kg m²/s", "size of the angular momentum" => state.angular_momentum.norm();
             })
     }
 }
@@ -245,8 +241,7 @@ impl Flow<4> for Cat {
     }
 
     fn lasts_until(&self, (): (), t: f64) -> f64 {
-        let corners = self.turnover.map(|path| path.corners());
-        corners.map_or(f64::INFINITY, |corners| next_of(&corners, t))
+        next_of(self.turnover.map(|path| path.corners()), t)
     }
 
     /// Ω follows from the attitude: by no more, against the fastest rate.

@@ -7,7 +7,7 @@ use crate::error::{Error, Result, not_negative};
 use crate::integrators::{Passage, Stop};
 use crate::phenomena::{self, Foot, Gap, Leg};
 use crate::rolling::Coulomb;
-use crate::scene::columns::{Columns, state};
+use crate::scene::columns::{Columns, columns, state};
 use crate::scene::effects::Effect;
 use crate::scene::engine::{Ahead, Answer, Flow, planned, solved};
 use crate::scene::motion::Accounts;
@@ -297,9 +297,8 @@ impl Scene for Crawler {
     }
 
     fn further(&self) -> Columns<CrawlerState> {
-        Columns::default().with(
-            [["gap", "m", "distance of the feet"]],
-            |state: &CrawlerState| [state.front - state.rear],
-        )
+        columns! { |state: &CrawlerState|
+            "gap", "m", "distance of the feet" => state.front - state.rear;
+        }
     }
 }

@@ -6,7 +6,7 @@ use crate::conservation::Law;
 use crate::error::{Result, finite, positive};
 use crate::integrators::{Effort, Kept, Leg, Stop};
 use crate::phenomena;
-use crate::scene::columns::{Columns, state};
+use crate::scene::columns::{Columns, columns, state};
 use crate::scene::effects::Effect;
 use crate::scene::engine::{Answer, Flow, apart, planned, solved};
 use crate::scene::motion::Accounts;
@@ -269,9 +269,8 @@ impl Scene for PaperCat {
 
     fn further(&self) -> Columns<PaperCatState> {
         let moment = self.cat.mass * self.cat.gyration.powi(2);
-        Columns::default().with(
-            [["l", "kg m²/s", "angular momentum about the centre of mass"]],
-            move |state: &PaperCatState| [moment * state.tilt_rate],
-        )
+        columns! { |state: &PaperCatState|
+            "l", "kg m²/s", "angular momentum about the centre of mass" => moment * state.tilt_rate;
+        }
     }
 }

@@ -252,7 +252,7 @@ impl Turnover {
 }
 
 /// The first of these corners after a time, s; none is infinitely far.
-pub(super) fn next_of(corners: &[f64], t: f64) -> f64 {
-    let later = corners.iter().find(|&&corner| corner > t);
-    later.copied().unwrap_or(f64::INFINITY)
+pub(super) fn next_of<const N: usize>(corners: Option<[f64; N]>, t: f64) -> f64 {
+    let mut corners = corners.into_iter().flatten();
+    corners.find(|&corner| corner > t).unwrap_or(f64::INFINITY)
 }

@@ -4,7 +4,7 @@ use super::path::{Draw, next_of};
 use crate::error::{Result, finite, not_negative};
 use crate::phenomena;
 use crate::phenomena::quadrature::integral;
-use crate::scene::columns::{Columns, state};
+use crate::scene::columns::{Columns, columns, state};
 use crate::scene::effects::Effect;
 use crate::scene::engine::{AN_INTEGRAL, Answer, Flow, apart, planned, solved};
 use crate::scene::motion::Accounts;
@@ -164,8 +164,7 @@ impl Flow<4> for Skater {
     }
 
     fn lasts_until(&self, (): (), t: f64) -> f64 {
-        let corners = self.draw.map(|draw| draw.corners());
-        corners.map_or(f64::INFINITY, |corners| next_of(&corners, t))
+        next_of(self.draw.map(|draw| draw.corners()), t)
     }
 
     fn distance(&self, ((), a): &((), [f64; 4]), ((), b): &((), [f64; 4])) -> f64 {
@@ -195,10 +194,8 @@ impl Scene for Skater {
         let Answer { trace, error } = solved(run, AN_INTEGRAL, |t| self.known(t))?;
         let rows = request.times().iter().zip(trace.samples);
         let states: Vec<SkaterState> = rows.map(|(&t, ((), y))| self.state(t, y)).collect();
-        let (l, start) = (
-            self.angular_momentum(),
-            self.state(0.0, [0.0, self.spin, 0.0, 0.0]),
-        );
+        let l = self.angular_momentum();
+        let start = self.state(0.0, [0.0, self.spin, 0.0, 0.0]);
         // What the hands do with the energy and what the energy does with the rounding: relative to the largest that occurs.
         let largest = states.iter().map(|s| s.energy).fold(start.energy, f64::max);
         let momentum = |place: usize| {
@@ -216,15 +213,9 @@ impl Scene for Skater {
 
     fn further(&self) -> Columns<SkaterState> {
         let body = self.body;
-        Columns::default().with(
-            [
-                ["moment", "kg m²", "moment of inertia"],
-                ["l", "kg m²/s", "angular momentum"],
-            ],
-            move |state: &SkaterState| {
-                let moment = body.moment(state.reach);
-                [moment, moment * state.spin]
-            },
-        )
+        columns! { |state: &SkaterState|
+            "moment", "kg m²", "moment of inertia" => body.moment(state.reach);
+            "l", "kg m²/s", "angular momentum" => body.moment(state.reach) * state.spin;
+        }
     }
 }

@@ -4,7 +4,7 @@ use super::path::{FourPhases, Twist};
 use crate::error::{Result, finite, positive};
 use crate::phenomena;
 use crate::phenomena::quadrature::integral;
-use crate::scene::columns::{Columns, state};
+use crate::scene::columns::{Columns, columns, state};
 use crate::scene::effects::Effect;
 use crate::scene::engine::{AN_INTEGRAL, Answer, Flow, planned, solved};
 use crate::scene::motion::Accounts;
@@ -134,7 +134,10 @@ impl Swivel {
     }
 
     /// The angle at a time: whole rounds, whole parts of the last one, and one integral.
-    fn turned(&self, path: &FourPhases, parts: &[f64], t: f64) -> Result<f64> {
+    fn turned(&self, parts: &[f64], t: f64) -> Result<f64> {
+        let Some(path) = &self.path else {
+            return Ok(self.lower_rate(self.angular_momentum, &self.still()) * t);
+        };
         let (since, part) = (t.rem_euclid(path.duration), path.part());
         let rounds = ((t - since) / path.duration).round();
         let passed = ((since / part) as usize).min(parts.len() - 2);
@@ -206,24 +209,15 @@ impl Scene for Swivel {
 
     fn simulate(&self, request: &Request) -> Result<Motion<SwivelState>> {
         let plan = self.plan(request)?;
-        let l = self.angular_momentum;
-        let run = (self, &plan, request);
-        let Answer { trace, error } = match (plan.solver, &self.path) {
-            (Solver::Exact, None) => {
-                let rate = self.lower_rate(l, &self.still());
-                solved(run, 1, |t| Ok([rate * t, l]))?
-            }
-            (Solver::Exact, Some(path)) => {
-                let parts = self.parts(path)?;
-                solved(run, AN_INTEGRAL, |t| Ok([self.turned(path, &parts, t)?, l]))?
-            }
-            (_, path) => {
-                if let Some(path) = path {
-                    path.passed_through(request.times())?;
-                }
-                solved(run, 1, |_| Ok([0.0, l]))?
-            }
+        let (l, exact) = (self.angular_momentum, plan.solver == Solver::Exact);
+        let parts = match &self.path {
+            Some(path) if exact => self.parts(path)?,
+            Some(path) => path.passed_through(request.times()).map(|()| Vec::new())?,
+            None => Vec::new(),
         };
+        let evaluations = self.path.map_or(1, |_| AN_INTEGRAL);
+        let known = |t| Ok([self.turned(&parts, t)?, l]);
+        let Answer { trace, error } = solved((self, &plan, request), evaluations, known)?;
         let rows = request.times().iter().zip(trace.samples);
         let states: Vec<SwivelState> = rows.map(|(&t, ((), y))| self.state(t, y)).collect();
         // L with what the bearing took of it, summed over the two parts from their rates.
@@ -247,9 +241,8 @@ impl Scene for Swivel {
     }
 
     fn further(&self) -> Columns<SwivelState> {
-        Columns::default().with(
-            [["twist", "rad", "angle of the upper part on the lower"]],
-            |state: &SwivelState| [state.upper - state.lower],
-        )
+        columns! { |state: &SwivelState|
+            "twist", "rad", "angle of the upper part on the lower" => state.upper - state.lower;
+        }
     }
 }

@@ -192,8 +192,7 @@ impl Axes {
     }
 
     fn exchanged<T: Copy>(&self, components: [T; 3]) -> [T; 3] {
-        let shift = self.shift.unwrap_or(0);
-        core::array::from_fn(|k| components[(k + shift) % 3])
+        exchanged(components, self.shift.unwrap_or(0))
     }
 
     /// The attitude as the solution's axes have it: its quaternion times the inverse of the turn onto them, whose numbers are halves.
@@ -212,21 +211,14 @@ impl Axes {
 
     fn inward(&self, vector: BodyVector) -> BodyVector {
         match self.shift {
-            Some(shift) => {
-                let v = vector.components();
-                BodyVector::new(v[shift % 3], v[(1 + shift) % 3], v[(2 + shift) % 3])
-            }
+            Some(shift) => exchanged::<f64>(vector.into(), shift).into(),
             None => BodyVector::from_components(self.onto * vector.components()),
         }
     }
 
     fn outward(&self, vector: BodyVector) -> BodyVector {
         match self.shift {
-            Some(shift) => {
-                let v = vector.components();
-                let back = 3 - shift;
-                BodyVector::new(v[back % 3], v[(1 + back) % 3], v[(2 + back) % 3])
-            }
+            Some(shift) => exchanged::<f64>(vector.into(), 3 - shift).into(),
             None => BodyVector::from_components(self.onto.inverse() * vector.components()),
         }
     }
@@ -240,6 +232,11 @@ impl Axes {
     fn attitude(&self, attitude: &Attitude) -> Attitude {
         Attitude::from_unit(attitude.quaternion().into_inner() * self.onto.into_inner())
     }
+}
+
+/// Cyclically, by so many places.
+fn exchanged<T: Copy>(components: [T; 3], places: usize) -> [T; 3] {
+    core::array::from_fn(|k| components[(k + places) % 3])
 }
 
 #[cfg(test)]

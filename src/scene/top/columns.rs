@@ -6,7 +6,7 @@ use super::equations::Turning;
 use super::held::{State, Top};
 use super::ledger::Conserved;
 use crate::frame::{BodyVector, SpaceVector};
-use crate::scene::columns::Columns;
+use crate::scene::columns::{Columns, columns};
 
 /// The numbers of a top's states. The force at the pivot is told of a body with mass, gravity or not.
 pub(super) fn columns(top: &Top) -> Columns<State> {
@@ -18,24 +18,19 @@ pub(super) fn columns(top: &Top) -> Columns<State> {
         let l = BodyVector::new(i1 * omega.x(), i2 * omega.y(), i3 * omega.z());
         body.attitude_inward(state.attitude).to_space(l)
     };
-    let kinetic = move |state: &State| {
-        let l = state.attitude.to_body(momentum(state));
-        0.5 * l.dot(&state.omega)
-    };
     let columns = Columns::default()
         .angles(|state: &State| state.attitude)
-        .with(
-            [["omega", "rad/s", "size of the angular velocity"]],
-            |state| [state.omega.norm()],
-        )
+        .and(columns! { |state: &State|
+            "omega", "rad/s", "size of the angular velocity" => state.omega.norm();
+        })
         .vector(
             ["omega_x", "omega_y", "omega_z"],
             ["rad/s", "angular velocity, along the axes of space"],
             |state| state.attitude.to_space(state.omega).components(),
         )
         .angular_momentum(|state| state.attitude, momentum)
-        .with([["kinetic", "J", "kinetic energy"]], move |state| {
-            [kinetic(state)]
+        .and(columns! { |state: &State|
+            "kinetic", "J", "kinetic energy" => 0.5 * state.attitude.to_body(momentum(state)).dot(&state.omega);
         });
     let Ok(conserved) = Conserved::of(&body, top.lever(), &top.start) else {
         return columns;
@@ -48,21 +43,17 @@ pub(super) fn columns(top: &Top) -> Columns<State> {
         let attitude = body.attitude_inward(state.attitude);
         attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0))
     };
-    let columns = columns.with(
-        [
-            ["potential", "J", "energy of the weight above the pivot"],
-            ["lost", "J", "energy that resistance has taken since time 0"],
-        ],
-        move |state| [lever.dot(&up(state)), first - state.energy],
-    );
+    let columns = columns.and(columns! { |state: &State|
+        "potential", "J", "energy of the weight above the pivot" => lever.dot(&up(state));
+        "lost", "J", "energy that resistance has taken since time 0" => first - state.energy;
+    });
     if body.mass == 0.0 {
         return columns;
     }
     let center = BodyVector::from_components(body.center.into());
-    let columns = columns.with(
-        [["height", "m", "centre of mass above the pivot"]],
-        move |state| [center.dot(&up(state))],
-    );
+    let columns = columns.and(columns! { |state: &State|
+        "height", "m", "centre of mass above the pivot" => center.dot(&up(state));
+    });
     let Ok(turning) = Turning::new(top, conserved.energy_scale) else {
         return columns;
     };
@@ -87,8 +78,7 @@ pub(super) fn columns(top: &Top) -> Columns<State> {
             ],
             force,
         )
-        .with(
-            [["force", "N", "size of the force of the pivot"]],
-            move |state| [size(state).norm()],
-        )
+        .and(columns! { |state: &State|
+            "force", "N", "size of the force of the pivot" => size(state).norm();
+        })
 }

@@ -5,7 +5,7 @@ use super::closed::ClosedForm;
 use crate::error::{Error, Result};
 use crate::frame::{Attitude, BodyVector};
 use crate::scene::Tabulated;
-use crate::scene::columns::Columns;
+use crate::scene::columns::{Columns, columns};
 use crate::scene::effects::{
     AirDrag, BearingFriction, Effect, Gravity, PivotFriction, TipFriction,
 };
@@ -75,14 +75,9 @@ impl Tabulated for State {
         Columns::default()
             .attitude(|state: &Self| state.attitude)
             .omega(|state| state.omega)
-            .with(
-                [[
-                    "energy",
-                    "J",
-                    "kinetic energy, and of the weight above the pivot",
-                ]],
-                |state| [state.energy],
-            )
+            .and(columns! { |state: &Self|
+                "energy", "J", "kinetic energy, and of the weight above the pivot" => state.energy;
+            })
     }
 }
 

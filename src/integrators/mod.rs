@@ -9,16 +9,30 @@ mod order_eight;
 mod problem;
 mod real;
 
+pub(crate) use problem::Watched;
+
 pub use order_eight::{Kept, Leg, order_eight};
 pub use problem::{
     AnyLeg, Cost, Effort, Event, GeneralMethods, Method, Passage, Solution, Stop, System,
 };
 
-/// The places of the times before 0, from there backward, and of the others in ascending order.
-pub(crate) fn both_ways(times: &[f64]) -> [Vec<usize>; 2] {
+use crate::error::Result;
+
+/// States at times in any order, from those that `follow` gives: first of the times before 0, from there backward, then of the others in ascending order.
+pub(crate) fn both_ways<Y: Clone>(
+    times: &[f64],
+    mut follow: impl FnMut(&[f64]) -> Result<Vec<Y>>,
+) -> Result<Vec<Y>> {
     let mut before: Vec<usize> = (0..times.len()).collect();
     before.sort_by(|&i, &j| times[i].total_cmp(&times[j]));
     let after = before.split_off(before.partition_point(|&i| times[i] < 0.0));
     before.reverse();
-    [before, after]
+    let mut states = vec![None; times.len()];
+    for places in [before, after].iter().filter(|way| !way.is_empty()) {
+        let ordered: Vec<f64> = places.iter().map(|&place| times[place]).collect();
+        for (&place, state) in places.iter().zip(follow(&ordered)?) {
+            states[place] = Some(state);
+        }
+    }
+    Ok(states.into_iter().flatten().collect())
 }

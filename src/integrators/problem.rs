@@ -42,6 +42,23 @@ pub trait System<const N: usize> {
     }
 }
 
+/// Equations by one function, and another that is told of the time after every step.
+pub(crate) struct Watched<F, W>(pub F, pub W);
+
+impl<const N: usize, F, W> System<N> for Watched<F, W>
+where
+    F: Fn(f64, &[f64; N]) -> [f64; N],
+    W: Fn(f64) -> Result<()>,
+{
+    fn rate(&self, t: f64, y: &[f64; N]) -> [f64; N] {
+        self.0(t, y)
+    }
+
+    fn reached(&self, time: f64) -> Result<()> {
+        self.1(time)
+    }
+}
+
 impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> System<N> for F {
     fn rate(&self, t: f64, y: &[f64; N]) -> [f64; N] {
         self(t, y)

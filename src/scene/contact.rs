@@ -32,11 +32,11 @@ use super::columns::{Columns, columns};
 use super::effects::Effect;
 use super::engine::{self, Ahead, Answer, Flow, planned, solved, to_accuracy};
 use super::motion::Accounts;
-use super::{Budget, Motion, Plan, Request, Scene, Solver, Tabulated};
+use super::{Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
-use crate::integrators::{Cost, Effort, Kept, Leg, Passage, Stop, System};
+use crate::integrators::{Cost, Effort, Kept, Leg, Passage, Stop, System, Watched};
 use crate::rolling::Coulomb;
 use crate::tippe_top::equations::{Contact, NUMBERS, Numbers, Pose, Table, numbers};
 use crate::tippe_top::flight::{Flight, TakeOff};
@@ -685,13 +685,18 @@ impl OnTheTable {
     /// like an exponential function, and its direction turns at a finite rate.
     fn slowed(&self, law: Coulomb, ahead: &Ahead<'_, NUMBERS>) -> Result<Passage<Numbers>> {
         let (now, y) = ahead.start;
-        let slowing = Slowing {
-            on: self,
-            scale: law.grip() * self.table.gravity,
-            now,
-            budget: ahead.budget,
-        };
         let parted = |z: &[f64; NUMBERS + 1]| -> Numbers { core::array::from_fn(|n| z[n]) };
+        // The numbers and the time.
+        let rate = |_: f64, z: &[f64; NUMBERS + 1]| {
+            ahead.budget.count(1);
+            let y = parted(z);
+            let pose = Pose::of(&y);
+            let contact = self.table.slides(&pose);
+            let pace = contact.slip.norm() / (law.grip() * self.table.gravity);
+            let rates = self.table.rates(&y, &pose, &contact);
+            core::array::from_fn(|n| pace * rates.get(n).unwrap_or(&1.0))
+        };
+        let slowing = Watched(rate, |_| ahead.budget.reached(now));
         let [mut scales, mut z] = [[1.0 / self.turning; NUMBERS + 1], [0.0; NUMBERS + 1]];
         scales[..NUMBERS].copy_from_slice(&self.scales());
         z[..NUMBERS].copy_from_slice(y);
@@ -735,32 +740,6 @@ impl OnTheTable {
             }
         }
         Ok(passage)
-    }
-}
-
-/// A body near rest, its numbers and the time as functions of ∫μg dt/|slip|.
-struct Slowing<'a> {
-    on: &'a OnTheTable,
-    /// μg, m/s².
-    scale: f64,
-    /// When it came near, s.
-    now: f64,
-    budget: &'a Budget,
-}
-
-impl System<{ NUMBERS + 1 }> for Slowing<'_> {
-    fn rate(&self, _: f64, z: &[f64; NUMBERS + 1]) -> [f64; NUMBERS + 1] {
-        self.budget.count(1);
-        let y: Numbers = core::array::from_fn(|n| z[n]);
-        let pose = Pose::of(&y);
-        let contact = self.on.table.slides(&pose);
-        let pace = contact.slip.norm() / self.scale;
-        let rates = self.on.table.rates(&y, &pose, &contact);
-        core::array::from_fn(|n| pace * rates.get(n).unwrap_or(&1.0))
-    }
-
-    fn reached(&self, _: f64) -> Result<()> {
-        self.budget.reached(self.now)
     }
 }
 

@@ -9,7 +9,7 @@ use super::motion::furthest;
 use super::{Budget, Choice, Plan, Request, Solver, only_for_tops};
 use crate::error::{Error, Result, finite};
 use crate::integrators::{
-    AnyLeg, Cost, Effort, Event, GeneralMethods, Kept, Leg, Method, Passage, Stop, System,
+    AnyLeg, Cost, Effort, GeneralMethods, Kept, Leg, Method, Passage, Stop, System, Watched,
     both_ways,
 };
 
@@ -182,30 +182,6 @@ pub(crate) enum Stepper<'a> {
     Events,
 }
 
-/// The equations of one phase, each evaluation counted.
-struct InPhase<'a, F, P> {
-    flow: &'a F,
-    phase: P,
-    budget: &'a Budget,
-}
-
-impl<const N: usize, F: Flow<N>> System<N> for InPhase<'_, F, F::Phase> {
-    fn rate(&self, t: f64, y: &[f64; N]) -> [f64; N] {
-        self.budget.count(1);
-        self.flow.rate(self.phase, t, y)
-    }
-
-    fn reached(&self, time: f64) -> Result<()> {
-        self.budget.reached(time)
-    }
-}
-
-impl<const N: usize, F: Flow<N>> Event<N> for InPhase<'_, F, F::Phase> {
-    fn value(&self, t: f64, y: &[f64; N]) -> f64 {
-        self.flow.margin(self.phase, t, y)
-    }
-}
-
 impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
     const fn new(flow: &'a F, stepper: Stepper<'a>, effort: Effort, budget: &'a Budget) -> Self {
         Self {
@@ -311,30 +287,25 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
             self.budget.reached(passage.time)?;
             return Ok(passage);
         }
-        let scales = self.flow.scales();
-        let equations = InPhase {
-            flow: self.flow,
-            phase,
-            budget: self.budget,
+        let (flow, budget) = (self.flow, self.budget);
+        let rate = |t: f64, y: &[f64; N]| {
+            budget.count(1);
+            flow.rate(phase, t, y)
         };
-        let event = self
-            .flow
-            .may_end(phase)
-            .then_some(&equations as &dyn Event<N>);
+        let reached = |time: f64| budget.reached(time);
+        let margin = |t: f64, y: &[f64; N]| flow.margin(phase, t, y);
+        let (ends, scales) = (flow.may_end(phase), flow.scales());
         let Ahead {
             start: (now, y),
             times,
             end,
             ..
         } = *ahead;
-        let rate = |t: f64, y: &[f64], rates: &mut [f64]| {
-            rates.copy_from_slice(&equations.rate(t, &sized(y)));
-        };
-        let margin = |t: f64, y: &[f64]| equations.value(t, &sized(y));
+        let any_margin = |t: f64, y: &[f64]| margin(t, &sized(y));
         let any = AnyLeg {
-            rate: &rate,
-            reached: &|time| self.budget.reached(time),
-            event: event.is_some().then_some(&margin),
+            rate: &|t, y, rates| rates.copy_from_slice(&rate(t, &sized(y))),
+            reached: &reached,
+            event: ends.then_some(&any_margin),
             start: (now, y),
             scales: &scales,
             times,
@@ -343,14 +314,14 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         let passage = match self.stepper {
             Stepper::OrderEight => {
                 let leg = Leg {
-                    system: &equations as &dyn System<N>,
-                    kept: self.flow.kept(),
+                    system: &Watched(rate, reached) as &dyn System<N>,
+                    kept: flow.kept(),
                     start: (now, y),
                     scales: &scales,
                     times,
                     end,
                 };
-                return leg.follow(event, effort);
+                return leg.follow(ends.then_some(&margin), effort);
             }
             Stepper::General(methods, method) => methods.follow(method, &any, effort)?,
             Stepper::Even(follow) => follow(&any, effort)?,
@@ -373,27 +344,21 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         times: &[f64],
         halves: &[Half<F::Phase>],
     ) -> Result<Trace<F::Phase, N>> {
-        let mut whole = Trace {
-            samples: vec![start; times.len()],
-            phases: Vec::new(),
-            halves: Vec::new(),
-            cost: Cost::default(),
-        };
-        for places in both_ways(times) {
-            let sorted: Vec<f64> = places.iter().map(|&i| times[i]).collect();
-            if sorted.is_empty() {
-                continue;
-            }
-            let done = whole.halves.len().min(halves.len());
-            let trace = self.follow(start, &sorted, &halves[done..])?;
-            whole.halves.extend(trace.halves);
-            whole.cost += trace.cost;
-            whole.phases = trace.phases;
-            for (&place, sample) in places.iter().zip(trace.samples) {
-                whole.samples[place] = sample;
-            }
-        }
-        Ok(whole)
+        let (mut phases, mut passed, mut cost) = (Vec::new(), Vec::new(), Cost::default());
+        let samples = both_ways(times, |times| {
+            let done = passed.len().min(halves.len());
+            let trace = self.follow(start, times, &halves[done..])?;
+            passed.extend(trace.halves);
+            cost += trace.cost;
+            phases = trace.phases;
+            Ok(trace.samples)
+        })?;
+        Ok(Trace {
+            samples,
+            phases,
+            halves: passed,
+            cost,
+        })
     }
 }
 

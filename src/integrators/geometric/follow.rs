@@ -32,11 +32,10 @@ pub fn follow(
     }
     let step = positive("the step", step)?;
     let mut cost = Cost::default();
-    let mut states = vec![*start; times.len()];
-    for places in both_ways(times) {
-        let (mut phase, mut time) = (*start, 0.0);
-        for place in places {
-            let leg = times[place] - time;
+    let states = both_ways(times, |times| {
+        let (mut phase, mut time, mut states) = (*start, 0.0, Vec::new());
+        for &next in times {
+            let leg = next - time;
             let count = (leg.abs() / step).ceil();
             if count > MOST_STEPS {
                 return Err(Error::Integration {
@@ -48,19 +47,20 @@ pub fn follow(
                 let (mut stepper, spent) = (method.start(&phase, leg / count)?, cost);
                 let mut left = count as u64;
                 while left > 0 {
-                    let next = left.min(STRIDE);
-                    stepper.advance(next)?;
-                    left -= next;
+                    let steps = left.min(STRIDE);
+                    stepper.advance(steps)?;
+                    left -= steps;
                     cost = spent;
                     cost += stepper.cost();
-                    watch(times[place] - leg * (left as f64 / count), cost)?;
+                    watch(next - leg * (left as f64 / count), cost)?;
                 }
                 phase = stepper.phase()?;
             }
-            time = times[place];
-            states[place] = phase;
+            time = next;
+            states.push(phase);
         }
-    }
+        Ok(states)
+    })?;
     Ok(Solution { states, cost })
 }
 

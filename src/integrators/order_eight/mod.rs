@@ -91,25 +91,20 @@ pub fn order_eight<const N: usize, S: System<N> + ?Sized>(
     times: &[f64],
     effort: Effort,
 ) -> Result<Solution<[f64; N]>> {
-    let mut states = vec![*start; times.len()];
     let mut cost = Cost::default();
-    for places in both_ways(times) {
-        let ordered: Vec<f64> = places.iter().map(|&i| times[i]).collect();
-        let Some(&end) = ordered.last() else { continue };
+    let states = both_ways(times, |times| {
         let leg = Leg {
             system,
             kept,
             start: (0.0, start),
             scales,
-            times: &ordered,
-            end,
+            times,
+            end: times[times.len() - 1],
         };
         let passage = leg.follow(None, effort)?;
         cost += passage.cost;
-        for (place, state) in places.into_iter().zip(passage.states) {
-            states[place] = state;
-        }
-    }
+        Ok(passage.states)
+    })?;
     Ok(Solution { states, cost })
 }
 

@@ -153,15 +153,12 @@ impl ClosedForm {
             }
             Self::Kovalevskaya(top, axes) => {
                 // Outward from the start: on the way back a walk would lose more.
-                let mut states = vec![None; times.len()];
-                for places in both_ways(times) {
-                    let outward = places.iter().map(|&place| times[place]);
-                    for (state, &place) in top.states(outward).zip(&places) {
-                        budget.spend(1, times[place])?;
-                        states[place] = Some(state?);
-                    }
-                }
-                for (state, &t) in states.into_iter().flatten().zip(times) {
+                let states = both_ways(times, |times| {
+                    let states = top.states(times.iter().copied()).zip(times);
+                    let counted = |(state, &t)| budget.spend(1, t).and(state);
+                    states.map(counted).collect()
+                })?;
+                for (state, &t) in states.into_iter().zip(times) {
                     show(t, axes.attitude(&state.attitude), axes.outward(state.omega));
                 }
             }

@@ -4,6 +4,18 @@ use nalgebra::Vector3;
 
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 
+/// Numbers of a state, a line each: name, unit, meaning, and the number itself.
+macro_rules! columns {
+    (|$state:ident: &$type:ty| $($name:literal, $unit:literal, $meaning:literal => $number:expr;)*) => {
+        $crate::scene::Columns::default().with(
+            [$([$name, $unit, $meaning]),*],
+            move |$state: &$type| [$($number),*],
+        )
+    };
+}
+
+pub(crate) use columns;
+
 /// What a number is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Column {
@@ -88,16 +100,11 @@ impl<S: 'static> Columns<S> {
 
     /// The same with the angles of an attitude: tilt, precession, nutation, spin.
     pub(crate) fn angles(self, of: fn(&S) -> Attitude) -> Self {
-        let tilt = "angle of axis 3 to the vertical";
-        let theta = "Euler's angle of axis 3 to the vertical: the tilt";
-        let phi = "Euler's angle about the vertical, from x to the line of nodes, −π … π";
-        let psi = "Euler's angle about axis 3, from the line of nodes to axis 1, −π … π";
-        let names = ["tilt", "nutation", "precession", "spin"];
-        let means = [tilt, theta, phi, psi];
-        let numbers = core::array::from_fn(|k| [names[k], "rad", means[k]]);
-        let mut columns = self.with(numbers, move |state| {
-            let angles = of(state).euler_angles();
-            [angles.theta, angles.theta, angles.phi, angles.psi]
+        let mut columns = self.and(columns! { |state: &S|
+            "tilt", "rad", "angle of axis 3 to the vertical" => of(state).euler_angles().theta;
+            "nutation", "rad", "Euler's angle of axis 3 to the vertical: the tilt" => of(state).euler_angles().theta;
+            "precession", "rad", "Euler's angle about the vertical, from x to the line of nodes, −π … π" => of(state).euler_angles().phi;
+            "spin", "rad", "Euler's angle about axis 3, from the line of nodes to axis 1, −π … π" => of(state).euler_angles().psi;
         });
         for (column, _) in columns.0.iter_mut().rev().take(2) {
             column.goes_round = true;
@@ -111,19 +118,17 @@ impl<S: 'static> Columns<S> {
         attitude: fn(&S) -> Attitude,
         l: impl Fn(&S) -> SpaceVector + Clone + Send + Sync + 'static,
     ) -> Self {
-        let (unit, leaning) = ("kg m²/s", "angle between angular momentum and axis 3");
-        let along = [unit, "angular momentum, along the axes of space"];
-        let (components, size) = (l.clone(), l.clone());
+        let components = l.clone();
+        let along = ["kg m²/s", "angular momentum, along the axes of space"];
         self.vector(["lx", "ly", "lz"], along, move |state| {
             components(state).components()
         })
-        .with(
-            [["l", unit, "size of the angular momentum"]],
-            move |state| [size(state).norm()],
-        )
-        .with([["l_to_axis", "rad", leaning]], move |state| {
-            let along = attitude(state).to_body(l(state));
-            [along.x().hypot(along.y()).atan2(along.z())]
+        .and(columns! { |state: &S|
+            "l", "kg m²/s", "size of the angular momentum" => l(state).norm();
+            "l_to_axis", "rad", "angle between angular momentum and axis 3" => {
+                let along = attitude(state).to_body(l(state));
+                along.x().hypot(along.y()).atan2(along.z())
+            };
         })
     }
 
@@ -190,15 +195,3 @@ macro_rules! state {
 }
 
 pub(crate) use state;
-
-/// Numbers of a state, a line each: name, unit, meaning, and the number itself.
-macro_rules! columns {
-    (|$state:ident: &$type:ty| $($name:literal, $unit:literal, $meaning:literal => $number:expr;)*) => {
-        $crate::scene::Columns::default().with(
-            [$([$name, $unit, $meaning]),*],
-            move |$state: &$type| [$($number),*],
-        )
-    };
-}
-
-pub(crate) use columns;

@@ -162,35 +162,6 @@ impl TableTop {
             stepped: solver != Solver::Exact,
         })
     }
-
-    /// What is conserved, or may only be lost, angular momenta against those at this rate (rad/s).
-    fn accounts(
-        &self,
-        request: &Request,
-        turning: f64,
-        start: &State,
-        rows: &[State],
-    ) -> Result<Accounts> {
-        let spin = self.body.inertia().matrix().amax() * turning;
-        let energy = |row: usize| rows[row].energy;
-        let balance = |row: usize| rows[row].energy + rows[row].dissipated;
-        let jellett = |row: usize| rows[row].jellett;
-        let vertical = |row: usize| rows[row].vertical_angular_momentum;
-        let first = start.energy;
-        let mut accounts = Accounts::of(request);
-        accounts.keep(("energy", Law::NonIncreasing, first), first, energy)?;
-        accounts.conserved("energy and what contact has taken", first, first, balance)?;
-        let no_couple = self.resistance.is_none();
-        if self.gravity.is_some() && no_couple && self.body.has_jellett_integral() {
-            let scale = spin * self.body.surface().size();
-            accounts.conserved("Jellett's integral", scale, start.jellett, jellett)?;
-        }
-        if self.friction.is_none() && no_couple {
-            let first = start.vertical_angular_momentum;
-            accounts.conserved("vertical angular momentum", spin, first, vertical)?;
-        }
-        Ok(accounts)
-    }
 }
 
 /// How the body is supported.
@@ -774,7 +745,26 @@ impl Scene for TableTop {
         let start = flow.state(0.0, &mode, &y);
         let rows = request.times().iter().zip(&trace.samples);
         let states: Vec<State> = rows.map(|(&t, (mode, y))| flow.state(t, mode, y)).collect();
-        let accounts = self.accounts(request, flow.turning, &start, &states)?;
+        // Angular momenta against those at this rate.
+        let (first, spin) = (
+            start.energy,
+            self.body.inertia().matrix().amax() * flow.turning,
+        );
+        let (energy, jellett) = (|k: usize| states[k].energy, |k: usize| states[k].jellett);
+        let balance = |k: usize| states[k].energy + states[k].dissipated;
+        let vertical = |k: usize| states[k].vertical_angular_momentum;
+        let mut accounts = Accounts::of(request);
+        accounts.keep(("energy", Law::NonIncreasing, first), first, energy)?;
+        accounts.conserved("energy and what contact has taken", first, first, balance)?;
+        let no_couple = self.resistance.is_none();
+        if self.gravity.is_some() && no_couple && self.body.has_jellett_integral() {
+            let scale = spin * self.body.surface().size();
+            accounts.conserved("Jellett's integral", scale, start.jellett, jellett)?;
+        }
+        if self.friction.is_none() && no_couple {
+            let first = start.vertical_angular_momentum;
+            accounts.conserved("vertical angular momentum", spin, first, vertical)?;
+        }
         Motion::of(request, plan, trace.cost, error, accounts, states)
     }
 

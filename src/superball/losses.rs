@@ -110,14 +110,9 @@ pub fn bounce_with<T: Num + Copy>(
     kappa: T,
     restitution: T,
 ) -> Motion<T> {
-    let one = T::one();
     let slip = before.contact_speed(surface);
-    kicked(
-        before,
-        surface,
-        kappa,
-        (slip + restitution * slip) / (one + kappa),
-    )
+    let turned = (slip + restitution * slip) / (T::one() + kappa);
+    kicked(before, surface, kappa, turned)
 }
 
 /// The same by Coulomb's law for impulses: the contact passes on at most its grip times the normal impulse `pressed` per mass (m/s); where that is

@@ -90,8 +90,7 @@ pub fn quasi_steady(
 /// Vertical and level velocity from the unknowns: two components of the one, two of the other over √(gR).
 fn steady(table: &Table, x: &Vector4<f64>) -> (Vector3<f64>, Vector3<f64>) {
     let speed = table.body.speed_scale(table.gravity);
-    let height = (1.0 - x[0] * x[0] - x[1] * x[1]).max(0.0).sqrt();
-    let up = Vector3::new(x[0], x[1], height);
+    let up = upright(x[0], x[1]);
     (up, tangent(&up, [x[2] * speed, x[3] * speed]))
 }
 
@@ -147,6 +146,11 @@ fn newton(table: &Table, spin: f64, start: Vector4<f64>) -> Result<Vector4<f64>>
     })
 }
 
+/// The unit vector with these components that points upward.
+fn upright(x: f64, y: f64) -> Vector3<f64> {
+    Vector3::new(x, y, (1.0 - x * x - y * y).max(0.0).sqrt())
+}
+
 /// The level vector with these first two components.
 fn tangent(up: &Vector3<f64>, [a, b]: [f64; 2]) -> Vector3<f64> {
     Vector3::new(a, b, -(up.x * a + up.y * b) / up.z)
@@ -158,8 +162,7 @@ fn growth_rates(table: &Table, up: Vector3<f64>, [a, b]: [f64; 2], spin: f64) ->
     let speed = body.speed_scale(table.gravity);
     let size = body.surface.size();
     let rate = |x: &SVector<f64, 7>| {
-        let height = (1.0 - x[0] * x[0] - x[1] * x[1]).max(0.0).sqrt();
-        let up = Vector3::new(x[0], x[1], height);
+        let up = upright(x[0], x[1]);
         let omega = Vector3::new(x[2], x[3], x[4]);
         let level = tangent(&up, [x[5], x[6]]);
         let contact = table.sliding(&up, &omega, &level);
@@ -255,8 +258,7 @@ pub fn rolling_growth_rates(body: &ConvexBody, gravity: f64, spin: f64) -> Resul
     };
     let spin = finite("the spin", spin)?;
     let rate = |x: &Vector4<f64>| {
-        let height = (1.0 - x[0] * x[0] - x[1] * x[1]).max(0.0).sqrt();
-        let up = Vector3::new(x[0], x[1], height);
+        let up = upright(x[0], x[1]);
         let omega = Vector3::new(x[2], x[3], spin);
         let contact = table.rolling(&up, &omega);
         let turn = up.cross(&omega);

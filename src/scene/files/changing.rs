@@ -314,8 +314,8 @@ section! {
 
     /// `[effects.ground_friction]`.
     GroundFriction {
-        coefficient: f64, "a number";
-        gravity: f64, "an acceleration in m/s²", Positive;
+        coefficient: Coulomb, "a number";
+        gravity: Gravity, "an acceleration in m/s²", Positive;
     }
 }
 
@@ -354,12 +354,9 @@ pub fn crawler(
     });
     let keys = "body.length, body.push, body.pull";
     let scene = Crawler::new(file.right(keys, animal)?);
-    let Some(table) = effects.ground_friction else {
-        return Some((scene, look));
-    };
-    let friction = Coulomb::new(table.coefficient).and_then(|friction| scene.with(friction));
-    let scene = file.right("effects.ground_friction.coefficient", friction)?;
-    let weight = Gravity::new(table.gravity).and_then(|gravity| scene.with(gravity));
-    let scene = file.right("effects.ground_friction.gravity", weight)?;
+    let acting = effects
+        .ground_friction
+        .map(|ground| listed![Some(ground.coefficient), Some(ground.gravity)]);
+    let scene = with(file, scene, acting.into_iter().flatten(), Crawler::with)?;
     Some((scene, look))
 }

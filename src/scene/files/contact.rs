@@ -42,7 +42,7 @@ section! {
     RollerEffects {
         gravity: f64, "an acceleration in m/s²", Positive;
         friction: Flat<Friction>, "";
-        sheet_friction: Option<f64>, "the coefficient of friction on the sheet, a ratio", NotNegative;
+        sheet_friction: Option<Coulomb>, "the coefficient of friction on the sheet, a ratio", NotNegative;
         sheet_times: Option<Vec<f64>>, "a list of times in s";
         sheet_speeds: Option<Vec<f64>>, "a list of speeds in m/s";
         sheet_margin: Option<f64>, "the way from the ball to the edge in m", Positive;
@@ -94,11 +94,10 @@ fn sheet(file: &Reader<'_>, effects: &RollerEffects) -> Option<Option<Sheet>> {
         let told = format!(" must be as many as sheet_times, {times}, got {speeds}");
         return file.wrong("effects.sheet_speeds", told);
     }
-    let law = file.right("effects.sheet_friction", Coulomb::new(law));
     let points = times.iter().copied().zip(speeds.iter().copied());
     let speeds = SheetSpeeds::through(points.collect::<Vec<_>>());
     let speeds = file.right("effects.sheet_times", speeds);
-    let sheet = Sheet::new(law?, speeds?, margin);
+    let sheet = Sheet::new(law, speeds?, margin);
     file.right("effects.sheet_margin", sheet).map(Some)
 }
 
@@ -229,7 +228,7 @@ section! {
         ceiling: Option<f64>, "the height of the ceiling, less the diameter, in m", Positive;
         restitution: Option<f64>, "the coefficient of restitution upward, a ratio";
         tangential_restitution: Option<f64>, "the coefficient of restitution along the floor, a ratio";
-        grip: Option<f64>, "the coefficient of friction at a bounce, a ratio";
+        grip: Option<Coulomb>, "the coefficient of friction at a bounce, a ratio";
     }
 }
 
@@ -270,12 +269,8 @@ pub fn superball(
             alone.and_then(|_| file.right(key, both)).map(Some)
         }
     };
-    let grip = match effects.grip {
-        Some(grip) => file.right("effects.grip", Coulomb::new(grip)).map(Some),
-        None => Some(None),
-    };
     let g = effects.gravity.map_or(0.0, Gravity::value);
-    let acting = listed![effects.gravity, restitution?, grip?];
+    let acting = listed![effects.gravity, restitution?, effects.grip];
     let ball = with(file, ball, acting, Superball::with)?;
     // It has a speed of its rim but no radius: one that goes well with the room it has.
     let climbed = if g > 0.0 {

@@ -42,7 +42,7 @@ section! {
 
     /// `[effects]`.
     Effects {
-        gravity: Option<f64>, "an acceleration in m/s²", Positive;
+        gravity: Option<Gravity>, "an acceleration in m/s²", Positive;
         friction_law: Option<Law>, "";
         friction: Option<f64>, "a coefficient of friction, s/m for the viscous law", NotNegative;
         friction_slip: Option<f64>, "the speed in m/s below which friction fades", Positive;
@@ -80,8 +80,6 @@ pub fn table_top(
     let made = made(file, &body);
     let start = start(file, &initial);
     let law = law(file, &effects);
-    let gravity = effects.gravity.map(Gravity::new).transpose();
-    let gravity = file.right("effects.gravity", gravity);
     let resistance = match (effects.rolling_resistance, effects.pivoting_resistance) {
         (None, None) => Ok(None),
         (rolling, pivoting) => {
@@ -91,7 +89,7 @@ pub fn table_top(
     let resistance = file.right("effects.rolling_resistance", resistance);
     let (body, outline) = made?;
     let scene = TableTop::new(body, start?);
-    let acting = listed![gravity?, law?, resistance?];
+    let acting = listed![effects.gravity, law?, resistance?];
     let scene = with(file, scene, acting, TableTop::with)?;
     Some((scene, free(outline, Around::Floor)))
 }

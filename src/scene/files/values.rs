@@ -9,7 +9,7 @@ use super::reader::{Place, Section, Table, Value, meant};
 use crate::error::Number;
 use crate::frame::{Attitude, BodyVector};
 use crate::scene::effects::{
-    Air, AirDrag, AxleFriction, BearingFriction, Gravity, Hand, Pace, PivotFriction,
+    Air, AirDrag, AxleFriction, BearingFriction, Coulomb, Gravity, Hand, Pace, PivotFriction,
     RollingResistance, Sleep, TipFriction, TurnLoss,
 };
 use crate::scene::{Choice, Solver};
@@ -292,5 +292,5 @@ macro_rules! numbers {
 }
 
 numbers! {
-    Air AirDrag AxleFriction BearingFriction Gravity Hand PivotFriction RollingResistance Sleep TipFriction TurnLoss
+    Air AirDrag AxleFriction BearingFriction Coulomb Gravity Hand PivotFriction RollingResistance Sleep TipFriction TurnLoss
 }

@@ -197,19 +197,6 @@ impl Cat {
             angular_momentum: attitude.to_space(l),
         })
     }
-
-    fn accounts(&self, request: &Request, states: &[CatState]) -> Result<Accounts> {
-        let pace =
-            |s: &CatState| s.omega.norm() + s.bend.angle_rate.abs() + s.bend.direction_rate.abs();
-        let fastest = states.iter().map(pace).fold(0.0, f64::max);
-        let moments: f64 = self.body.halves.iter().map(|half| half.transverse).sum();
-        let l = self.angular_momentum;
-        let scale = (moments * fastest).max(l.norm());
-        let mut accounts = Accounts::of(request);
-        let now = |place: usize| states[place].angular_momentum;
-        accounts.conserved("angular momentum", scale, l, now)?;
-        Ok(accounts)
-    }
 }
 
 /// The attitude of the first half.
@@ -278,7 +265,16 @@ impl Scene for Cat {
         let rows = request.times().iter().zip(&trace.samples);
         let states = rows.map(|(&t, ((), y))| self.state(t, y, exact));
         let states: Vec<CatState> = states.collect::<Result<_>>()?;
-        let accounts = self.accounts(request, &states)?;
+        // Against the angular momenta of the fastest parts, of which the whole is made.
+        let pace =
+            |s: &CatState| s.omega.norm() + s.bend.angle_rate.abs() + s.bend.direction_rate.abs();
+        let fastest = states.iter().map(pace).fold(0.0, f64::max);
+        let moments: f64 = self.body.halves.iter().map(|half| half.transverse).sum();
+        let l = self.angular_momentum;
+        let scale = (moments * fastest).max(l.norm());
+        let now = |k: usize| states[k].angular_momentum;
+        let mut accounts = Accounts::of(request);
+        accounts.conserved("angular momentum", scale, l, now)?;
         Motion::of(request, plan, trace.cost, error, accounts, states)
     }
 

@@ -1,8 +1,6 @@
 //! Numbers that a scene tells of its states, each by its name, with its unit and what it means.
 
-use nalgebra::Vector3;
-
-use crate::frame::{Attitude, BodyVector, SpaceVector};
+use crate::frame::{Attitude, BodyVector, FrameVector, SpaceVector};
 
 /// Numbers of a state, a line each: name, unit, meaning, and the number itself.
 macro_rules! columns {
@@ -71,11 +69,11 @@ impl<S: 'static> Columns<S> {
     }
 
     /// The same with three components of one vector.
-    pub(crate) fn vector(
+    pub(crate) fn vector<Axes>(
         self,
         names: [&'static str; 3],
         [unit, meaning]: [&'static str; 2],
-        of: impl Fn(&S) -> Vector3<f64> + Clone + Send + Sync + 'static,
+        of: impl Fn(&S) -> FrameVector<Axes> + Clone + Send + Sync + 'static,
     ) -> Self {
         let numbers = names.map(|name| [name, unit, meaning]);
         self.with(numbers, move |state| of(state).into())
@@ -95,7 +93,7 @@ impl<S: 'static> Columns<S> {
     pub(crate) fn omega(self, of: fn(&S) -> BodyVector) -> Self {
         let names = ["omega1", "omega2", "omega3"];
         let what = ["rad/s", "angular velocity, along the body's axes"];
-        self.vector(names, what, move |state| of(state).components())
+        self.vector(names, what, of)
     }
 
     /// The same with the angles of an attitude: tilt, precession, nutation, spin.
@@ -118,12 +116,9 @@ impl<S: 'static> Columns<S> {
         attitude: fn(&S) -> Attitude,
         l: impl Fn(&S) -> SpaceVector + Clone + Send + Sync + 'static,
     ) -> Self {
-        let components = l.clone();
         let along = ["kg m²/s", "angular momentum, along the axes of space"];
-        self.vector(["lx", "ly", "lz"], along, move |state| {
-            components(state).components()
-        })
-        .and(columns! { |state: &S|
+        let columns = self.vector(["lx", "ly", "lz"], along, l.clone());
+        columns.and(columns! { |state: &S|
             "l", "kg m²/s", "size of the angular momentum" => l(state).norm();
             "l_to_axis", "rad", "angle between angular momentum and axis 3" => {
                 let along = attitude(state).to_body(l(state));

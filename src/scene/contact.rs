@@ -289,10 +289,10 @@ impl Tabulated for State {
             .attitude(|state: &Self| state.attitude)
             .omega(|state| state.omega)
             .vector(["x", "y", "z"], ["m", "centre of mass"], |state| {
-                state.position.components()
+                state.position
             })
             .vector(["vx", "vy", "vz"], ["m/s", "its velocity"], |state| {
-                state.velocity.components()
+                state.velocity
             })
             .and(columns! { |state: &Self|
                 "slip", "m/s", "speed of the point in contact" => state.slip.norm();

@@ -87,7 +87,7 @@ impl Tabulated for Flying {
             .attitude(|state: &Self| state.attitude)
             .omega(|state| state.omega)
             .vector(["x", "y", "z"], ["m", "centre of the planet"], |state| {
-                state.center.components()
+                state.center
             })
             .and(columns! { |state: &Self|
                 "energy", "J", "kinetic energy, before the blow of both bodies" => state.energy;

@@ -216,22 +216,12 @@ impl Request {
         &self.times
     }
 
-    /// The places of the times in ascending order, and the times in it, for a scene that cannot be run backward.
-    ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a time before the start.
-    pub(super) fn forward(&self) -> Result<(Vec<usize>, Vec<f64>)> {
-        let order = ascending((0..self.times.len()).collect(), &self.times);
-        let sorted: Vec<f64> = order.iter().map(|&i| self.times[i]).collect();
-        match sorted.first() {
-            Some(&first) if first < 0.0 => Err(Error::OutOfRange {
-                quantity: "the time of a scene that cannot be run backward",
-                value: first,
-                least: 0.0,
-                greatest: f64::INFINITY,
-            }),
-            _ => Ok((order, sorted)),
-        }
+    /// [`Error::OutOfRange`] for a time before the start, of a scene that cannot be run backward.
+    pub(super) fn forward(&self) -> Result<()> {
+        let first = self.times.iter().copied().fold(0.0, f64::min);
+        let what = "the time of a scene that cannot be run backward";
+        within(what, first, 0.0, f64::INFINITY).map(|_| ())
     }
 
     /// The effort of the one run that is asked for; none where runs are to vouch for each other.
@@ -312,13 +302,13 @@ impl Accounts {
 
     /// Over at most so many of them, evenly chosen, and the last.
     pub fn over(request: &Request, most: usize) -> Self {
-        let every = request.times.len().div_ceil(most);
-        let last = request.times.len() - 1;
-        let chosen = (0..last).step_by(every).chain([last]);
-        Self {
-            order: ascending(chosen.collect(), &request.times),
-            ledger: Ledger::new(),
-        }
+        let times = &request.times;
+        let last = times.len() - 1;
+        let chosen = (0..last).step_by(times.len().div_ceil(most));
+        let mut order: Vec<usize> = chosen.chain([last]).collect();
+        order.sort_by(|&i, &j| times[i].total_cmp(&times[j]));
+        let ledger = Ledger::new();
+        Self { order, ledger }
     }
 
     /// A quantity by its name and law and the scale of its drift (0: any will do), its value at the start, and that in a row.
@@ -348,12 +338,6 @@ impl Accounts {
 pub(crate) fn furthest(times: &[f64]) -> f64 {
     let further = |a: f64, &b: &f64| if b.abs() > a.abs() { b } else { a };
     times.iter().fold(0.0, further)
-}
-
-/// These places in the ascending order of their times.
-fn ascending(mut places: Vec<usize>, times: &[f64]) -> Vec<usize> {
-    places.sort_by(|&i, &j| times[i].total_cmp(&times[j]));
-    places
 }
 
 /// The ledger, if every drift in it is within what the accuracy asked for allows: 100 times the accuracy, and never less than 1e-11.

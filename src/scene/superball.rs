@@ -232,7 +232,8 @@ impl Superball {
     /// Twins that differ by [`MOVED`] tell what becomes of rounding, after as many bounces: at a bounce speeds jump, a moment earlier or later. In one
     /// of the two what the changes do may cancel.
     fn followed(&self, flight: &Flight, request: &Request) -> Result<(Vec<InFlight>, Cost, f64)> {
-        let (order, times) = request.forward()?;
+        let mut times = request.times().to_vec();
+        times.sort_by(f64::total_cmp);
         let ordered = flight.followed(&times)?;
         let counted = times.iter().zip(&ordered);
         let counted: Vec<_> = counted.map(|(&t, ball)| (t, Some(ball.bounces))).collect();
@@ -269,10 +270,9 @@ impl Superball {
             steps: bounced(true),
         };
         let error = ROUNDING * (1.0 + bounced(false) as f64 + off / MOVED);
-        let mut balls = vec![self.start; ordered.len()];
-        for (place, ball) in order.into_iter().zip(ordered) {
-            balls[place] = ball;
-        }
+        let asked = request.times().iter();
+        let place = |t: &f64| times.partition_point(|earlier| earlier < t);
+        let balls = asked.map(|t| ordered[place(t)]).collect();
         Ok((balls, cost, error))
     }
 }

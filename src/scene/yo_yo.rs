@@ -536,12 +536,8 @@ impl Scene for Play {
         let start = playing.start()?.1;
         let Answer { trace, mut error } = solved((&playing, &plan, request), 1, |_| Ok(start))?;
         let (scale, fastest) = playing.greatest();
-        if playing.closed
-            && trace
-                .samples
-                .iter()
-                .any(|((phase, _), _)| *phase == Phase::Turn)
-        {
+        let mut phases = trace.samples.iter().map(|((phase, _), _)| *phase);
+        if playing.closed && phases.any(|phase| phase == Phase::Turn) {
             // In the turn the yo-yo is as fast as its spin, and the time itself is rounded.
             error += fastest * OF_A_TIME * request.furthest();
         }

@@ -50,9 +50,7 @@ impl Tabulated for CatState {
                 "bend", "rad", "angle between the spines of the halves" => state.bend.angle;
                 "direction", "rad", "direction of the bend about the spine" => state.bend.direction;
             })
-            .vector(["x", "y", "z"], ["m", "centre of mass"], |state| {
-                state.center.components()
-            })
+            .vector(["x", "y", "z"], ["m", "centre of mass"], |state| state.center)
             .and(columns! { |state: &Self|
                 "angular_momentum", "kg m²/s", "size of the angular momentum" => state.angular_momentum.norm();
             })
@@ -286,11 +284,9 @@ impl Scene for Cat {
         let l = ["kg m²/s", "angular momentum, along the axes of space"];
         Columns::default()
             .vector(["omega1", "omega2", "omega3"], omega, |state: &CatState| {
-                state.omega.components()
+                state.omega
             })
-            .vector(["lx", "ly", "lz"], l, |state| {
-                state.angular_momentum.components()
-            })
+            .vector(["lx", "ly", "lz"], l, |state| state.angular_momentum)
             .angles(|state| state.attitude)
     }
 }

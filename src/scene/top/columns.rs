@@ -1,7 +1,5 @@
 //! What can be told of a top beside its usual numbers.
 
-use nalgebra::Vector3;
-
 use super::equations::Turning;
 use super::held::{State, Top};
 use super::ledger::Conserved;
@@ -26,7 +24,7 @@ pub(super) fn columns(top: &Top) -> Columns<State> {
         .vector(
             ["omega_x", "omega_y", "omega_z"],
             ["rad/s", "angular velocity, along the axes of space"],
-            |state| state.attitude.to_space(state.omega).components(),
+            |state| state.attitude.to_space(state.omega),
         )
         .angular_momentum(|state| state.attitude, momentum)
         .and(columns! { |state: &State|
@@ -58,7 +56,7 @@ pub(super) fn columns(top: &Top) -> Columns<State> {
         return columns;
     };
     let (mass, g) = (body.mass, top.g());
-    let force = move |state: &State| -> Vector3<f64> {
+    let force = move |state: &State| {
         let (attitude, omega) = (
             body.attitude_inward(state.attitude),
             body.inward(state.omega),
@@ -66,7 +64,7 @@ pub(super) fn columns(top: &Top) -> Columns<State> {
         let turned = turning.acceleration(&attitude, omega);
         let acceleration = turned.cross(&center) + omega.cross(&omega.cross(&center));
         let weightless = attitude.to_space(mass * acceleration);
-        weightless.components() + Vector3::new(0.0, 0.0, mass * g)
+        weightless + SpaceVector::new(0.0, 0.0, mass * g)
     };
     let size = force.clone();
     columns

@@ -746,10 +746,8 @@ impl Scene for TableTop {
         let rows = request.times().iter().zip(&trace.samples);
         let states: Vec<State> = rows.map(|(&t, (mode, y))| flow.state(t, mode, y)).collect();
         // Angular momenta against those at this rate.
-        let (first, spin) = (
-            start.energy,
-            self.body.inertia().matrix().amax() * flow.turning,
-        );
+        let spin = self.body.inertia().matrix().amax() * flow.turning;
+        let first = start.energy;
         let (energy, jellett) = (|k: usize| states[k].energy, |k: usize| states[k].jellett);
         let balance = |k: usize| states[k].energy + states[k].dissipated;
         let vertical = |k: usize| states[k].vertical_angular_momentum;

@@ -210,10 +210,8 @@ pub fn cat(
         let [joint, a, b] = animal.places(&bend).map(|place| place.components());
         let relative = bend.relative().quaternion();
         let half = |k: usize, place: Vector3<f64>, turn: UnitQuaternion<f64>| {
-            (
-                outlines[k].clone(),
-                body * Isometry3::from_parts(place.into(), turn),
-            )
+            let stands = body * Isometry3::from_parts(place.into(), turn);
+            (outlines[k].clone(), stands)
         };
         let spine = |from: Vector3<f64>| {
             let stands = body * Isometry3::translation(from.x, from.y, from.z);
@@ -334,23 +332,16 @@ pub fn crawler(
     let look: Look = Box::new(move |told| {
         let [rear, front, center] = told.vector(["rear", "front", "center"]);
         let foot = |k: usize, x: f64| {
-            let place = Vector3::new(x, 0.0, radii[k]);
-            (
-                Solid::ball(radii[k]),
-                Isometry3::new(place, Vector3::zeros()),
-            )
+            let stands = Isometry3::translation(x, 0.0, radii[k]);
+            (Solid::ball(radii[k]), stands)
         };
         let feet = [foot(0, rear), foot(1, front)];
         let [from, to] = [&feet[0], &feet[1]].map(|(_, stands)| stands.translation.vector);
         let muscle = (Solid::Bar(to - from), feet[0].1);
         let solids = core::iter::once(muscle).chain(feet).collect();
         let place = Vector3::new(center, 0.0, largest);
-        still(
-            "two feet, as large as balls of their masses",
-            Around::Floor,
-            place,
-            solids,
-        )
+        let drawn_as = "two feet, as large as balls of their masses";
+        still(drawn_as, Around::Floor, place, solids)
     });
     let keys = "body.length, body.push, body.pull";
     let scene = Crawler::new(file.right(keys, animal)?);

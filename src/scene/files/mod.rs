@@ -130,11 +130,9 @@ fn read<B: Section, I: Section, E: Section, S: Scene<State: Send + 'static> + 's
     let file = Table::whole(reader);
     file.value::<Option<String>>(&TITLE, None);
     file.entry(KIND.name);
-    let (body, initial, effects) = (
-        file.part("body"),
-        file.part("initial"),
-        file.part("effects"),
-    );
+    let body = file.part("body");
+    let initial = file.part("initial");
+    let effects = file.part("effects");
     let run = file.part::<Run>("run");
     file.done();
     let request = run.as_ref().and_then(|run| run.request(reader));
@@ -253,16 +251,12 @@ pub fn numbers(text: &str) -> Vec<String> {
                 let inner = members.map(|(k, value)| inner(&k.to_string(), value.get_ref()));
                 inner.flatten().collect()
             }
-            value => values::number(value)
-                .map(|_| path.to_owned())
-                .into_iter()
-                .collect(),
+            value if values::number(value).is_some() => vec![path.to_owned()],
+            _ => Vec::new(),
         }
     }
-    DeTable::parse(text).map_or_else(
-        |_| Vec::new(),
-        |table| within("", &DeValue::Table(table.into_inner())),
-    )
+    let table = DeTable::parse(text).map(|table| DeValue::Table(table.into_inner()));
+    table.map_or_else(|_| Vec::new(), |table| within("", &table))
 }
 
 /// The same file with another number in one place, given by its path: "body.moments.2", places in a list counting from 0; nothing where there is no number. A whole number stays one as long as it

@@ -48,15 +48,10 @@ pub fn strip(
     effects: Effects,
 ) -> Option<(Strip, Look)> {
     let plate = |thickness| {
+        let (half, fluid) = (0.5 * body.width, body.fluid_density);
         let factor = body.inertia_factor.unwrap_or(1.0 / 3.0);
         let mass = body.areal_density * body.width;
-        Plate::new(
-            0.5 * body.width,
-            mass,
-            body.fluid_density,
-            thickness,
-            factor,
-        )
+        Plate::new(half, mass, fluid, thickness, factor)
     };
     file.right("body.width, body.areal_density", plate(0.0))?;
     let plate = file.right("body.thickness_ratio", plate(body.thickness_ratio))?;

@@ -72,10 +72,10 @@ fn toy(file: &Reader<'_>, body: &Body) -> Option<YoYo> {
         mass, length, axle, ..
     } = *body;
     let toy = match (body.inertia, body.radius) {
-        (Some(inertia), None) => file.right(
-            "body.axle, body.length",
-            YoYo::new(mass, inertia, length, axle),
-        ),
+        (Some(inertia), None) => {
+            let made = YoYo::new(mass, inertia, length, axle);
+            file.right("body.axle, body.length", made)
+        }
         (None, Some(radius)) if axle > radius => {
             let told = format!(" must not exceed `radius`, {radius:?}, got {axle:?}");
             file.wrong("body.axle", told)

@@ -277,10 +277,8 @@ impl Scene for Cat {
     }
 
     fn further(&self) -> Columns<CatState> {
-        let omega = [
-            "rad/s",
-            "angular velocity of the first half, along its axes",
-        ];
+        let turning = "angular velocity of the first half, along its axes";
+        let omega = ["rad/s", turning];
         let l = ["kg m²/s", "angular momentum, along the axes of space"];
         Columns::default()
             .vector(["omega1", "omega2", "omega3"], omega, |state: &CatState| {

@@ -33,10 +33,8 @@ pub(super) fn columns(top: &Top) -> Columns<State> {
     let Ok(conserved) = Conserved::of(&body, top.lever(), &top.start) else {
         return columns;
     };
-    let (lever, first) = (
-        BodyVector::from_components(top.lever().into()),
-        conserved.start.energy,
-    );
+    let lever = BodyVector::from(top.lever());
+    let first = conserved.start.energy;
     let up = move |state: &State| {
         let attitude = body.attitude_inward(state.attitude);
         attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0))
@@ -57,25 +55,17 @@ pub(super) fn columns(top: &Top) -> Columns<State> {
     };
     let (mass, g) = (body.mass, top.g());
     let force = move |state: &State| {
-        let (attitude, omega) = (
-            body.attitude_inward(state.attitude),
-            body.inward(state.omega),
-        );
+        let attitude = body.attitude_inward(state.attitude);
+        let omega = body.inward(state.omega);
         let turned = turning.acceleration(&attitude, omega);
         let acceleration = turned.cross(&center) + omega.cross(&omega.cross(&center));
         let weightless = attitude.to_space(mass * acceleration);
         weightless + SpaceVector::new(0.0, 0.0, mass * g)
     };
     let size = force.clone();
+    let pushes = "force of the pivot on the body, along the axes of space";
     columns
-        .vector(
-            ["force_x", "force_y", "force_z"],
-            [
-                "N",
-                "force of the pivot on the body, along the axes of space",
-            ],
-            force,
-        )
+        .vector(["force_x", "force_y", "force_z"], ["N", pushes], force)
         .and(columns! { |state: &State|
             "force", "N", "size of the force of the pivot" => size(state).norm();
         })

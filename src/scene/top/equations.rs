@@ -200,11 +200,7 @@ impl<const N: usize> Flow<N> for Turning {
         let mut torque = [d1 * (b * c), d2 * (c * a), d3 * (a * b)];
         if let Some([l1, l2, l3]) = self.lever {
             // The third row of the rotation matrix, for |q| = 1: off it the equations go on smoothly, and q stays on it as well as it is computed.
-            let up = [
-                2.0 * (x * z - w * y),
-                2.0 * (y * z + w * x),
-                (w * w + z * z) - (x * x + y * y),
-            ];
+            let up = phase(numbers).up();
             torque[0] += up[1] * l3 - up[2] * l2;
             torque[1] += up[2] * l1 - up[0] * l3;
             torque[2] += up[0] * l2 - up[1] * l1;

@@ -67,6 +67,6 @@ pub(super) fn columns(top: &Top) -> Columns<State> {
     columns
         .vector(["force_x", "force_y", "force_z"], ["N", pushes], force)
         .and(columns! { |state: &State|
-            "force", "N", "size of the force of the pivot" => size(state).norm();
+            "force", "N", "size of the force of the pivot" => size(state).components().norm();
         })
 }

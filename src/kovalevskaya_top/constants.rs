@@ -54,6 +54,11 @@ impl Constants {
         (self.l * self.c).scaled(-2.0)
     }
 
+    /// l² − l₁, where P(s) = −l²(m²−k²)²/4 with m = 3l₁ − 2l²: Z, the point of the curve that the vertical belongs to.
+    pub fn vertical_point(&self) -> Wide {
+        self.l * self.l - self.l1
+    }
+
     /// Coefficients g₂, g₃ of her cubic 4s³ − g₂s − g₃.
     fn invariants(&self) -> [Wide; 2] {
         let square = self.l1 * self.l1;
@@ -97,7 +102,7 @@ impl Constants {
         let [g2, _] = self.invariants();
         let spread = g2 - (first * first).times(3.0);
         let middle = first.scaled(-0.5);
-        let half = Root::magnitude(spread).square_root().scaled(0.5);
+        let half = spread.magnitude().square_root().scaled(0.5);
         let [second, third] = if spread.high() < 0.0 {
             [half, -half].map(|imaginary| Root {
                 real: middle,
@@ -141,10 +146,6 @@ impl Root {
             real,
             imaginary: wide(0.0),
         }
-    }
-
-    fn magnitude(x: Wide) -> Wide {
-        if x.high() < 0.0 { -x } else { x }
     }
 
     pub fn is_real(&self) -> bool {

@@ -3,7 +3,7 @@
 use super::constants::{Constants, Phase, WidePhase};
 use super::periods::Curve;
 use super::separation::{Separation, Variables};
-use super::solution::{Moving, Quotients, Reconstruction, Torus};
+use super::solution::{Quotients, Reconstruction, Torus, distance};
 use super::taylor::{Carried, Series, project};
 use crate::precise::{DoubleDouble, Number};
 
@@ -18,7 +18,7 @@ pub enum Reason {
     Cancellation(f64),
 }
 
-/// A motion solved by separation.
+/// Ω and z of a motion solved by separation.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Exact {
     pub separation: Separation,
@@ -29,9 +29,10 @@ pub(super) struct Exact {
     origin: [f64; 2],
     /// And a unit of time.
     advance: [DoubleDouble; 2],
-    /// States with attitudes by power series soon after time 0.
-    pub trial: Vec<(f64, Carried)>,
 }
+
+/// States with attitudes by power series soon after time 0.
+pub(super) type Trial = Vec<(f64, Carried)>;
 
 /// The largest disagreement with which separation is trusted, over c where that is below 1, and whatever c: of 1000 random starts none had more than 1e-14 at the
 /// start.
@@ -42,13 +43,14 @@ const TRIAL: f64 = 3.0;
 
 impl Exact {
     /// Roots, band, periods, signs and phases of a start; tried at the start and at a later time against the power series.
-    pub fn find(constants: &Constants, wide: &WidePhase, whole: &Carried) -> Result<Self, Reason> {
-        let mut exact = Self::nearest(constants, wide, whole).ok_or(Reason::DoubleRoot)?;
+    pub fn find(
+        constants: &Constants,
+        wide: &WidePhase,
+        whole: &Carried,
+    ) -> Result<(Self, Trial), Reason> {
+        let exact = Self::nearest(constants, wide, &whole.0).ok_or(Reason::DoubleRoot)?;
         match tried(constants, whole, |t| exact.state(constants, t)) {
-            Ok(trial) => {
-                exact.trial = trial;
-                Ok(exact)
-            }
+            Ok(trial) => Ok((exact, trial)),
             // Weak gravity brings roots together by itself, to some c².
             Err(_)
                 if exact.separation.narrowest() < 1e-2 * constants.c.value().min(1.0).powi(2) =>
@@ -59,9 +61,7 @@ impl Exact {
         }
     }
 
-    // ANCHOR: branch
-    /// Of the 4 × 8 signs of two phases and three roots, those that give the start back.
-    fn nearest(constants: &Constants, wide: &WidePhase, whole: &Carried) -> Option<Self> {
+    fn nearest(constants: &Constants, wide: &WidePhase, start: &Phase) -> Option<Self> {
         let variables = Variables::of(constants, wide);
         let separation = Separation::prepare(constants, variables.s1)?;
         let curve = Curve::prepare(&separation)?;
@@ -71,32 +71,20 @@ impl Exact {
             separation.pinched(),
             advance.map(DoubleDouble::value),
         )?;
-        let sum = |[[a, b], [c, d]]: [[f64; 2]; 2], signs: [f64; 2]| {
-            [(a, c), (b, d)].map(|(x, y)| 0.5 * (signs[0] * x + signs[1] * y))
-        };
-        let (places, products) = separation.midst();
-        let midst = sum(separation.phases(places.each_ref()), [1.0, 1.0]);
-        let [factors, wronskians] = torus.constants(&separation, midst, &products);
+        let places = separation.places(&variables, constants.l1);
+        let [one, two] = separation.phases(places.each_ref());
+        let signs = [[0.5, 0.5], [0.5, -0.5], [-0.5, 0.5], [-0.5, -0.5]];
+        let origins = signs.map(|[x, y]| [0, 1].map(|i| x * one[i] + y * two[i]));
         let system =
             Reconstruction::prepare(constants, &separation.roots, separation.differences());
-        let places = separation.places(&variables, constants.l1);
-        let phases = separation.phases(places.each_ref());
-        let every: [Quotients; 8] = core::array::from_fn(|choice| {
-            system.quotients(factors, wronskians, choice, torus.split())
-        });
-        let mut best = (f64::INFINITY, [0.0; 2], &every[0]);
-        for signs in [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]] {
-            let origin = sum(phases, signs);
-            let functions = torus.parts(origin);
-            for quotients in &every {
-                let miss = distance(&of(quotients, constants, &functions), &whole.0);
-                if miss < best.0 {
-                    best = (miss, origin, quotients);
-                }
-            }
-        }
-        let (_, origin, quotients) = best;
-        let quotients = quotients.clone();
+        let (quotients, origin) = system.fitted(
+            constants,
+            torus.constants(&separation),
+            torus.split(),
+            origins,
+            |v| torus.parts(v),
+            start,
+        );
         Some(Self {
             separation,
             curve,
@@ -104,10 +92,8 @@ impl Exact {
             quotients,
             origin,
             advance,
-            trial: Vec::new(),
         })
     }
-    // ANCHOR_END: branch
 
     /// Turns of the two phases a unit of time, halved.
     pub fn advance(&self) -> [f64; 2] {
@@ -130,14 +116,9 @@ impl Exact {
     pub fn at_turns(&self, constants: &Constants, v: [f64; 2]) -> Phase {
         project(
             constants,
-            &of(&self.quotients, constants, &self.torus.parts(v)),
+            &self.quotients.state(constants, &self.torus.parts(v)),
         )
     }
-}
-
-fn of(quotients: &Quotients, constants: &Constants, functions: &[Moving; 7]) -> Phase {
-    let [a, b, c, bc, ca, ab, alone] = *functions;
-    quotients.state(constants, &[a, b, c], &[bc, ca, ab], alone[0])
 }
 
 /// States with attitudes by power series soon after time 0, from which the formula for Ω and z does not differ; or by how much it does.
@@ -145,7 +126,7 @@ pub(super) fn tried(
     constants: &Constants,
     start: &Carried,
     state: impl Fn(f64) -> Phase,
-) -> Result<Vec<(f64, Carried)>, f64> {
+) -> Result<Trial, f64> {
     let c = constants.c.value();
     let trusted = (TRUSTED[0] / c.min(1.0)).min(TRUSTED[1]);
     let mut worst = distance(&state(0.0), &start.0);
@@ -162,15 +143,5 @@ pub(super) fn tried(
         Ok(trial)
     } else {
         Err(worst)
-    }
-}
-
-pub(super) fn distance(a: &Phase, b: &Phase) -> f64 {
-    let difference = (0..6).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt();
-    // What is not a number is no agreement.
-    if difference.is_nan() {
-        f64::INFINITY
-    } else {
-        difference
     }
 }

@@ -52,7 +52,6 @@ mod top;
 mod upright;
 mod walk;
 
-pub use attitude::AttitudeMethod;
 pub use classes::{Diagram, Kind};
 pub use exact::Reason;
 pub use top::{Integrals, KovalevskayaTop, Method, State, ellipsoid};

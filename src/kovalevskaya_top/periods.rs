@@ -130,10 +130,10 @@ impl Curve {
 
     /// Half of the integrals from ∞ to Z, real and imaginary parts, from where s₁ = A and s₂ = C.
     ///
-    /// Z is where s = l² − l₁, P(s) = −l²(m²−k²)²/4 with m = 3l₁ − 2l²; it lies in a gap between s₂ and s₁.
+    /// Z lies in a gap between s₂ and s₁.
     pub fn point(&self, constants: &Constants, separation: &Separation) -> [[f64; 2]; 2] {
         let real = separation.in_order();
-        let s = constants.l * constants.l - constants.l1;
+        let s = constants.vertical_point();
         let over = |root: usize| (s - separation.roots[root].real).value();
         // In which of the gaps Z lies.
         let far = real[1] != separation.ends[0];
@@ -163,13 +163,11 @@ impl Curve {
     ///
     /// A₊′ = 2l − N/((s₁−s)(s₂−s)) − d arg R/dt with a function R of the state, and the mean is one of two integrals of the third kind, one in s₁ and one in s₂.
     pub fn rate(constants: &Constants, separation: &Separation) -> f64 {
-        let square = constants.l * constants.l;
-        let m = constants.l1.times(3.0) - square.scaled(2.0);
+        let m = constants.l1 - constants.vertical_point().scaled(2.0);
         let residue = (constants.l * (m - constants.k) * (m + constants.k))
             .scaled(0.5)
             .value();
-        let mean = separation.third_kind(square - constants.l1);
-        constants.l.value() - 0.5 * residue * mean
+        constants.l.value() - 0.5 * residue * separation.third_kind()
     }
 
     /// Re τx in one component, which is the same in both, from the sum of those of x.

@@ -17,71 +17,68 @@ use core::f64::consts::{PI, TAU};
 
 use nalgebra::{Complex, Quaternion};
 
-use super::constants::{Constants, Phase};
-use super::exact::Exact;
-use super::factors::{Factor, WITNESSES, Witness, products};
+use super::constants::{Constants, Phase, WidePhase};
+use super::exact::{Exact, Reason, Trial};
+use super::factors::{Product, products};
 use super::periods::Curve;
 use super::taylor::{Carried, about_third, shortest};
 use super::theta::unit;
 
 type Number = Complex<f64>;
 
-/// What the azimuth takes besides Ω and z.
+/// A motion solved by separation, attitude and all.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Precession {
+    pub exact: Exact,
     /// G₊ and G₋, two factors each.
-    products: [[Factor; 2]; 2],
+    products: [Product; 2],
     /// α₊ and α₋; their mean is α.
     rates: [f64; 2],
     /// arg ξ₃G₊G₋ at time 0.
     angle: f64,
     /// 2 arg η₂²G₊²√K and 2 arg η₁²G₋²/√K at time 0.
     doubled: [f64; 2],
-    /// Turns of the two phases a unit of time, halved.
-    advance: [f64; 2],
 }
 
 /// The largest disagreement about the angles at time 0, relative to the sine of the tilt.
 const TRUSTED: f64 = 1e-11;
 
 impl Precession {
-    pub fn prepare(constants: &Constants, exact: &Exact) -> Option<Self> {
-        let Exact {
-            separation, curve, ..
-        } = exact;
-        let advance = exact.advance();
-        let known = Curve::rate(constants, separation);
-        let witnesses = Witness::some(constants, exact, WITNESSES);
-        let point = curve.point(constants, separation);
-        let products = products(curve, point, &witnesses, advance)?;
-        let mut precession = Self {
-            products,
-            rates: [0.0; 2],
-            angle: 0.0,
-            doubled: [0.0; 2],
-            advance,
-        };
-        precession.rates = [0, 1].map(|side| {
-            let (rough, scatter) = precession.mean_rate(side, &witnesses);
-            let known = settled(known, rough, advance);
+    pub fn find(constants: &Constants, wide: &WidePhase, whole: &Carried) -> Result<Self, Reason> {
+        let (exact, trial) = Exact::find(constants, wide, whole)?;
+        Self::beside(constants, exact, &trial).ok_or(Reason::DoubleRoot)
+    }
+
+    /// What the azimuth takes besides Ω and z.
+    fn beside(constants: &Constants, exact: Exact, trial: &Trial) -> Option<Self> {
+        let products = products(constants, &exact)?;
+        let known = Curve::rate(constants, &exact.separation);
+        let rates = products.each_ref().map(|product| {
+            let known = settled(known, product.rate, exact.advance());
             // Beside a double root the integrals may lose digits, and the states know better.
-            if (known - rough).abs() <= 16.0 * scatter {
+            if (known - product.rate).abs() <= 16.0 * product.scatter {
                 known
             } else {
-                rough
+                product.rate
             }
         });
-        precession.set_out(constants, exact).then_some(precession)
+        let mut precession = Self {
+            exact,
+            products,
+            rates,
+            angle: 0.0,
+            doubled: [0.0; 2],
+        };
+        precession.set_out(constants, trial).then_some(precession)
     }
 
     /// The angles at time 0, from several states soon after: at one instant the third axis may be nearly upright, or rounding just there the
     /// worst. Says whether they agree.
-    fn set_out(&mut self, constants: &Constants, exact: &Exact) -> bool {
-        let seen: Vec<[Number; 3]> = exact
-            .trial
+    fn set_out(&mut self, constants: &Constants, trial: &Trial) -> bool {
+        let seen: Vec<[Number; 3]> = trial
             .iter()
             .map(|&(t, (state, attitude))| {
-                let sight = self.sight(constants, exact, t, &state, attitude);
+                let sight = self.sight(constants, t, &state, attitude);
                 let [a, b] = self.rates.map(|rate| 2.0 * rate * t);
                 [
                     sight.third * Number::cis(-0.25 * (a + b)),
@@ -102,14 +99,13 @@ impl Precession {
     fn sight(
         &self,
         constants: &Constants,
-        exact: &Exact,
         t: f64,
         &[p, q, _, z1, z2, _]: &Phase,
         attitude: Quaternion<f64>,
     ) -> Sight {
-        let z = exact.halved(t).map(unit);
-        let products = self.products.each_ref().map(|pair| {
-            let product = pair[0].value(z) * pair[1].value(z);
+        let z = self.exact.halved(t).map(unit);
+        let products = self.products.each_ref().map(|Product { factors, .. }| {
+            let product = factors[0].value(z) * factors[1].value(z);
             product / product.norm()
         });
         let c = constants.c.value();
@@ -130,30 +126,12 @@ impl Precession {
         }
     }
 
-    /// α from one of the two products, each witness trusted as far as its quotient is well-conditioned.
-    /// And how far one of them is from it, roughly.
-    fn mean_rate(&self, side: usize, witnesses: &[Witness]) -> (f64, f64) {
-        let seen = witnesses.iter().map(|witness| {
-            let turning: f64 = self.products[side]
-                .iter()
-                .map(|factor| factor.turning(witness.z, self.advance))
-                .sum();
-            let weight = witness.heights[side].powi(2);
-            [1.0, witness.rates[side] + 2.0 * turning].map(|x| weight * x)
-        });
-        let seen: Vec<[f64; 2]> = seen.collect();
-        let weights: f64 = seen.iter().map(|x| x[0]).sum();
-        let mean = seen.iter().map(|x| x[1]).sum::<f64>() / weights;
-        let off: f64 = seen.iter().map(|x| (x[1] - x[0] * mean).abs()).sum();
-        (mean, off / weights)
-    }
-
     /// The state and how it stands, from the exact Ω and z: z upright, and the third axis at its azimuth.
-    pub fn carried(&self, constants: &Constants, exact: &Exact, t: f64) -> Carried {
-        let state = exact.state(constants, t);
+    pub fn carried(&self, constants: &Constants, t: f64) -> Carried {
+        let state = self.exact.state(constants, t);
         let [.., z1, z2, z3] = state;
         let upright = shortest([z1, z2, z3]);
-        let sight = self.sight(constants, exact, t, &state, upright);
+        let sight = self.sight(constants, t, &state, upright);
         let third = self.angle + 0.5 * (self.rates[0] + self.rates[1]) * t - sight.third.arg();
         // Near the poles the third axis points nowhere; there η₁ or η₂ tells the angle, but for half a turn, unless K is small. Which is better is told by the sine of the
         // tilt and the size of K.

@@ -26,8 +26,8 @@ pub(super) struct Separation {
     pub apart: [[Number; 5]; 5],
     /// A − σ = σ − C. Integrals of (s − σ)ds/√P grow in s₁ and fall in s₂, so that nothing cancels in the determinant of the four.
     half_way: f64,
-    /// ∫ds/√P and ∫(s−σ)ds/√P from A to B, and from −∞ to C.
-    halves: [[DoubleDouble; 2]; 2],
+    /// ∫ds/√P, ∫(s−σ)ds/√P and ∫ds/((s−c)√P), c that of Z, from A to B, and from −∞ to C.
+    halves: [[DoubleDouble; 3]; 2],
 }
 
 impl Separation {
@@ -45,11 +45,13 @@ impl Separation {
             .map(|pair| (pair[0], pair[1]))
             .min_by(|x, y| outside(x.0, x.1).total_cmp(&outside(y.0, y.1)))?;
         let apart = apart(&roots);
+        let c = real[0];
+        let half_line = apart[a][c];
         let mut separation = Self {
             roots,
-            ends: [a, b, real[0]],
-            half_way: 0.5 * apart[a][real[0]].re,
-            halves: [[DoubleDouble::from(0.0); 2]; 2],
+            ends: [a, b, c],
+            half_way: 0.5 * half_line.re,
+            halves: [[DoubleDouble::from(0.0); 3]; 2],
             apart,
         };
         let narrowest = separation.narrowest();
@@ -57,9 +59,13 @@ impl Separation {
         if narrowest.is_nan() || narrowest < DOUBLE {
             return None;
         }
+        let point = Root::on_axis(constants.vertical_point());
+        let over = |root: usize| roots[root].from(&point);
+        let upper = separation.upper().map_or(Number::from(1.0), over);
+        let far_away = ([-half_line; 5], 0.0);
         separation.halves = [
-            separation.along(a, &(apart[b], 1.0)),
-            separation.along(real[0], &separation.far_away()),
+            separation.ahead(a, &(apart[b], 1.0), Some([over(a), upper, over(b)])),
+            separation.ahead(c, &far_away, Some([over(c), upper, -half_line])),
         ];
         Some(separation)
     }
@@ -93,12 +99,6 @@ impl Separation {
         [(1, 2), (2, 0), (0, 1)].map(|(i, j)| self.apart[i][j])
     }
 
-    /// s = −∞.
-    fn far_away(&self) -> Place {
-        let [a, _, c] = self.ends;
-        ([-self.apart[a][c]; 5], 0.0)
-    }
-
     // ANCHOR: straight
     /// ∫ds/√P, ∫(s−σ)ds/√P and, where s − c is given at both, that at the place times ω, ∫ds/((s−c)√P) straight from a root to a place.
     ///
@@ -122,8 +122,10 @@ impl Separation {
             .copied()
             .zip(place.iter().copied())
             .chain([beyond, pole.unwrap_or(beyond)].map(|[u, t]| (u, t)))
-            .filter(|(u, t)| u.norm() > 0.0 && t.norm() > 0.0)
-            .map(|(u, t)| ((-u / t).ln() / STRETCH).asinh().im.abs())
+            .map(|(u, t)| -u / t)
+            // What rounding has put on the way, or at its ends, is not at a distance.
+            .filter(|ratio| ratio.is_finite() && (ratio.im != 0.0 || ratio.re < 0.0))
+            .map(|ratio| (ratio.ln() / STRETCH).asinh().im.abs())
             .fold(FRAC_PI_2, f64::min);
         // e^step of few bits, so that its powers are exact, or nearly.
         let growth = (TAU * clear / DIGITS).exp_m1();
@@ -202,12 +204,6 @@ impl Separation {
         }
     }
 
-    /// The first two.
-    fn along(&self, from: usize, place: &Place) -> [DoubleDouble; 2] {
-        let [a, b, _] = self.ahead(from, place, None);
-        [a, b]
-    }
-
     /// Which root is above the real line.
     pub fn upper(&self) -> Option<usize> {
         (0..5).find(|&i| self.roots[i].imaginary.high() > 0.0)
@@ -215,7 +211,7 @@ impl Separation {
 
     /// ∫ds/√P and ∫(s−σ)ds/√P in turns of two phases that advance evenly: the first gains 1 as s₁ goes round its band, the second as s₂ does.
     pub fn normalized(&self, [a, b]: [DoubleDouble; 2]) -> [DoubleDouble; 2] {
-        let [[a1, b1], [a2, b2]] = self.halves;
+        let [[a1, b1, _], [a2, b2, _]] = self.halves;
         let determinant = (b1 * a2 - a1 * b2).scaled(2.0);
         [a2 * b - b2 * a, a1 * b - b1 * a].map(|x| x / determinant)
     }
@@ -232,7 +228,8 @@ impl Separation {
         let integrals = |from: usize, place: &Place, side: f64| {
             // At an end rounding may put a place outside.
             if place.0[from].re * side > 0.0 {
-                let turns = self.normalized(self.along(from, place));
+                let [first, second, _] = self.ahead(from, place, None);
+                let turns = self.normalized([first, second]);
                 turns.map(|turn| side * turn.value())
             } else {
                 [0.0; 2]
@@ -269,30 +266,23 @@ impl Separation {
         [(first, 1.0), (second.map(|x| x / size), weight)]
     }
 
-    /// Two places in the midst, with (s₁−e)(s₂−e) for each root.
-    pub fn midst(&self) -> ([Place; 2], [Number; 5]) {
-        let [a, b, c] = self.ends;
-        let first = core::array::from_fn(|i| (self.apart[a][i] + self.apart[b][i]) * 0.5);
-        let depth = self.apart[b][c];
-        let second: [Number; 5] = core::array::from_fn(|i| self.apart[c][i] - depth);
-        let products = core::array::from_fn(|i| first[i] * second[i]);
-        ([(first, 1.0), (second, 1.0)], products)
+    /// (s₁−e)(s₂−e) for a complex root where s₁ = A and s₂ = C; for a real one the sign that it has everywhere.
+    pub fn product(&self, root: usize) -> Number {
+        let [first, _, second] = self.ends.map(|end| self.apart[end][root]);
+        if self.roots[root].is_real() {
+            Number::from(if first.re < 0.0 { 1.0 } else { -1.0 })
+        } else {
+            first * second
+        }
     }
 
-    /// The mean over time of 1/((s₁−c)(s₂−c)), c between s₂ and s₁.
+    /// The mean over time of 1/((s₁−c)(s₂−c)), c that of Z, between s₂ and s₁.
     ///
     /// 1/((s₁−c)(s₂−c)) = (1/(s₂−c) − 1/(s₁−c))/(s₁−s₂), and dt/(s₁−s₂) is ds₁/√P as well as −ds₂/√P.
-    pub fn third_kind(&self, c: DoubleDouble) -> f64 {
-        let [a, b, last] = self.ends;
-        let over = |root: usize| self.roots[root].from(&Root::on_axis(c));
-        let upper = self.upper().map_or(Number::from(1.0), over);
-        let far_away = self.far_away();
-        let band = (self.apart[b], 1.0);
-        let [.., first] = self.ahead(a, &band, Some([over(a), upper, over(b)]));
-        let ends = [over(last), upper, far_away.0[last]];
-        let [.., second] = self.ahead(last, &far_away, Some(ends));
+    pub fn third_kind(&self) -> f64 {
+        let [first, second] = self.halves.map(|[.., half]| half.value().abs());
         let [turns1, turns2] = self.frequencies().map(DoubleDouble::value);
-        -2.0 * (turns1 * first.value().abs() + turns2 * second.value().abs())
+        -2.0 * (turns1 * first + turns2 * second)
     }
 
     /// The real roots in ascending order.
@@ -303,7 +293,7 @@ impl Separation {
     /// Increase of the four integrals in a whole turn of a phase: real periods of the curve w² = P(s).
     pub fn periods(&self) -> [f64; 4] {
         let middle = self.roots[self.ends[2]].real.value() + self.half_way;
-        let [[a1, b1], [a2, b2]] = self.halves.map(|half| half.map(DoubleDouble::value));
+        let [[a1, b1, _], [a2, b2, _]] = self.halves.map(|half| half.map(DoubleDouble::value));
         [a1, b1 + middle * a1, a2, b2 + middle * a2].map(|half| 2.0 * half)
     }
 }

@@ -50,13 +50,39 @@ impl Reconstruction {
         }
     }
 
-    /// The quotients for functions that are these factors times T, and these times U; with one of eight choices of signs of the three roots.
+    // ANCHOR: branch
+    /// Of four origins and 4 × 8 signs of two phases and three roots, those that give the start back: the quotients for functions that are the first of these factors times T, and the others
+    /// times U.
+    pub fn fitted<O: Copy>(
+        &self,
+        constants: &Constants,
+        factors: [[Number; 3]; 2],
+        split: bool,
+        origins: [O; 4],
+        functions: impl Fn(O) -> Functions,
+        start: &Phase,
+    ) -> (Quotients, O) {
+        let every = [0, 1, 2, 3, 4, 5, 6, 7].map(|choice| self.quotients(factors, choice, split));
+        let mut best = (f64::INFINITY, &every[0], origins[0]);
+        for origin in origins {
+            let functions = functions(origin);
+            for quotients in &every {
+                let miss = distance(&quotients.state(constants, &functions), start);
+                if miss < best.0 {
+                    best = (miss, quotients, origin);
+                }
+            }
+        }
+        (best.1.clone(), best.2)
+    }
+    // ANCHOR_END: branch
+
+    /// With one of eight choices of signs of the three roots.
     ///
     /// Where `split`, the functions of the second root and the third are the sum and the difference of those given, likewise their Wronskians.
-    pub fn quotients(
+    fn quotients(
         &self,
-        factors: [Number; 3],
-        wronskians: [Number; 3],
+        [factors, wronskians]: [[Number; 3]; 2],
         choice: usize,
         split: bool,
     ) -> Quotients {
@@ -122,6 +148,9 @@ impl Reconstruction {
 /// A function of time and its derivative.
 pub(super) type Moving = [Number; 2];
 
+/// The functions of the three roots, of their Wronskians, and the one alone that is T∞.
+pub(super) type Functions = [Moving; 7];
+
 /// Ω and z as quotients of sums of functions with one common denominator; there is nothing to divide by where q = 0.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Quotients {
@@ -135,14 +164,9 @@ pub(super) struct Quotients {
 
 impl Quotients {
     /// The state; z₂ is the rate of r.
-    pub fn state(
-        &self,
-        constants: &Constants,
-        roots: &[Moving; 3],
-        others: &[Moving; 3],
-        alone: Number,
-    ) -> Phase {
-        let sum = |row: &[Number; 3], of: &[Moving; 3], k: usize| {
+    pub fn state(&self, constants: &Constants, functions: &Functions) -> Phase {
+        let (roots, others, [alone, _]) = (&functions[..3], &functions[3..6], functions[6]);
+        let sum = |row: &[Number; 3], of: &[Moving], k: usize| {
             row[0] * of[0][k] + row[1] * of[1][k] + row[2] * of[2][k]
         };
         let ([first, second], [third, fourth]) = (&self.of_roots, &self.of_others);
@@ -217,7 +241,7 @@ impl Torus {
     }
 
     /// All seven where the phases have turned so far, halved.
-    pub fn at(&self, v: [f64; 2]) -> [Moving; 7] {
+    pub fn at(&self, v: [f64; 2]) -> Functions {
         let mut found = self.parts(v);
         if self.split() {
             for i in [1, 4] {
@@ -235,8 +259,8 @@ impl Torus {
     }
 
     /// The seven, two pairs of them split.
-    pub fn parts(&self, v: [f64; 2]) -> [Moving; 7] {
-        let mut found = [Moving::default(); 7];
+    pub fn parts(&self, v: [f64; 2]) -> Functions {
+        let mut found = Functions::default();
         if let Some(pinched) = &self.pinched {
             let [w, rates] = [v, self.advance].map(|x| x.map(|x| 2.0 * x));
             for (i, place) in self.places.iter().enumerate() {
@@ -283,17 +307,15 @@ impl Torus {
         found
     }
 
-    /// The constants of the three roots and of their Wronskians, from the theta functions where (s₁−e)(s₂−e) have these values: these tell which of the fourth roots they are.
-    pub fn constants(
-        &self,
-        separation: &Separation,
-        v: [f64; 2],
-        products: &[Number; 5],
-    ) -> [[Number; 3]; 2] {
-        let found = self.at(v);
+    /// The constants of the three roots and of their Wronskians, up to signs: which of the fourth roots they are is told by the theta functions where s₁ = A and s₂ = C for a complex root, and
+    /// anywhere for a real one.
+    pub fn constants(&self, separation: &Separation) -> [[Number; 3]; 2] {
+        let [found, at_ends] = [[0.125; 2], [0.0; 2]].map(|v| self.at(v));
         let alone = found[6][0];
         let roots: [Number; 3] = core::array::from_fn(|j| {
-            let rough = products[j] * (alone / found[j][0]).powi(2);
+            let real = separation.roots[j].is_real();
+            let seen = if real { &found } else { &at_ends };
+            let rough = separation.product(j) * (seen[6][0] / seen[j][0]).powi(2);
             let apart = (0..5).filter(|i| *i != j).map(|i| separation.apart[j][i]);
             aligned(apart.product::<Number>().sqrt(), rough).sqrt()
         });
@@ -312,4 +334,14 @@ impl Torus {
 fn aligned(number: Number, rough: Number) -> Number {
     let turns = (8.0 / PI * (rough / number).arg()).round();
     number * Number::cis(PI / 8.0 * turns)
+}
+
+pub(super) fn distance(a: &Phase, b: &Phase) -> f64 {
+    let difference = (0..6).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt();
+    // What is not a number is no agreement.
+    if difference.is_nan() {
+        f64::INFINITY
+    } else {
+        difference
+    }
 }

@@ -1,15 +1,13 @@
 //! The top itself: units and axes taken off, the regime decided, Ω, z and attitude at any time (8.1, 8.2).
 
-use std::sync::OnceLock;
-
 use nalgebra::Complex;
 
 use super::classes::{Kind, classify};
 use super::constants::{Constants, Phase, WidePhase};
-use super::exact::{Exact, Reason};
+use super::exact::Reason;
 use super::pendulum::Pendulum;
 use super::precession::Precession;
-use super::separation::Variables;
+use super::separation::{Separation, Variables};
 use super::taylor::{Carried, about_third, shortest};
 use super::upright::Upright;
 use crate::error::{Error, Result, finite, not_negative, positive};
@@ -18,13 +16,14 @@ use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector, finite_vector};
 use crate::precise::{DoubleDouble, Number, power_of_two_below};
 
-/// How the motion is computed.
+/// How the motion is computed, Ω and z as well as the attitude.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Method {
-    /// Kovalevskaya's own road: Ω and z at any time at the same cost.
+    /// Kovalevskaya's own road, any time at the same cost: Ω and z are functions of two angles that advance evenly, and so is the azimuth of the third axis, less αt and the
+    /// arguments of four theta functions θ(v − a), which is Kötter's quadrature of 1893.
     Separation,
-    /// z along axis 3 at the start, or a pendulum that keeps to its plane, where two roots are one: elliptic functions, any time at the same cost.
+    /// z along axis 3 at the start, or a pendulum that keeps to its plane, where two roots are one: elliptic functions, any time at the same cost, and an attitude that is algebraic in Ω and z.
     Elliptic,
     /// The Euler–Poisson equations by their power series in 106 bits, step by step from time 0, for this reason.
     PowerSeries(Reason),
@@ -57,18 +56,6 @@ pub struct Integrals {
     pub kovalevskaya: f64,
 }
 
-/// What is prepared at its first use. It follows from the rest of the top, so no top differs from another by it.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Prepared {
-    pub theta: OnceLock<Option<Box<Precession>>>,
-}
-
-impl PartialEq for Prepared {
-    fn eq(&self, _: &Self) -> bool {
-        true
-    }
-}
-
 /// A top with I₁ = I₂ = 2I₃ and its centre of mass on the plane of axes 1 and 2, its motion prepared.
 #[derive(Debug, Clone, PartialEq)]
 pub struct KovalevskayaTop {
@@ -86,12 +73,11 @@ pub struct KovalevskayaTop {
     pub(super) constants: Constants,
     kind: Kind,
     pub(super) motion: Motion,
-    pub(super) prepared: Prepared,
 }
 
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Motion {
-    Separated(Box<Exact>),
+    Separated(Box<Precession>),
     Upright(Box<Upright>),
     Pendulum(Box<Pendulum>),
     Stepped(Reason),
@@ -240,8 +226,8 @@ impl KovalevskayaTop {
             let found = upright.then(|| Upright::find(&constants, &wide, &start));
             match found.flatten() {
                 Some(upright) => Motion::Upright(Box::new(upright)),
-                None => match Exact::find(&constants, &wide, &start) {
-                    Ok(exact) => Motion::Separated(Box::new(exact)),
+                None => match Precession::find(&constants, &wide, &start) {
+                    Ok(separated) => Motion::Separated(Box::new(separated)),
                     Err(reason) => Motion::Stepped(reason),
                 },
             }
@@ -260,7 +246,6 @@ impl KovalevskayaTop {
                 classify(&constants)
             },
             motion,
-            prepared: Prepared::default(),
         })
     }
 
@@ -338,9 +323,9 @@ impl KovalevskayaTop {
     /// ```
     pub fn omega_and_up(&self, t: f64) -> Result<TopState> {
         match &self.motion {
-            Motion::Separated(exact) => {
+            Motion::Separated(separated) => {
                 let time = self.inward_time(t, LONGEST)?;
-                Ok(self.outward(&exact.state(&self.constants, time)))
+                Ok(self.outward(&separated.exact.state(&self.constants, time)))
             }
             Motion::Upright(upright) => {
                 let time = self.inward_time(t, LONGEST)?;
@@ -393,13 +378,8 @@ impl KovalevskayaTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn frequencies(&self) -> Option<[f64; 2]> {
-        let exact = self.separated()?;
-        Some(
-            exact
-                .separation
-                .frequencies()
-                .map(|n| n.value() * self.unit),
-        )
+        let turns = self.separation()?.frequencies();
+        Some(turns.map(|n| n.value() * self.unit))
     }
 
     /// Her separation variables of any state on the same surface, straight from their definition (8.2), 1/s².
@@ -452,8 +432,7 @@ impl KovalevskayaTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn periods(&self) -> Option<[f64; 4]> {
-        let exact = self.separated()?;
-        let [a1, b1, a2, b2] = exact.separation.periods();
+        let [a1, b1, a2, b2] = self.separation()?.periods();
         let cube = self.unit * self.unit * self.unit;
         Some([a1 / cube, b1 / self.unit, a2 / cube, b2 / self.unit])
     }
@@ -476,9 +455,9 @@ impl KovalevskayaTop {
         HeavyTop::new(moments, self.lever)
     }
 
-    pub(super) fn separated(&self) -> Option<&Exact> {
+    fn separation(&self) -> Option<&Separation> {
         match &self.motion {
-            Motion::Separated(exact) => Some(exact),
+            Motion::Separated(separated) => Some(&separated.exact.separation),
             _ => None,
         }
     }

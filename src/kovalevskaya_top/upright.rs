@@ -27,10 +27,10 @@ use core::f64::consts::PI;
 use nalgebra::Complex;
 
 use super::constants::{Constants, Phase, Root, WidePhase};
-use super::exact::{distance, tried};
+use super::exact::tried;
 use super::precession::horizontal;
 use super::separation::Variables;
-use super::solution::{Quotients, Reconstruction};
+use super::solution::{Functions, Quotients, Reconstruction};
 use super::taylor::{Carried, about_third, project, shortest};
 
 type Number = Complex<f64>;
@@ -42,13 +42,13 @@ const I: Number = Number::new(0.0, 1.0);
 struct Sigma {
     /// π/2ω.
     scale: f64,
-    /// q^{n(n+1)} and q^{n²}, n = 0, 1, ….
-    terms: Vec<[Number; 2]>,
+    /// ½, and q^{(k²−1)/4} for k = 1, 3, …, which are those of σ and σ₂, q^{k²/4} for k = 2, 4, ….
+    terms: Vec<Number>,
     /// Reciprocals of θ₁′(0)·scale, θ₂(0), θ₃(0) and θ₄(0).
     norms: [Number; 4],
 }
 
-/// Most terms of a theta series.
+/// Half of the most terms of a theta series.
 const LONGEST: f64 = 40.0;
 
 impl Sigma {
@@ -59,21 +59,14 @@ impl Sigma {
         if !(half_period > 0.0 && count < LONGEST) {
             return None;
         }
-        let power = |n: usize| {
-            let turn = if rhombic {
-                I.powu(n as u32 % 4)
-            } else {
-                Number::from(1.0)
-            };
-            turn * (-PI * ratio * n as f64).exp()
-        };
+        let turn = if rhombic { I } else { Number::from(1.0) };
+        let power = |n: u32| turn.powu(n % 4) * (-PI * ratio * f64::from(n)).exp();
         let mut sigma = Self {
             scale: 0.5 * PI / half_period,
-            terms: (0..count as usize)
-                .map(|n| [power(n * (n + 1)), power(n * n)])
-                .collect(),
+            terms: (0..2 * count as u32).map(|k| power(k * k / 4)).collect(),
             norms: [Number::from(1.0); 4],
         };
+        sigma.terms[0] *= 0.5;
         let [[_, slope], rest @ ..] = sigma.at(Number::default());
         sigma.norms = [slope, rest[0][0], rest[1][0], rest[2][0]].map(|x| x.inv());
         Some(sigma)
@@ -83,43 +76,110 @@ impl Sigma {
     fn at(&self, u: Number) -> [[Number; 2]; 4] {
         let once = (I * u * self.scale).exp();
         let back = once.inv();
-        let (twice, twice_back) = (once * once, back * back);
         let mut sums = [[Number::default(); 2]; 4];
-        let (mut up, mut down) = (once, back);
-        let (mut even_up, mut even_down) = (Number::from(1.0), Number::from(1.0));
-        let mut sign = 1.0;
-        for (n, [odd, even]) in self.terms.iter().enumerate() {
-            let order = (2 * n + 1) as f64 * self.scale;
-            let (sine, cosine) = ((up - down) * odd * -I, (up + down) * odd);
-            let mut add = |place: usize, value: Number, rate: Number| {
-                sums[place][0] += value;
-                sums[place][1] += rate;
+        let (mut up, mut down) = (Number::from(1.0), Number::from(1.0));
+        for (k, term) in self.terms.iter().enumerate() {
+            let order = k as f64 * self.scale;
+            let (cosine, sine) = ((up + down) * term, (down - up) * term * I);
+            let even = [cosine, -sine * order];
+            let sign = if k & 2 == 0 { 1.0 } else { -1.0 };
+            let (place, pair) = if k & 1 == 0 {
+                (2, [even, even.map(|x| x * sign)])
+            } else {
+                (0, [[sine * sign, cosine * (order * sign)], even])
             };
-            add(0, sine * sign, cosine * (sign * order));
-            add(1, cosine, -sine * order);
-            let share = if n == 0 { 0.5 } else { 1.0 };
-            let order = (2 * n) as f64 * self.scale;
-            let value = (even_up + even_down) * even * share;
-            let rate = (even_up - even_down) * even * I * order;
-            add(2, value, rate);
-            add(3, value * sign, rate * sign);
-            (up, down) = (up * twice, down * twice_back);
-            (even_up, even_down) = (even_up * twice, even_down * twice_back);
-            sign = -sign;
+            for (sum, values) in sums[place..].iter_mut().zip(pair) {
+                *sum = [sum[0] + values[0], sum[1] + values[1]];
+            }
+            (up, down) = (up * once, down * back);
         }
         core::array::from_fn(|j| sums[j].map(|x| x * self.norms[j]))
     }
 }
 
-/// A motion that starts with z along axis 3.
+/// The functions of a curve with one handle gone.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Upright {
+struct Sums {
     sigma: Sigma,
     /// Which of σ₂, σ₃, σ₄ belong to the cubic's other roots e_a and e_b, and which to e₄.
     places: [usize; 3],
     kappa: Number,
     /// Y′.
     rate: Number,
+}
+
+impl Sums {
+    /// U and Y of a start, for either sign of u₁ and u₂.
+    fn origins(
+        &self,
+        constants: &Constants,
+        wide: &WidePhase,
+        [a, b, upper, e]: [Root; 4],
+    ) -> Option<[[Number; 2]; 4]> {
+        let Variables {
+            s1,
+            numerator,
+            q_squared,
+        } = Variables::of(constants, wide);
+        let second = constants.l1.scaled(0.5) - numerator / q_squared.scaled(8.0);
+        let [one, two] = [s1, second].map(|s| {
+            let s = Root::on_axis(s);
+            // s₂ is infinite where q = 0.
+            let u = if s.real.value().is_finite() {
+                first_kind([a, b, upper].map(|x| x.from(&s)))
+            } else {
+                Number::default()
+            };
+            let at = |u: Number| self.sigma.at(u)[0][0];
+            let (mut less, mut more) = (at(u - self.kappa), at(u + self.kappa));
+            // Next to e one of them is small, and the product tells it to all digits.
+            let product = s.from(&e).re * (at(u) * at(self.kappa)).powu(2);
+            if less.norm() < 0.5 * more.norm() {
+                less = product / more;
+            } else if more.norm() < 0.5 * less.norm() {
+                more = product / less;
+            }
+            (u, (less / more).ln())
+        });
+        let all = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
+        let all = all.map(|(x, y)| [one.0 * x + two.0 * y, one.1 * x + two.1 * y]);
+        all.iter().flatten().all(|x| x.is_finite()).then_some(all)
+    }
+
+    /// At these U and Y.
+    fn at(&self, [u, y]: [Number; 2]) -> Functions {
+        let (y, rate) = (y * 0.5, self.rate * 0.5);
+        let [alone, less, more] =
+            [Number::default(), -self.kappa, self.kappa].map(|x| self.sigma.at(u + x));
+        // Only ratios count, so the greater of the exponentials may be 1.
+        let size = y.re.abs();
+        let (fall, rise) = ((-y - size).exp(), (y - size).exp());
+        let single = |place: usize| alone[place].map(|x| x * (-size).exp());
+        let both = |place: usize, sign: f64| {
+            let ([a, a_rate], [b, b_rate]) = (less[place], more[place]);
+            let (fall, rise) = (fall, rise * sign);
+            [
+                fall * a + rise * b,
+                fall * (a_rate - rate * a) + rise * (b_rate + rate * b),
+            ]
+        };
+        let [a, b, upper] = self.places;
+        [
+            single(0),
+            both(a, -1.0),
+            both(b, -1.0),
+            both(upper, 1.0),
+            single(b),
+            single(a),
+            both(0, 1.0),
+        ]
+    }
+}
+
+/// A motion that starts with z along axis 3.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Upright {
+    sums: Sums,
     /// U and Y at time 0.
     origin: [Number; 2],
     quotients: Quotients,
@@ -178,30 +238,23 @@ impl Upright {
             first * third * third,
             -first * second * second,
         ];
-        let mut upright = Self {
+        let sums = Sums {
             sigma,
             places,
             kappa,
             rate: -2.0 * slope / s,
-            origin: [Number::default(); 2],
-            quotients: system.quotients(factors, wronskians, 0, false),
+        };
+        let origins = sums.origins(constants, wide, [a, b, upper, e])?;
+        let factors = [factors, wronskians];
+        let (quotients, origin) =
+            system.fitted(constants, factors, false, origins, |x| sums.at(x), &whole.0);
+        let mut upright = Self {
+            sums,
+            origin,
+            quotients,
             angles: [0.0; 2],
             limit: 1.0,
         };
-        let starts = upright.starts(constants, wide, [a, b, upper, e])?;
-        let mut best = (f64::INFINITY, 0, starts[0]);
-        for choice in 0..8 {
-            upright.quotients = system.quotients(factors, wronskians, choice, false);
-            for origin in starts {
-                upright.origin = origin;
-                let miss = distance(&upright.raw(constants, 0.0), &whole.0);
-                if miss < best.0 {
-                    best = (miss, choice, origin);
-                }
-            }
-        }
-        upright.quotients = system.quotients(factors, wronskians, best.1, false);
-        upright.origin = best.2;
         let trial = tried(constants, whole, |t| upright.state(constants, t)).ok()?;
         upright.settle(constants);
         let mut agree = true;
@@ -225,71 +278,10 @@ impl Upright {
         agree.then_some(upright)
     }
 
-    /// U and Y of a start, for either sign of u₁ and u₂.
-    fn starts(
-        &self,
-        constants: &Constants,
-        wide: &WidePhase,
-        [a, b, upper, e]: [Root; 4],
-    ) -> Option<[[Number; 2]; 4]> {
-        let Variables {
-            s1,
-            numerator,
-            q_squared,
-        } = Variables::of(constants, wide);
-        let second = constants.l1.scaled(0.5) - numerator / q_squared.scaled(8.0);
-        let [one, two] = [s1, second].map(|s| {
-            let s = Root::on_axis(s);
-            // s₂ is infinite where q = 0.
-            let u = if s.real.value().is_finite() {
-                first_kind([a, b, upper].map(|x| x.from(&s)))
-            } else {
-                Number::default()
-            };
-            let at = |u: Number| self.sigma.at(u)[0][0];
-            let (mut less, mut more) = (at(u - self.kappa), at(u + self.kappa));
-            // Next to e one of them is small, and the product tells it to all digits.
-            let product = s.from(&e).re * (at(u) * at(self.kappa)).powu(2);
-            if less.norm() < 0.5 * more.norm() {
-                less = product / more;
-            } else if more.norm() < 0.5 * less.norm() {
-                more = product / less;
-            }
-            (u, (less / more).ln())
-        });
-        let all = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
-        let all = all.map(|(x, y)| [one.0 * x + two.0 * y, one.1 * x + two.1 * y]);
-        all.iter().flatten().all(|x| x.is_finite()).then_some(all)
-    }
-
-    /// Ω and z.
-    fn raw(&self, constants: &Constants, t: f64) -> Phase {
-        let u = self.origin[0] + t;
-        let y = (self.origin[1] + self.rate * t) * 0.5;
-        let rate = self.rate * 0.5;
-        let [alone, less, more] =
-            [Number::default(), -self.kappa, self.kappa].map(|x| self.sigma.at(u + x));
-        // Only ratios count, so the greater of the exponentials may be 1.
-        let size = y.re.abs();
-        let (fall, rise) = ((-y - size).exp(), (y - size).exp());
-        let single = |place: usize| alone[place].map(|x| x * (-size).exp());
-        let both = |place: usize, sign: f64| {
-            let ([a, a_rate], [b, b_rate]) = (less[place], more[place]);
-            let (fall, rise) = (fall, rise * sign);
-            [
-                fall * a + rise * b,
-                fall * (a_rate - rate * a) + rise * (b_rate + rate * b),
-            ]
-        };
-        let [a, b, upper] = self.places;
-        let roots = [single(0), both(a, -1.0), both(b, -1.0)];
-        let wronskians = [both(upper, 1.0), single(b), single(a)];
-        self.quotients
-            .state(constants, &roots, &wronskians, both(0, 1.0)[0])
-    }
-
     pub fn state(&self, constants: &Constants, t: f64) -> Phase {
-        project(constants, &self.raw(constants, t))
+        let [u, y] = self.origin;
+        let functions = self.sums.at([u + t, y + self.sums.rate * t]);
+        project(constants, &self.quotients.state(constants, &functions))
     }
 
     /// √K by its real part beside w, √K̄w = a + ib over √k: which of the two roots it is at time t.
@@ -319,17 +311,17 @@ impl Upright {
 
     /// How far from the passage, in powers of e.
     fn passage(&self, t: f64) -> f64 {
-        (self.origin[1] + self.rate * t).re
+        (self.origin[1] + self.sums.rate * t).re
     }
 
     /// The sign of a : q long after the passage, where what fades is still there.
     fn settle(&mut self, constants: &Constants) {
-        if self.rate.re.abs() < 1e-9 {
+        if self.sums.rate.re.abs() < 1e-9 {
             return;
         }
         let told = (0..8).map(|n| {
             let y = 0.4 * FADED + f64::from(n);
-            let t = (y - self.origin[1].re) / self.rate.re;
+            let t = (y - self.origin[1].re) / self.sums.rate.re;
             let state = self.state(constants, t);
             let root = self.root(constants, &state, 1.0, t);
             (Number::new(state[0], state[1]) * root.conj()).re * state[1]

@@ -44,10 +44,8 @@ impl<'a> Walk<'a> {
             _ if t == 0.0 => top.start,
             Motion::Upright(upright) => upright.carried(&top.constants, far()?),
             Motion::Pendulum(pendulum) => pendulum.carried(far()?)?,
-            Motion::Separated(exact) if let Some(found) = top.precession(exact) => {
-                found.carried(&top.constants, exact, far()?)
-            }
-            Motion::Separated(_) | Motion::Stepped(_) => {
+            Motion::Separated(separated) => separated.carried(&top.constants, far()?),
+            Motion::Stepped(_) => {
                 let target = top.inward_time(t, LONGEST_WALK)?;
                 while self.time != target {
                     self.stretch(target)?;

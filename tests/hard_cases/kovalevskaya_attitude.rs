@@ -2,7 +2,7 @@
 
 use spinning_bodies::Error;
 use spinning_bodies::frame::{BodyVector, SpaceVector};
-use spinning_bodies::kovalevskaya_top::{AttitudeMethod, KovalevskayaTop, Reason};
+use spinning_bodies::kovalevskaya_top::{KovalevskayaTop, Method, Reason};
 use support::{observed, refused};
 
 use super::kovalevskaya::{LEVER, MOMENTS, compared, top, vector};
@@ -25,7 +25,7 @@ fn as_late_as_you_like() {
         ([-1.3, 1.1, 1.4], [0.3, 0.4, -0.9]),
     ] {
         let top = top(omega, up);
-        assert_eq!(top.attitude_method(), AttitudeMethod::Series);
+        assert_eq!(top.method(), Method::Separation);
         for t in [1e3, -1e3, 1e5, 1e7, 1e8, -1e8, 9e8] {
             let state = top.at(t).expect("a state");
             let vertical = state.attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0));
@@ -66,7 +66,7 @@ fn commensurable_frequencies() {
         }
         observed!(divisor(low).abs(), 0.0..=1e-15);
         let top = made(low);
-        assert_eq!(top.attitude_method(), AttitudeMethod::Series);
+        assert_eq!(top.method(), Method::Separation);
         let [_, attitude] = compared(&top, &[1.0, 10.0, 30.0]);
         observed!(attitude, 1e-14..=1e-13);
         for t in [1e4, 1e6] {
@@ -84,15 +84,15 @@ fn weaker_and_weaker_gravity() {
         let lever = BodyVector::new(10_f64.powi(-exponent), 0.0, 0.0);
         let (omega, up) = (vector([1.0, 0.5, 0.3]), vector([0.6, 0.0, 0.8]));
         let top = KovalevskayaTop::with_up(MOMENTS, lever, omega, up).expect("a top");
-        methods.push(top.attitude_method());
+        methods.push(top.method());
         let [here, found] = [280.0, 300.0].map(|t| top.at(t).expect("a state"));
         let anew = KovalevskayaTop::new(MOMENTS, lever, here.omega, here.attitude).expect("a top");
         let expected = anew.at(20.0).expect("a state");
         let apart = found.attitude.angle_to(&expected.attitude);
         observed!(apart, 3e-14..=7e-13, "1e-{exponent}: {apart:e}");
     }
-    assert_eq!(methods[0], AttitudeMethod::Series);
-    assert!(matches!(methods[12], AttitudeMethod::Stepped(_)));
+    assert_eq!(methods[0], Method::Separation);
+    assert!(matches!(methods[12], Method::PowerSeries(_)));
     let free = KovalevskayaTop::with_up(
         MOMENTS,
         BodyVector::zero(),
@@ -100,14 +100,14 @@ fn weaker_and_weaker_gravity() {
         vector([0.6, 0.0, 0.8]),
     );
     let free = free.expect("a top");
-    assert_eq!(free.attitude_method(), AttitudeMethod::FreeTop);
+    assert_eq!(free.method(), Method::FreeTop);
     assert!(free.at(1e12).is_ok());
     // A lever along axis 2 that comes to nothing over I₃: no axes are turned for it, at time 0 neither.
     let (omega, lever) = (vector([1.0, 0.5, 0.3]), vector([0.0, 5e-324, 0.0]));
     let moments = MOMENTS.map(|i| 1e10 * i);
     let gone = KovalevskayaTop::with_up(moments, lever, omega, vector([0.6, 0.0, 0.8]));
     let gone = gone.expect("a top");
-    assert_eq!(gone.attitude_method(), AttitudeMethod::FreeTop);
+    assert_eq!(gone.method(), Method::FreeTop);
     assert_eq!(gone.at(0.0).expect("the start").omega, omega);
 }
 
@@ -136,7 +136,7 @@ fn close_to_a_double_root() {
     for exponent in [0, 1, 2, 4, 8, 12] {
         let push = 10_f64.powi(-exponent);
         let top = top([0.3 * push, push, 0.7], [0.6, 0.8, 0.0]);
-        methods.push(top.attitude_method());
+        methods.push(top.method());
         match top.at(300.0) {
             Ok(late) => {
                 let vertical = late.attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0));
@@ -145,12 +145,12 @@ fn close_to_a_double_root() {
             // More than 106 bits can follow.
             Err(error) => {
                 assert!(matches!(error, Error::Integration { time, .. } if time < 300.0));
-                assert!(matches!(top.attitude_method(), AttitudeMethod::Stepped(_)));
+                assert!(matches!(top.method(), Method::PowerSeries(_)));
             }
         }
     }
     println!("{methods:?}");
     // At 1e-4 the cosine series would need about 2¹⁰ terms, which is where they end.
-    assert_eq!(methods[..3], [AttitudeMethod::Series; 3]);
-    assert_eq!(methods[5], AttitudeMethod::Stepped(Reason::DoubleRoot));
+    assert_eq!(methods[..3], [Method::Separation; 3]);
+    assert_eq!(methods[5], Method::PowerSeries(Reason::DoubleRoot));
 }

@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use rayon::prelude::*;
 use spinning_bodies::Error;
 use spinning_bodies::frame::Attitude;
-use spinning_bodies::kovalevskaya_top::{AttitudeMethod, KovalevskayaTop, Method, State};
+use spinning_bodies::kovalevskaya_top::{KovalevskayaTop, Method, State};
 
 use support::double_double::Dd;
 use support::power_series::{Top, Whole};
@@ -121,7 +121,7 @@ fn the_attitude_at_distant_times() {
     for _ in 0..starts {
         let [omega, up] = start(&mut draw, 1.5);
         let top = begun_with(omega, up);
-        if top.attitude_method() != AttitudeMethod::Series {
+        if top.method() != Method::Separation {
             continue;
         }
         by_series += 1;

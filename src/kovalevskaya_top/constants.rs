@@ -54,9 +54,15 @@ impl Constants {
         (self.l * self.c).scaled(-2.0)
     }
 
-    /// l² − l₁, where P(s) = −l²(m²−k²)²/4 with m = 3l₁ − 2l²: Z, the point of the curve that the vertical belongs to.
+    /// s = l² − l₁, where P(s) = −N²: Z, the point of the curve that the vertical belongs to.
     pub fn vertical_point(&self) -> Wide {
         self.l * self.l - self.l1
+    }
+
+    /// N = l(m²−k²)/2 with m = 3l₁ − 2l².
+    pub fn residue(&self) -> Wide {
+        let m = self.l1 - self.vertical_point().scaled(2.0);
+        (self.l * (m - self.k) * (m + self.k)).scaled(0.5)
     }
 
     /// Coefficients g₂, g₃ of her cubic 4s³ − g₂s − g₃.

@@ -1,44 +1,24 @@
 //! The theta functions of the azimuth: which half periods belong to them (8.2).
 
+use std::sync::Arc;
+
 use nalgebra::Complex;
 
 use super::constants::{Constants, Phase};
 use super::exact::Exact;
 use super::periods::{Half, MEASURES};
-use super::theta::{Theta, join, unit};
+use super::theta::{Sums, Theta, join, unit};
 
 type Number = Complex<f64>;
 
-/// θ(±v − a) for one a.
+/// θ(v − a) for one a.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Factor {
-    pub theta: Theta,
-    place: Place,
-    twisted: bool,
-}
-
-/// Where a factor is taken: v or −v less this, and a half period along the real directions.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Place {
-    sign: f64,
-    /// e^{−2πi·shift}.
+    theta: Arc<Theta>,
+    /// e^{−2πi Re a}, but for a half period along the real directions.
     turn: [Number; 2],
     half: [u8; 2],
-}
-
-impl Place {
-    fn new(sign: f64, half: Half, shift: [f64; 2]) -> Self {
-        Self {
-            sign,
-            turn: shift.map(|x| unit(-x)),
-            half: half.n,
-        }
-    }
-
-    /// e^{2πiw} from e^{2πiv}.
-    fn at(&self, z: [Number; 2]) -> [Number; 2] {
-        [0, 1].map(|i| self.turn[i] * if self.sign < 0.0 { z[i].conj() } else { z[i] })
-    }
+    twisted: bool,
 }
 
 /// e^{2πiv} at a state, and what tells a fit.
@@ -51,7 +31,7 @@ struct Witness {
 }
 
 /// States that tell which half periods belong to a, and from which α is taken as a mean, where its whole turns are all that is in question as a rule.
-const WITNESSES: i32 = 4;
+const WITNESSES: i32 = 6;
 
 /// The largest disagreement about α between them.
 const TRUSTED: f64 = 1e-9;
@@ -66,9 +46,10 @@ pub(super) struct Product {
 }
 
 impl Factor {
-    pub fn value(&self, z: [Number; 2]) -> Number {
-        let sums = self.theta.at(self.place.at(z));
-        join(&sums, self.place.half, self.twisted)
+    /// At e^{2πiv}.
+    pub fn value(&self, [z1, z2]: [Number; 2]) -> Number {
+        let sums = self.theta.at([self.turn[0] * z1, self.turn[1] * z2]);
+        join(&sums, self.half, self.twisted)
     }
 }
 
@@ -95,76 +76,76 @@ impl Witness {
 }
 
 // ANCHOR: choice
-/// G₊ and G₋: a is half of the integrals to Z, up to its sign and one of sixteen half periods, of which h makes eight pairs.
+/// G₊ and G₋: a is half of the integrals to Z, on the sheet that the sign of N tells, and one of sixteen half periods, of which h makes eight pairs; for G₋ the one to e₄ besides.
 ///
-/// Which it is depends on the signs of the roots with which the start was found; the one that fits is told by A′/2 + 2 d arg G/dt being the same α everywhere.
+/// Which of the eight it is depends on the signs of the roots with which the start was found; the one that fits is told by A′/2 + 2 d arg G/dt being the same α everywhere.
 pub(super) fn products(constants: &Constants, exact: &Exact) -> Option<[Product; 2]> {
     let (curve, advance) = (&exact.curve, exact.advance());
-    let [real, imaginary] = curve.point(constants, &exact.separation);
-    let mut thetas = Vec::with_capacity(4);
-    let mut shifts = Vec::with_capacity(4);
+    let sheet = -(1_f64.copysign(constants.residue().high()));
+    let [real, imaginary] = curve
+        .point(constants, &exact.separation)
+        .map(|part| part.map(|x| sheet * x));
+    let witnesses = Witness::some(constants, exact);
+    let mut factors = Vec::with_capacity(16);
     for m in MEASURES {
         let moved = m.map(|x| 0.5 * f64::from(x));
         let (imaginary, whole) = curve.reduced(
             [0, 1].map(|i| imaginary[i] + curve.y[i][0] * moved[0] + curve.y[i][1] * moved[1]),
         );
-        thetas.push(Theta::prepare(curve.y, imaginary)?);
+        let theta = Arc::new(Theta::prepare(curve.y, imaginary)?);
         // Re τ(m/2 − whole), the same in both components.
         let twist = curve.twist(moved[0] + moved[1] - whole[0] - whole[1]);
-        shifts.push(real.map(|x| x + twist));
-    }
-    let number = |m: [u8; 2]| usize::from(2 * m[0] + m[1]);
-    let factor = |sign: f64, half: Half| Factor {
-        theta: thetas[number(half.m)].clone(),
-        place: Place::new(sign, half, shifts[number(half.m)]),
-        twisted: curve.twisted,
-    };
-    let witnesses = Witness::some(constants, exact);
-    let mut best = [(f64::INFINITY, 0.0, 1.0, Half::default()); 2];
-    for sign in [1.0, -1.0] {
-        // d arg θ/dt for every witness and half period.
-        let turning = witnesses.iter().map(|witness| {
-            let rates = advance.map(|x| sign * x);
-            let all = MEASURES.map(|m| {
-                let at = Place::new(sign, Half { n: [0, 0], m }, shifts[number(m)]).at(witness.z);
-                thetas[number(m)].with_rates(at, rates)
-            });
-            let turning = Half::all().map(|half| {
-                let sums = all[number(half.m)].each_ref();
-                let [value, rate] = sums.map(|sums| join(sums, half.n, curve.twisted));
+        let turn = real.map(|x| unit(-x - twist));
+        let sums: Vec<[Sums; 2]> = witnesses
+            .iter()
+            .map(|Witness { z, .. }| theta.with_rates([turn[0] * z[0], turn[1] * z[1]], advance))
+            .collect();
+        for n in MEASURES {
+            // d arg θ/dt at every witness.
+            let turning = sums.iter().map(|sums| {
+                let [value, rate] = sums.each_ref().map(|sums| join(sums, n, curve.twisted));
                 (rate / value).im
             });
-            turning.collect()
-        });
-        let turning: Vec<Vec<f64>> = turning.collect();
-        for (i, half) in Half::all().enumerate() {
-            let other = Half::all().position(|x| x == half.plus(curve.between()))?;
-            for (side, best) in best.iter_mut().enumerate() {
-                let seen = || {
-                    let rates = turning.iter().map(|all| 2.0 * (all[i] + all[other]));
-                    witnesses
-                        .iter()
-                        .zip(rates)
-                        .map(|(w, rate)| (w.heights[side].powi(2), w.rates[side] + rate))
-                };
-                let weights: f64 = seen().map(|(weight, _)| weight).sum();
-                let rate = seen().map(|(weight, x)| weight * x).sum::<f64>() / weights;
-                let off = |(weight, x): (f64, f64)| weight * (x - rate).abs();
-                let scatter = seen().map(off).sum::<f64>() / weights;
-                if scatter < best.0 {
-                    *best = (scatter, rate, sign, half);
-                }
-            }
+            let factor = Factor {
+                theta: theta.clone(),
+                turn,
+                half: n,
+                twisted: curve.twisted,
+            };
+            factors.push((Half { n, m }, factor, turning.collect::<Vec<f64>>()));
         }
     }
-    let trusted =
-        |&(scatter, rate, ..): &(f64, f64, f64, Half)| scatter < TRUSTED * (1.0 + rate.abs());
-    best.iter().all(trusted).then(|| {
-        best.map(|(scatter, rate, sign, half)| Product {
-            factors: [half, half.plus(curve.between())].map(|half| factor(sign, half)),
+    let product = |side: usize, halves: [Half; 2]| {
+        let pair = halves.map(|half| factors.iter().find(|(of, ..)| *of == half));
+        let [Some((_, one, turning)), Some((_, other, besides))] = pair else {
+            return None;
+        };
+        let seen = || {
+            let both = turning.iter().zip(besides).map(|(x, y)| 2.0 * (x + y));
+            let rates = witnesses.iter().zip(both);
+            rates.map(|(w, rate)| (w.heights[side].powi(2), w.rates[side] + rate))
+        };
+        let weights: f64 = seen().map(|(weight, _)| weight).sum();
+        let rate = seen().map(|(weight, x)| weight * x).sum::<f64>() / weights;
+        let off = |(weight, x): (f64, f64)| weight * (x - rate).abs();
+        Some(Product {
+            factors: [one.clone(), other.clone()],
             rate,
-            scatter,
+            scatter: seen().map(off).sum::<f64>() / weights,
         })
-    })
+    };
+    let [.., fourth, fifth] = curve.roots;
+    factors
+        .iter()
+        .filter_map(|&(half, ..)| {
+            let other = half.plus(fourth);
+            let plus = product(0, [half, other.plus(fifth)])?;
+            Some([plus, product(1, [other, half.plus(fifth)])?])
+        })
+        .filter(|both| {
+            both.iter()
+                .all(|one| one.scatter < TRUSTED * (1.0 + one.rate.abs()))
+        })
+        .min_by(|x, y| x[0].scatter.total_cmp(&y[0].scatter))
 }
 // ANCHOR_END: choice

@@ -123,11 +123,6 @@ impl Curve {
     }
     // ANCHOR_END: curve
 
-    /// The half period from e₄ to e₅.
-    pub fn between(&self) -> Half {
-        self.roots[3].plus(self.roots[4])
-    }
-
     /// Half of the integrals from ∞ to Z, real and imaginary parts, from where s₁ = A and s₂ = C.
     ///
     /// Z lies in a gap between s₂ and s₁.
@@ -159,15 +154,11 @@ impl Curve {
         ]
     }
 
-    /// α but for whole turns of v: l − ½ of the mean of N/((s₁−s)(s₂−s)), N = l(m²−k²)/2, with s and m of Z.
+    /// α but for whole turns of v: l − ½ of the mean of N/((s₁−s)(s₂−s)), s that of Z.
     ///
     /// A₊′ = 2l − N/((s₁−s)(s₂−s)) − d arg R/dt with a function R of the state, and the mean is one of two integrals of the third kind, one in s₁ and one in s₂.
     pub fn rate(constants: &Constants, separation: &Separation) -> f64 {
-        let m = constants.l1 - constants.vertical_point().scaled(2.0);
-        let residue = (constants.l * (m - constants.k) * (m + constants.k))
-            .scaled(0.5)
-            .value();
-        constants.l.value() - 0.5 * residue * separation.third_kind()
+        constants.l.value() - 0.5 * constants.residue().value() * separation.third_kind()
     }
 
     /// Re τx in one component, which is the same in both, from the sum of those of x.

@@ -1,7 +1,7 @@
 //! Her separation variables s₁, s₂, and the integrals that time and phases are made of (8.2).
 
 use core::cmp::Ordering;
-use core::f64::consts::{FRAC_PI_2, TAU};
+use core::f64::consts::TAU;
 
 use nalgebra::Complex;
 
@@ -125,8 +125,9 @@ impl Separation {
             .map(|(u, t)| -u / t)
             // What rounding has put on the way, or at its ends, is not at a distance.
             .filter(|ratio| ratio.is_finite() && (ratio.im != 0.0 || ratio.re < 0.0))
-            .map(|ratio| (ratio.ln() / STRETCH).asinh().im.abs())
-            .fold(FRAC_PI_2, f64::min);
+            .map(|ratio| sine_of_area(ratio.ln() / STRETCH))
+            .fold(1.0, f64::min)
+            .asin();
         // e^step of few bits, so that its powers are exact, or nearly.
         let growth = (TAU * clear / DIGITS).exp_m1();
         let unit = 2.0_f64.powi(-12) * power_of_two_below(growth);
@@ -149,8 +150,9 @@ impl Separation {
                     .zip(place)
                     .map(|(u, t)| u * near + t * far)
                     .product();
+                let denominator = near + far * weight;
                 // The root that continues the one before.
-                let next = root(product);
+                let next = root(product * denominator);
                 let before = last.unwrap_or(next);
                 let next = if (next * before.conj()).re < 0.0 {
                     -next
@@ -158,13 +160,11 @@ impl Separation {
                     next
                 };
                 *last = Some(next);
-                let denominator = near + far * weight;
                 // √P = 2i√Π(s−e).
-                let value =
-                    length * (small * cosh * denominator.sqrt()) / (next * Number::new(0.0, 2.0));
+                let value = length * (small * cosh * denominator) / (next * Number::new(0.0, 2.0));
                 let mut add = |to: usize, value: Number| {
                     let sum = [value.re, value.im].map(DoubleDouble::from);
-                    sums[to] = [0, 1].map(|part| sums[to][part] + sum[part]);
+                    sums[to] = [0, 1].map(|part| sums[to][part].add_alike(sum[part]));
                 };
                 add(0, value);
                 add(1, value * (first + length * (far / denominator)));
@@ -307,6 +307,12 @@ const NEAR: f64 = 3e-3;
 
 /// Most steps of an integral on either side; where it would take more it is wrong, and what follows from it is found to be.
 const LONGEST: f64 = 16_384.0;
+
+/// The sine of the imaginary part of asinh x, in size.
+fn sine_of_area(x: Number) -> f64 {
+    let [one, other] = [1.0, -1.0].map(|side| x.re.hypot(x.im + side));
+    2.0 * x.im.abs() / (one + other)
+}
 
 /// The root with a positive real part, straight from the parts: twice as fast as by way of the angle.
 fn root(z: Number) -> Number {

@@ -39,10 +39,8 @@ pub(super) fn classify(constants: &Constants) -> Kind {
     let [first, second, third, fourth, fifth] = constants.roots();
     // Weak gravity brings both together, whatever L_vert is: the conditions below are these distances over c².
     let meets = |root: &Root| {
-        let distance = |e: &Root| e.from(root).norm();
-        [first, second, third]
-            .iter()
-            .any(|e| distance(e) <= ROUNDED * size)
+        let cubic = [first, second, third];
+        cubic.iter().any(|e| e.from(root).norm() <= ROUNDED * size)
     };
     let spread = second.from(&third).re.hypot(2.0 * second.imaginary.value());
     // The square of the distance is what a rounded start determines.

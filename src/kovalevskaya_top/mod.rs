@@ -50,7 +50,6 @@ mod theta;
 pub mod toda;
 mod top;
 mod upright;
-mod walk;
 
 pub use classes::{Diagram, Kind};
 pub use exact::Reason;

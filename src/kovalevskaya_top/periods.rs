@@ -3,7 +3,7 @@
 use nalgebra::Complex;
 
 use super::constants::{Constants, Root};
-use super::separation::{Place, Separation};
+use super::separation::{Place, Separation, in_order};
 use crate::precise::Number as _;
 
 type Number = Complex<f64>;
@@ -32,14 +32,6 @@ impl Half {
             m: sum(self.m, other.m),
         }
     }
-
-    /// All sixteen.
-    pub fn all() -> impl Iterator<Item = Self> {
-        (0..16_u8).map(|bits| Self {
-            n: [bits & 1, bits >> 1 & 1],
-            m: [bits >> 2 & 1, bits >> 3],
-        })
-    }
 }
 
 /// m of the half periods ½(n + τm).
@@ -64,7 +56,7 @@ impl Curve {
     // ANCHOR: curve
     /// Gaps and cuts in turn from −∞: the cut of s₂, a gap, a band, and if all roots are real another gap and another band.
     pub fn prepare(separation: &Separation) -> Option<Self> {
-        let real = separation.in_order();
+        let real = in_order(&separation.roots);
         let twisted = real.len() < 5;
         let [a, _, c] = separation.ends;
         // The band of s₁ is the second cut or the third.
@@ -92,7 +84,7 @@ impl Curve {
             let m = if sign == 0 { [1, 0] } else { [0, 1] };
             // On the way to it half of τ is passed, and real parts of a quarter.
             let n = whole.map(|x| (x.re - 0.5).round().rem_euclid(2.0) as u8);
-            pair = to(&steps(far), from).plus(Half { n, m });
+            pair = to(far, from).plus(Half { n, m });
             match left {
                 0 => [plus(column, gap().map(|x| -x)), column],
                 1 => [column, over_gap(0, upper, 1).map(|x| x.im)],
@@ -104,7 +96,7 @@ impl Curve {
         };
         let mut roots = [pair; 5];
         for (place, root) in real.iter().enumerate() {
-            roots[*root] = to(&steps(far), place);
+            roots[*root] = to(far, place);
         }
         if let Some(upper) = upper {
             let lower = (0..5).find(|&i| i != upper && !real.contains(&i))?;
@@ -112,8 +104,12 @@ impl Curve {
         }
         // With it and with all of its sums with these, θ is odd.
         let odd = |half: Half| (half.n[0] & half.m[0]) ^ (half.n[1] & half.m[1]) == 1;
-        let constant =
-            Half::all().find(|&half| odd(half) && roots.iter().all(|&r| odd(half.plus(r))))?;
+        let all = MEASURES
+            .iter()
+            .flat_map(|&n| MEASURES.map(|m| Half { n, m }));
+        let constant = all
+            .into_iter()
+            .find(|&half| odd(half) && roots.iter().all(|&r| odd(half.plus(r))))?;
         Some(Self {
             y: [[first[0], first[1]], [first[1], second[1]]],
             twisted,
@@ -127,7 +123,7 @@ impl Curve {
     ///
     /// Z lies in a gap between s₂ and s₁.
     pub fn point(&self, constants: &Constants, separation: &Separation) -> [[f64; 2]; 2] {
-        let real = separation.in_order();
+        let real = in_order(&separation.roots);
         let s = constants.vertical_point();
         let over = |root: usize| (s - separation.roots[root].real).value();
         // In which of the gaps Z lies.
@@ -188,19 +184,15 @@ fn across(separation: &Separation, from: usize, place: &Place) -> [Number; 2] {
     [0, 1].map(|i| Number::new(real[i], imaginary[i]))
 }
 
-/// The half periods over the cuts and gaps from ∞.
-fn steps(far: bool) -> [Half; 5] {
-    [
+/// The half period from ∞ to the real root that is number `place` from below, over the cuts and gaps between.
+fn to(far: bool, place: usize) -> Half {
+    let steps = [
         Half::along([0, 1]),
         Half::across(if far { [0, 1] } else { [1, 1] }),
         Half::along(if far { [1, 1] } else { [1, 0] }),
         Half::across([1, 0]),
         Half::along(if far { [1, 0] } else { [1, 1] }),
-    ]
-}
-
-/// From ∞ to the real root that is number `place` from below.
-fn to(steps: &[Half; 5], place: usize) -> Half {
+    ];
     steps[..=place]
         .iter()
         .fold(Half::default(), |sum, step| sum.plus(*step))

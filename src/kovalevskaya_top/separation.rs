@@ -1,6 +1,5 @@
 //! Her separation variables s₁, s₂, and the integrals that time and phases are made of (8.2).
 
-use core::cmp::Ordering;
 use core::f64::consts::TAU;
 
 use nalgebra::Complex;
@@ -22,7 +21,7 @@ pub(super) struct Separation {
     pub roots: [Root; 5],
     /// Which root is A, B and C.
     pub ends: [usize; 3],
-    /// The distances e_i − e_j, each rounded once. Where two roots are one, they are taken apart by what no digit of the motion shows.
+    /// The distances e_i − e_j, each rounded once. Where e₄ and e₅ are one, they are taken apart by what no digit of the motion shows.
     pub apart: [[Number; 5]; 5],
     /// A − σ = σ − C. Integrals of (s − σ)ds/√P grow in s₁ and fall in s₂, so that nothing cancels in the determinant of the four.
     half_way: f64,
@@ -285,11 +284,6 @@ impl Separation {
         -2.0 * (turns1 * first + turns2 * second)
     }
 
-    /// The real roots in ascending order.
-    pub fn in_order(&self) -> Vec<usize> {
-        in_order(&self.roots)
-    }
-
     /// Increase of the four integrals in a whole turn of a phase: real periods of the curve w² = P(s).
     pub fn periods(&self) -> [f64; 4] {
         let middle = self.roots[self.ends[2]].real.value() + self.half_way;
@@ -327,24 +321,17 @@ fn root(z: Number) -> Number {
     Number::new(re, im.copysign(z.im))
 }
 
+/// The distances of the roots. Where e₄ and e₅ are one they are taken apart, in the order in which they are counted.
 fn apart(roots: &[Root; 5]) -> [[Number; 5]; 5] {
-    const NOTHING: f64 = 1e-40;
-    let real = in_order(roots);
-    let rank = |i: usize| real.iter().position(|&j| j == i);
-    core::array::from_fn(|i| {
-        core::array::from_fn(|j| {
-            let distance = roots[i].from(&roots[j]);
-            match rank(i).cmp(&rank(j)) {
-                _ if distance.norm() > NOTHING || i == j => distance,
-                Ordering::Less => Number::from(-NOTHING),
-                _ => Number::from(NOTHING),
-            }
-        })
-    })
+    let mut apart = roots.map(|one| roots.map(|other| one.from(&other)));
+    if apart[3][4].re == 0.0 {
+        [apart[3][4], apart[4][3]] = [-1e-40, 1e-40].map(Number::from);
+    }
+    apart
 }
 
 /// The real ones of five roots in ascending order.
-fn in_order(roots: &[Root; 5]) -> Vec<usize> {
+pub(super) fn in_order(roots: &[Root; 5]) -> Vec<usize> {
     let mut real: Vec<usize> = (0..5).filter(|&i| roots[i].is_real()).collect();
     real.sort_by(|&i, &j| {
         let gap = (roots[i].real - roots[j].real).value();

@@ -211,7 +211,8 @@ impl KovalevskayaTop {
         let wide = start_of(along, omega / unit, up);
         let start = wide.map(DoubleDouble::value);
         let constants = Constants::of(c, &wide);
-        let heading = lever.y().atan2(lever.x());
+        let [cosine, sine] = along.map(DoubleDouble::value);
+        let heading = sine.atan2(cosine);
         let turned = attitude.quaternion().into_inner() * about_third(heading);
         let start = (start, turned);
         let motion = if rounded == 0.0 {

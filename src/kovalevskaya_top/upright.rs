@@ -185,8 +185,6 @@ pub(super) struct Upright {
     quotients: Quotients,
     /// The phases of η₁² and η₂² at time 0, but for 2φ.
     angles: [f64; 2],
-    /// The sign of a : q long after the passage.
-    limit: f64,
 }
 
 /// The largest disagreement of the angles with which it is trusted, relative.
@@ -253,10 +251,8 @@ impl Upright {
             origin,
             quotients,
             angles: [0.0; 2],
-            limit: 1.0,
         };
         let trial = tried(constants, whole, |t| upright.state(constants, t)).ok()?;
-        upright.settle(constants);
         let mut agree = true;
         upright.angles = [0, 1].map(|side| {
             let seen: Vec<Number> = trial
@@ -287,7 +283,7 @@ impl Upright {
     /// √K by its real part beside w, √K̄w = a + ib over √k: which of the two roots it is at time t.
     ///
     /// The one for which r − 2lz₃ = 2 Re √K̄ζ. Both sides vanish where z is along axis 3 again, and a = √k there; and they fade as the motion comes to be
-    /// periodic, and a : q is a constant there, one before the passage and its opposite after.
+    /// periodic, and a : q is a constant there, positive before the passage and its opposite after (found by trial, too).
     fn root(
         &self,
         constants: &Constants,
@@ -302,7 +298,7 @@ impl Upright {
         let told = (zeta * root.conj()).re * side * (r - 2.0 * constants.l.value() * z3);
         let y = self.passage(t);
         let also = if y.abs() > FADED {
-            1e-2 * along * q * self.limit * side * y.signum()
+            -1e-2 * along * q * side * y.signum()
         } else {
             1e-14 * along
         };
@@ -312,21 +308,6 @@ impl Upright {
     /// How far from the passage, in powers of e.
     fn passage(&self, t: f64) -> f64 {
         (self.origin[1] + self.sums.rate * t).re
-    }
-
-    /// The sign of a : q long after the passage, where what fades is still there.
-    fn settle(&mut self, constants: &Constants) {
-        if self.sums.rate.re.abs() < 1e-9 {
-            return;
-        }
-        let told = (0..8).map(|n| {
-            let y = 0.4 * FADED + f64::from(n);
-            let t = (y - self.origin[1].re) / self.sums.rate.re;
-            let state = self.state(constants, t);
-            let root = self.root(constants, &state, 1.0, t);
-            (Number::new(state[0], state[1]) * root.conj()).re * state[1]
-        });
-        self.limit = told.sum::<f64>().signum();
     }
 
     /// e^{iφ} but for a real factor, if the phase of η₂² (side 1) or η₁² (side 0) is lt + 2φ.

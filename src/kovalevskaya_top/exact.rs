@@ -1,4 +1,4 @@
-//! Which branch a start lies on, and the trial that decides between her road and the power series.
+//! Ω and z by separation, and the trial that decides between her road and the power series.
 
 use super::constants::{Constants, Phase, WidePhase};
 use super::periods::Curve;
@@ -62,7 +62,7 @@ impl Exact {
     }
 
     fn nearest(constants: &Constants, wide: &WidePhase, start: &Phase) -> Option<Self> {
-        let variables = Variables::of(constants, wide);
+        let variables = Variables::of(constants, [wide[0], wide[1]]);
         let separation = Separation::prepare(constants, variables.s1)?;
         let curve = Curve::prepare(&separation)?;
         let advance = separation.frequencies().map(|n| n.scaled(0.5));

@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use nalgebra::Complex;
 
-use super::constants::{Constants, Root, WidePhase};
+use super::constants::{Constants, Root};
 use crate::precise::{DoubleDouble, Number as _, power_of_two_below};
 
 type Number = Complex<f64>;
@@ -354,7 +354,7 @@ impl Variables {
     ///
     /// They solve (x₁−x₂)²σ² − R(x₁,x₂)σ + S/4 = 0 for σ = s − l₁/2; whichever of R ∓ |R| would cancel is taken from the other by
     /// (R + |R|)(R − |R|) = (x₁−x₂)² S.
-    pub fn of(constants: &Constants, &[p, q, ..]: &WidePhase) -> Self {
+    pub fn of(constants: &Constants, [p, q]: [DoubleDouble; 2]) -> Self {
         let square = |x: DoubleDouble| x * x;
         let (d, b, six) = (constants.d, constants.b(), constants.l1.times(6.0));
         let q_squared = square(q);

@@ -189,8 +189,8 @@ impl Quotients {
 /// roots is √(e−e′) times both constants and the theta function of the sum of their half periods (Thomae 1870, Kötter 1893).
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Torus {
-    /// θ with τm/2 added, for each m, where one is needed.
-    tables: Vec<Option<Theta>>,
+    /// θ with τm/2 added, for each m that is needed.
+    tables: Vec<([u8; 2], Theta)>,
     /// Half periods of the functions of the three roots, of their Wronskians, and of the one alone.
     places: [Half; 7],
     /// The half period from e₂ to e₃ if it is one along the real directions.
@@ -224,16 +224,17 @@ impl Torus {
         } else {
             None
         };
-        let tables = MEASURES.map(|m| {
+        let needed =
+            |m: &[u8; 2]| pinched.is_none() && places.iter().any(|place: &Half| place.m == *m);
+        let tables = MEASURES.into_iter().filter(needed).map(|m| {
             let [a, b] = m.map(|x| -0.5 * f64::from(x));
-            let needed = pinched.is_none() && places.iter().any(|place: &Half| place.m == m);
-            needed.then(|| Theta::prepare(curve.y, curve.y.map(|[x, y]| x * a + y * b)))
+            let theta = Theta::prepare(curve.y, curve.y.map(|[x, y]| x * a + y * b))?;
+            Some((m, theta))
         });
-        let lacking = tables.iter().any(|table| matches!(table, Some(None)));
-        (!lacking).then(|| Self {
+        Some(Self {
+            tables: tables.collect::<Option<Vec<_>>>()?,
             between: (between.m == [0, 0]).then_some(between.n),
             pinched,
-            tables: tables.into_iter().map(Option::flatten).collect(),
             places,
             twisted: curve.twisted,
             advance,
@@ -274,8 +275,7 @@ impl Torus {
             return found;
         }
         let once = v.map(unit);
-        for (m, table) in MEASURES.iter().zip(&self.tables) {
-            let Some(table) = table else { continue };
+        for (m, table) in &self.tables {
             let [first, second] = m.map(i32::from);
             let twist = if self.twisted { first + second } else { 0 };
             let turned = once.map(|x| x * x * I.powi(twist));

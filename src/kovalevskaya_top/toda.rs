@@ -184,9 +184,9 @@ impl Lattice {
     /// ```
     pub fn advance(&mut self, step: f64, steps: usize) -> Result<()> {
         finite("the step", step)?;
-        let weights = yoshida();
         for _ in 0..steps {
-            for weight in weights {
+            for n in 0_usize..15 {
+                let weight = WEIGHTS[n.abs_diff(7)];
                 self.drift(0.5 * weight * step);
                 self.kick(weight * step);
                 self.drift(0.5 * weight * step);
@@ -214,20 +214,14 @@ impl Lattice {
     }
 }
 
-/// Yoshida's solution A for order 8 (1990): weights w₇ … w₁, w₀, w₁ … w₇ of a composition of leapfrogs.
-fn yoshida() -> [f64; 15] {
-    const W: [f64; 7] = [
-        -0.161_582_374_150_097e1,
-        -0.244_699_182_370_524e1,
-        -0.716_989_419_708_120e-2,
-        0.244_002_732_616_735e1,
-        0.157_739_928_123_617,
-        0.182_020_630_970_714e1,
-        0.104_242_620_869_991e1,
-    ];
-    let middle = 1.0 - 2.0 * W.iter().sum::<f64>();
-    core::array::from_fn(|i| match i {
-        7 => middle,
-        i => W[(7_usize).abs_diff(i) - 1],
-    })
-}
+/// Yoshida's solution A for order 8 (1990): weights w₀ … w₇ of the leapfrogs w₇ … w₁, w₀, w₁ … w₇, all of which add up to 1.
+const WEIGHTS: [f64; 8] = [
+    -1.780_828_626_589_451_5,
+    -0.161_582_374_150_097e1,
+    -0.244_699_182_370_524e1,
+    -0.716_989_419_708_120e-2,
+    0.244_002_732_616_735e1,
+    0.157_739_928_123_617,
+    0.182_020_630_970_714e1,
+    0.104_242_620_869_991e1,
+];

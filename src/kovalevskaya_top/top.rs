@@ -14,7 +14,7 @@ use crate::error::{Error, Result, finite, not_negative, positive};
 use crate::euler_equations::{AxisMoments, HeavyTop, TopState};
 use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector, finite_vector};
-use crate::precise::{DoubleDouble, Number, power_of_two_below};
+use crate::precise::{DoubleDouble, Extended, Number, power_of_two_below};
 
 /// How the motion is computed, Ω and z as well as the attitude.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -100,7 +100,7 @@ impl KovalevskayaTop {
     /// Domain: I₁ = I₂ = 2I₃ up to 8 eps, which is taken for rounding (the moments used are 2I₃, 2I₃, I₃), and C₃ = 0 exactly; C in any
     /// direction of the plane, also C = O. Moments need not satisfy more: Md² ≤ I₃/2 is what a body needs in addition, and
     /// mass and lever do not come separately. The regime is decided here: [`kind`](Self::kind), [`method`](Self::method).
-    /// Cost: 0.09 ms in the median of random starts; 0.05 ms where z starts along axis 3, 4 µs for a pendulum.
+    /// Cost: 0.12 ms in the median of random starts; 0.05 ms where z starts along axis 3, 4 µs for a pendulum.
     ///
     /// # Errors
     /// [`Error::NotPositive`], [`Error::NotFinite`]; [`Error::Condition`] for other ratios and for C off the plane;
@@ -205,9 +205,8 @@ impl KovalevskayaTop {
             });
         }
         let unit = power_of_two_below(fastest);
-        // In two quotients: the square of the unit may overflow or underflow where the result does not.
-        let rounded = strength / unit / unit;
-        let (along, c) = leaning(lever, axial, rounded);
+        let (along, c) = leaning(lever, axial, unit);
+        let free = c.high() == 0.0;
         let wide = start_of(along, omega / unit, up);
         let start = wide.map(DoubleDouble::value);
         let constants = Constants::of(c, &wide);
@@ -215,10 +214,10 @@ impl KovalevskayaTop {
         let heading = sine.atan2(cosine);
         let turned = attitude.quaternion().into_inner() * about_third(heading);
         let start = (start, turned);
-        let motion = if rounded == 0.0 {
+        let motion = if free {
             // Only the ratios count, so no moment or rate can be too small to square.
-            let free = EulerTop::from_omega([2.0, 2.0, 1.0], omega / unit, attitude)?;
-            Motion::Free(Box::new(free))
+            let top = EulerTop::from_omega([2.0, 2.0, 1.0], omega / unit, attitude)?;
+            Motion::Free(Box::new(top))
         } else if let Some(pendulum) = Pendulum::find(&constants, &wide, &start) {
             Motion::Pendulum(Box::new(pendulum))
         } else {
@@ -241,7 +240,7 @@ impl KovalevskayaTop {
             start,
             wide,
             constants,
-            kind: if rounded == 0.0 {
+            kind: if free {
                 Kind::EulerSymmetric
             } else {
                 classify(&constants)
@@ -398,8 +397,9 @@ impl KovalevskayaTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn separation_variables(&self, state: &TopState) -> [f64; 2] {
-        let inward = self.inward(state.omega, state.up);
-        let variables = Variables::of(&self.constants, &inward.map(DoubleDouble::from));
+        let inward = turned(self.heading, [state.omega.x(), state.omega.y()]);
+        let inward = inward.map(|omega| DoubleDouble::from(omega / self.unit));
+        let variables = Variables::of(&self.constants, inward);
         let half = 0.5 * self.constants.l1.value();
         let s2 = half - variables.numerator.value() / (8.0 * variables.q_squared.value());
         [variables.s1.value(), s2].map(|s| s * self.unit * self.unit)
@@ -476,14 +476,6 @@ impl KovalevskayaTop {
         })
     }
 
-    /// To the axes for which C₂ = 0 < C₁, and to the unit of angular velocity.
-    fn inward(&self, omega: BodyVector, up: BodyVector) -> Phase {
-        let [p, q] = turned(self.heading, [omega.x(), omega.y()]);
-        let [z1, z2] = turned(self.heading, [up.x(), up.y()]);
-        let [p, q, r] = [p, q, omega.z()].map(|o| o / self.unit);
-        [p, q, r, z1, z2, up.z()]
-    }
-
     pub(super) fn outward(&self, &[p, q, r, z1, z2, z3]: &Phase) -> TopState {
         let [o1, o2] = turned(-self.heading, [p, q]);
         let [u1, u2] = turned(-self.heading, [z1, z2]);
@@ -494,19 +486,17 @@ impl KovalevskayaTop {
     }
 }
 
-/// Cosine and sine of the angle from axis 1 to C, and c = MgC₁/I₃ in 106 bits, of which `rounded` is the nearest double or nearly.
-fn leaning(lever: BodyVector, axial: f64, rounded: f64) -> ([DoubleDouble; 2], DoubleDouble) {
-    let wide = DoubleDouble::from;
-    if rounded == 0.0 {
-        return ([wide(1.0), wide(0.0)], wide(0.0));
-    }
-    let size = power_of_two_below(lever.components().amax());
-    let [x, y] = [lever.x(), lever.y()].map(|c| wide(c / size));
+/// Cosine and sine of the angle from axis 1 to C, and c = MgC₁/I₃ over the square of the unit, in 106 bits.
+fn leaning(lever: BodyVector, axial: f64, unit: f64) -> ([DoubleDouble; 2], DoubleDouble) {
+    // With an exponent of its own: the squares may overflow or underflow where the results do not.
+    let wide = Extended::from_double;
+    let [x, y] = [lever.x(), lever.y()].map(wide);
     let length = (x * x + y * y).square_root();
-    let mantissa = length / wide(axial / power_of_two_below(axial));
-    // What is left is a power of two, found without forming powers that overflow.
-    let power = power_of_two_below(1.5 * (rounded / mantissa.high()));
-    ([x / length, y / length], mantissa.scaled(power))
+    let c = (length / (wide(axial) * wide(unit) * wide(unit))).narrow();
+    if c.high() == 0.0 {
+        return ([1.0, 0.0].map(DoubleDouble::from), c);
+    }
+    ([x / length, y / length].map(Extended::narrow), c)
 }
 
 /// Ω and z along the axes for which C₂ = 0 < C₁, z of length 1.

@@ -120,7 +120,7 @@ impl Sums {
             s1,
             numerator,
             q_squared,
-        } = Variables::of(constants, wide);
+        } = Variables::of(constants, [wide[0], wide[1]]);
         let second = constants.l1.scaled(0.5) - numerator / q_squared.scaled(8.0);
         let [one, two] = [s1, second].map(|s| {
             let s = Root::on_axis(s);

@@ -116,12 +116,11 @@ impl Separation {
         let first = start[self.ends[0]] + self.half_way;
         let length = place[from];
         let beyond = [Number::from(1.0), Number::from(*weight)];
-        let clear = start
-            .iter()
-            .copied()
-            .zip(place.iter().copied())
-            .chain([beyond, pole.unwrap_or(beyond)].map(|[u, t]| (u, t)))
-            .map(|(u, t)| -u / t)
+        let ends = start.iter().zip(place).map(|(u, t)| [*u, *t]);
+        let clear = ends
+            .chain([beyond])
+            .chain(pole)
+            .map(|[u, t]| -u / t)
             // What rounding has put on the way, or at its ends, is not at a distance.
             .filter(|ratio| ratio.is_finite() && (ratio.im != 0.0 || ratio.re < 0.0))
             .map(|ratio| sine_of_area(ratio.ln() / STRETCH))

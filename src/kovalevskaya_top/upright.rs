@@ -283,7 +283,8 @@ impl Upright {
     /// √K by its real part beside w, √K̄w = a + ib over √k: which of the two roots it is at time t.
     ///
     /// The one for which r − 2lz₃ = 2 Re √K̄ζ. Both sides vanish where z is along axis 3 again, and a = √k there; and they fade as the motion comes to be
-    /// periodic, and a : q is a constant there, positive before the passage and its opposite after (found by trial, too).
+    /// periodic, and a : q is a constant there, one before the passage and its opposite after: negative after it if e is the smallest root, positive if s₁ comes to it in its band (found by trial,
+    /// too).
     fn root(
         &self,
         constants: &Constants,
@@ -298,7 +299,13 @@ impl Upright {
         let told = (zeta * root.conj()).re * side * (r - 2.0 * constants.l.value() * z3);
         let y = self.passage(t);
         let also = if y.abs() > FADED {
-            -1e-2 * along * q * side * y.signum()
+            // κ is real or half a period of the other kind above or below the real line, nothing between.
+            let sense = if self.sums.kappa.im.abs() < 1e-6 {
+                -1.0
+            } else {
+                1.0
+            };
+            1e-2 * along * q * sense * side * y.signum()
         } else {
             1e-14 * along
         };

@@ -4,7 +4,6 @@ use nalgebra::Complex;
 
 use super::constants::{Constants, Root};
 use super::separation::{Place, Separation, in_order};
-use crate::precise::Number as _;
 
 type Number = Complex<f64>;
 

@@ -14,7 +14,7 @@ use crate::error::{Error, Result, finite, not_negative, positive};
 use crate::euler_equations::{AxisMoments, HeavyTop, TopState};
 use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector, finite_vector};
-use crate::precise::{DoubleDouble, Extended, Number, power_of_two_below};
+use crate::precise::{DoubleDouble, Number, power_of_two_below};
 
 /// How the motion is computed, Ω and z as well as the attitude.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -205,8 +205,9 @@ impl KovalevskayaTop {
             });
         }
         let unit = power_of_two_below(fastest);
-        let (along, c) = leaning(lever, axial, unit);
-        let free = c.high() == 0.0;
+        // In two quotients: the square of the unit may overflow or underflow where the result does not.
+        let rounded = strength / unit / unit;
+        let (along, c) = leaning(lever, axial, rounded);
         let wide = start_of(along, omega / unit, up);
         let start = wide.map(DoubleDouble::value);
         let constants = Constants::of(c, &wide);
@@ -214,10 +215,10 @@ impl KovalevskayaTop {
         let heading = sine.atan2(cosine);
         let turned = attitude.quaternion().into_inner() * about_third(heading);
         let start = (start, turned);
-        let motion = if free {
+        let motion = if rounded == 0.0 {
             // Only the ratios count, so no moment or rate can be too small to square.
-            let top = EulerTop::from_omega([2.0, 2.0, 1.0], omega / unit, attitude)?;
-            Motion::Free(Box::new(top))
+            let free = EulerTop::from_omega([2.0, 2.0, 1.0], omega / unit, attitude)?;
+            Motion::Free(Box::new(free))
         } else if let Some(pendulum) = Pendulum::find(&constants, &wide, &start) {
             Motion::Pendulum(Box::new(pendulum))
         } else {
@@ -240,7 +241,7 @@ impl KovalevskayaTop {
             start,
             wide,
             constants,
-            kind: if free {
+            kind: if rounded == 0.0 {
                 Kind::EulerSymmetric
             } else {
                 classify(&constants)
@@ -486,17 +487,19 @@ impl KovalevskayaTop {
     }
 }
 
-/// Cosine and sine of the angle from axis 1 to C, and c = MgC₁/I₃ over the square of the unit, in 106 bits.
-fn leaning(lever: BodyVector, axial: f64, unit: f64) -> ([DoubleDouble; 2], DoubleDouble) {
-    // With an exponent of its own: the squares may overflow or underflow where the results do not.
-    let wide = Extended::from_double;
-    let [x, y] = [lever.x(), lever.y()].map(wide);
-    let length = (x * x + y * y).square_root();
-    let c = (length / (wide(axial) * wide(unit) * wide(unit))).narrow();
-    if c.high() == 0.0 {
-        return ([1.0, 0.0].map(DoubleDouble::from), c);
+/// Cosine and sine of the angle from axis 1 to C, and c = MgC₁/I₃ in 106 bits, of which `rounded` is the nearest double or nearly.
+fn leaning(lever: BodyVector, axial: f64, rounded: f64) -> ([DoubleDouble; 2], DoubleDouble) {
+    let wide = DoubleDouble::from;
+    if rounded == 0.0 {
+        return ([wide(1.0), wide(0.0)], wide(0.0));
     }
-    ([x / length, y / length].map(Extended::narrow), c)
+    let size = power_of_two_below(lever.components().amax());
+    let [x, y] = [lever.x(), lever.y()].map(|c| wide(c / size));
+    let length = (x * x + y * y).square_root();
+    let mantissa = length / wide(axial / power_of_two_below(axial));
+    // What is left is a power of two, found without forming powers that overflow.
+    let power = power_of_two_below(1.5 * (rounded / mantissa.high()));
+    ([x / length, y / length], mantissa.scaled(power))
 }
 
 /// Ω and z along the axes for which C₂ = 0 < C₁, z of length 1.

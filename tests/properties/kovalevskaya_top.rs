@@ -111,6 +111,27 @@ fn four_hundred_random_starts() {
     assert!(attitude[0] < 4e-15 && attitude[1] < 1e-14 && attitude[2] < 8e-14);
 }
 
+/// Long after the passage near the double root the sign of √K has turned: the attitude must know.
+#[test]
+fn an_upright_start_that_passes_its_double_root() {
+    let omega = [0.29566091575204645, 0.1625225973498683, -2.369508837019845];
+    let top = begun_with(omega, [0.0, 0.0, -1.0]);
+    assert_eq!(top.method(), Method::Elliptic);
+    let start = whole(omega, &top.at(0.0).expect("the start"));
+    for sense in [1.0, -1.0] {
+        let (mut y, mut now) = (start, 0.0);
+        for time in [100.0, 208.0, 260.0].map(|t| sense * t) {
+            y = PLAIN.after(y, time - now);
+            now = time;
+            let [motion, attitude] = errors(&top.at(time).expect("a state"), &y);
+            assert!(
+                motion < 1e-11 && attitude < 1e-11,
+                "{time}: {motion:e} {attitude:e}"
+            );
+        }
+    }
+}
+
 /// The attitude by theta functions, up to time 100, against 24 digits.
 #[test]
 fn the_attitude_at_distant_times() {

@@ -70,7 +70,7 @@ fn s4_10_flutter_ends_where_its_period_grows_without_bound() {
     rounded(found[0], 4, 1.2191);
     rounded(found[1], 4, 0.5267);
     // As a Froude number the fit to paper is within the uncertainty of the measurement, the published set is not.
-    let froude = |ratio: f64| (std::f64::consts::FRAC_PI_4 * ratio).sqrt();
+    let froude = |ratio: f64| (FRAC_PI_4 * ratio).sqrt();
     let (measured, uncertainty) = MEASURED_FROUDE;
     rounded(froude(found[1]), 3, 0.643);
     assert!((froude(found[1]) - measured).abs() < uncertainty);
@@ -180,7 +180,7 @@ fn s4_10_paper_of_eighty_grams() {
     let sheet = |centimetres: f64| Sheet::of_paper(centimetres / 100.0).unwrap();
     rounded(sheet(1.0).speed(), 4, 0.6453);
     // Where flutter ends, by our fit, by the measurement and by the published set: centimetres of width.
-    let widths = [0.5267, 4.0 / std::f64::consts::PI * 0.67 * 0.67, 1.2191];
+    let widths = [0.5267, 4.0 / PI * 0.67 * 0.67, 1.2191];
     let widths = widths.map(|ratio| 100.0 * sheet(1.0).width_for(ratio).unwrap());
     rounded(widths[0], 1, 16.1);
     rounded(widths[1], 1, 14.9);
@@ -188,11 +188,7 @@ fn s4_10_paper_of_eighty_grams() {
     let turning = |centimetres: f64| {
         let sheet = sheet(centimetres);
         let run = long_run(sheet.mass_ratio(), Coefficients::PAPER);
-        (
-            run,
-            run.rotation.abs() / sheet.time() / std::f64::consts::TAU,
-            sheet.speed(),
-        )
+        (run, run.rotation.abs() / sheet.time() / TAU, sheet.speed())
     };
     for (width, hertz) in [(1.0, 14.6), (2.0, 8.6), (3.0, 6.1), (5.0, 3.9), (15.0, 1.0)] {
         let (run, rate, _) = turning(width);

@@ -1,9 +1,7 @@
 //! Body and space axes: which way the attitude turns, and both directions of the transport theorem (tutorial 2.2, 5.1).
 
 use super::*;
-use proptest::prelude::*;
 use spinning_bodies::frame::{EulerAngles, rate_seen_from_body, rate_seen_from_space};
-use std::f64::consts::FRAC_1_SQRT_2;
 use support::any;
 
 /// A known motion: precession α(t) about z, tilt β(t) about x, spin γ(t) about z, angles and their rates given.

@@ -2,7 +2,6 @@
 
 use super::*;
 use spinning_bodies::lagrange_top::{PurePrecession, fast_spin, pure_precession};
-use std::f64::consts::FRAC_PI_3;
 
 /// A wheel of 0.1 kg, 4 cm from its support, I₃ = 6e-5 kg m², 100 turns a second.
 const WEIGHT_MOMENT: f64 = 0.1 * 9.81 * 0.04;

@@ -28,14 +28,19 @@ mod tippe_top;
 mod yo_yo;
 
 use approx::assert_relative_eq;
+use lab::general::DifferentialEquations;
 use nalgebra::{Matrix3, Vector3};
 use num_rational::Ratio;
-use spinning_bodies::Error;
+use proptest::prelude::*;
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use spinning_bodies::inertia::{InertiaMatrix, MassProperties, PrincipalMoments, shapes};
-use spinning_bodies::integrators::{Effort, Kept};
-use spinning_bodies::scene::{Request, Scene};
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use spinning_bodies::integrators::{Effort, Kept, Leg, Method, order_eight};
+use spinning_bodies::scene::{Choice, Request, Scene, Solver};
+use spinning_bodies::{Error, Result};
+use std::f64::consts::{
+    FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6, FRAC_PI_8, PI, SQRT_2, TAU,
+};
+use support::double_double::Dd;
 use support::{
     ONE, R, TWO, Uniform, ZERO, close, cross, dot, exact, greatest, near, observed, ration,
     rational, refused, relative, runge_kutta, vector, whole, within, wrapped,

@@ -1,7 +1,6 @@
 //! Section 9: Pythagoras by rotation. The independent method is the pressure, integrated point by point.
 
 use super::*;
-use proptest::prelude::*;
 use spinning_bodies::pythagoras::{
     GasBox, Orientation, opposite_side, polygon_torques, reversal_angle, tetrahedron_areas,
 };
@@ -201,7 +200,7 @@ fn s9_2_cosine_law() {
         observed!(off, 0.0..=1e-15);
     }
     // Flat triangles: the sum and the difference of the sides.
-    let off = relative(opposite_side(4.0, 3.0, std::f64::consts::PI).unwrap(), 7.0);
+    let off = relative(opposite_side(4.0, 3.0, PI).unwrap(), 7.0);
     observed!(off, 0.0..=2.3e-16);
     assert_eq!(opposite_side(4.0, 3.0, 0.0), Ok(1.0));
 }
@@ -217,7 +216,7 @@ fn s9_2_change_of_sense() {
     };
     let off = relative(torque(0.5), 12.0 * 0.5_f64.cos() - 4.5);
     observed!(off, 0.0..=2e-15);
-    assert!((torque(0.5) - 6.03).abs() < 1e-2 && torque(std::f64::consts::FRAC_PI_2) < 0.0);
+    assert!((torque(0.5) - 6.03).abs() < 1e-2 && torque(FRAC_PI_2) < 0.0);
     let flip = reversal_angle(4.0, 3.0).unwrap().unwrap();
     observed!(relative(flip, 1.186_399_552_299_257_5), 0.0..=2.3e-16);
     assert!(torque(flip - 1e-9) > 0.0 && torque(flip + 1e-9) < 0.0);

@@ -1,15 +1,12 @@
 //! Paragraph 4.5: a ball on a sheet that is withdrawn, in any manner.
 
-use lab::general::DifferentialEquations;
-use proptest::prelude::*;
+use super::*;
 use spinning_bodies::frame::SpaceVector as V;
-use spinning_bodies::integrators::{Effort, Kept, Method, order_eight};
 use spinning_bodies::rolling::{
     Coulomb, Course, Happening, InPlane, Load, Moment, RollingResistance, RoundBody, Sheet,
     SheetSpeeds,
 };
-use spinning_bodies::scene::{Choice, Request, Roller, Scene, Solver};
-use support::{close, observed, refused};
+use spinning_bodies::scene::Roller;
 
 const G: f64 = 9.81;
 

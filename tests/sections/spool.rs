@@ -1,14 +1,10 @@
 //! Paragraph 4.4: the spool, tugged at every angle.
 
 use super::*;
-use lab::general::DifferentialEquations;
-use spinning_bodies::Result;
 use spinning_bodies::conservation::{Particle, Particles};
 use spinning_bodies::frame::SpaceVector as V;
-use spinning_bodies::integrators::Method;
 use spinning_bodies::rolling::{Coulomb, Course, Happening, Moment, RoundBody, Spool, Tug, Way};
-use spinning_bodies::scene::{Choice, Solver, TuggedSpool};
-use std::f64::consts::{FRAC_PI_3, FRAC_PI_6};
+use spinning_bodies::scene::TuggedSpool;
 
 /// M = 0.2 kg, r = 2 cm, R = 5 cm, κ = 1/2.
 fn spool() -> Spool {

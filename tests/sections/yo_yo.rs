@@ -1,10 +1,7 @@
 //! Tutorial 4.9: how does a yo-yo work?
 
 use super::*;
-use spinning_bodies::Result;
-use spinning_bodies::integrators::{Leg, order_eight};
 use spinning_bodies::yo_yo::{Turn, Unwinding, YoYo, sleeping_spin, spin_after_waking};
-use std::f64::consts::FRAC_PI_4;
 
 const G: f64 = 9.81;
 

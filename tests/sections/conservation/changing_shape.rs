@@ -1,7 +1,6 @@
 //! 3.5: a body that changes its shape turns without angular momentum.
 
 use super::*;
-use support::double_double::Dd;
 
 // claim: C3.5-3, C1.1-3
 #[test]
@@ -11,9 +10,9 @@ fn s3_5_a_body_that_changes_shape_turns_without_angular_momentum() {
         upper_arms_in: 1.0,
         lower: 1.0,
     };
-    let quarter = std::f64::consts::FRAC_PI_2;
+    let quarter = FRAC_PI_2;
     let turn = body.swivel_angle(quarter).unwrap();
-    observed!(relative(turn, -std::f64::consts::FRAC_PI_8), 0.0..=4e-16);
+    observed!(relative(turn, -FRAC_PI_8), 0.0..=4e-16);
 
     // At zero angular momentum, A(β' + ψ') + Bβ' = 0: integrate the four phases at an uneven pace, arms moving in
     // phases two and four, when nothing turns. Midpoint rule in a pace s(u) = u³; the turn is linear in ψ: exact.
@@ -32,7 +31,7 @@ fn s3_5_a_body_that_changes_shape_turns_without_angular_momentum() {
             l.record(none, upper * (lower + twist) + lower).unwrap();
         }
         if upper == 3.0 {
-            let off = relative(beta.value(), -3.0 * std::f64::consts::FRAC_PI_8);
+            let off = relative(beta.value(), -3.0 * FRAC_PI_8);
             observed!(off, 0.0..=1e-15);
         }
     }

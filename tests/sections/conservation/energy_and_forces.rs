@@ -1,7 +1,6 @@
 //! 3.3, 3.4: energy with heat; why equal and opposite is not enough.
 
 use super::*;
-use spinning_bodies::Result;
 
 // claim: C3.3-1
 #[test]

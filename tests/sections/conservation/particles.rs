@@ -1,7 +1,6 @@
 //! 3.2: momentum and its splits for particles and rigid bodies.
 
 use super::*;
-use spinning_bodies::Result;
 use spinning_bodies::inertia::RigidMotion;
 
 /// Places and velocities of the three.

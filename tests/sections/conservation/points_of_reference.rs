@@ -1,7 +1,6 @@
 //! 3.2: angular momentum about any point, gravity at the centre of mass.
 
 use super::*;
-use spinning_bodies::Result;
 use spinning_bodies::conservation::angular_momentum_rate;
 
 // claim: C3.2-2, C3.2-3

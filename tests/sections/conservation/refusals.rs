@@ -1,7 +1,6 @@
 //! No number makes the ledger panic, or its drift not a number.
 
 use super::*;
-use proptest::prelude::*;
 
 fn anything() -> impl Strategy<Value = f64> {
     prop_oneof![

@@ -53,7 +53,7 @@ fn s3_5_maclaurin_spheroids() {
     observed!(relative(rotation(1e-8), 8.0 / 15.0 * 1e-16), 0.0..=4e-16);
     // The disc: πq.
     let disc = MaclaurinSpheroid::from_axis_ratio(1e-12).unwrap();
-    let off = relative(disc.rotation, std::f64::consts::PI * 1e-12);
+    let off = relative(disc.rotation, PI * 1e-12);
     observed!(off, 8e-13..=3e-12);
 
     // Ω²/(πGρ) = 2(A₁ − A₃c²/a²) with the coefficients integrated. Simpson's error here: observed 2e-13.

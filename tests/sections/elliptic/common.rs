@@ -1,7 +1,6 @@
 //! What the tests of elliptic functions share.
 
 use super::*;
-use spinning_bodies::Result;
 
 /// `m:0x…` or `mc:0x…`.
 pub fn parameter(text: &str) -> Result<Parameter> {

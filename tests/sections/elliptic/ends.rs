@@ -1,7 +1,6 @@
 //! The ends m = 0 and m = 1, and no jump on the way.
 
 use super::*;
-use spinning_bodies::Result;
 
 #[test]
 fn the_circular_end_is_sine_and_cosine() -> Result<()> {

@@ -1,7 +1,6 @@
 //! The integrals: against the table, their inverses, their infinities.
 
 use super::*;
-use spinning_bodies::Result;
 use spinning_bodies::elliptic::complete_first_excess;
 use std::collections::BTreeMap;
 
@@ -76,7 +75,7 @@ fn the_excess_is_what_the_quarter_period_has_more() -> Result<()> {
         0.9,
     ] {
         let p = Characteristic::from_characteristic(m)?;
-        let expected = complete_first(p)? - std::f64::consts::FRAC_PI_2;
+        let expected = complete_first(p)? - FRAC_PI_2;
         let excess = complete_first_excess(p)?;
         near!(excess, expected, 2.0 * f64::EPSILON);
     }

@@ -1,7 +1,6 @@
 //! Jacobi functions: against the table, in batches, over successive floats.
 
 use super::*;
-use spinning_bodies::Result;
 use support::decimal::units;
 
 struct Row {

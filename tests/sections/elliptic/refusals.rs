@@ -1,8 +1,6 @@
 //! Bad input is refused; no finite input gives not-a-number.
 
 use super::*;
-use proptest::prelude::*;
-use spinning_bodies::Result;
 use spinning_bodies::elliptic::sn_cn_dn;
 use support::any;
 

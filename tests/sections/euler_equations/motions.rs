@@ -1,12 +1,9 @@
 //! 5.1: the equations in the body, in space, about any point.
 
 use super::*;
-use proptest::prelude::*;
-use spinning_bodies::Result;
 use spinning_bodies::euler_equations::{
     ReferencePoint, quaternion_rate, rate_about, rate_in_space,
 };
-use std::f64::consts::FRAC_PI_4;
 
 /// The classical Runge–Kutta method; none of the library's.
 fn integrate<const N: usize>(

@@ -2,7 +2,6 @@
 
 use super::*;
 use nalgebra::UnitQuaternion;
-use spinning_bodies::Result;
 use spinning_bodies::euler_top::FreeBody;
 
 /// The same body twice: by its principal moments, and by the matrix that a turn makes of them.

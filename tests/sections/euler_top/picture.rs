@@ -116,7 +116,7 @@ fn s6_3_four_eyes() {
                 // It keeps to its side.
                 assert!(turning != axis || c.signum() == o[axis].signum());
             }
-            let turns = angle / std::f64::consts::TAU;
+            let turns = angle / TAU;
             if turning == axis {
                 // dΩ₁ = −(I₃−I₂)Ω₂Ω₃/I₁: with the spin about the largest moment, against it about the smallest.
                 let sense = if about_largest { 1.0 } else { -1.0 } * o[axis].signum();
@@ -131,7 +131,7 @@ fn s6_3_four_eyes() {
     // The four eyes meet at ±x₂: the rims drawn by the separatrix pass there.
     let rim = Poinsot::new([1.5, 3.0, 4.0], vector([1.0, 0.5, 2.0])).unwrap();
     assert_eq!(rim.sector, Sector::Separatrix);
-    let corner = rim.polhode(std::f64::consts::FRAC_PI_2);
+    let corner = rim.polhode(FRAC_PI_2);
     let [x, y, z] = corner.components().into();
     observed!(x.hypot(z) / y.abs(), 0.0..=2.3e-16); // observed 6.8e-17
     // It dawdles there: equal times are crowded next to x₂, as the pace tells.
@@ -142,7 +142,7 @@ fn s6_3_four_eyes() {
         .count();
     // So many of a thousand equal times within 8 degrees of the middle axis.
     assert!(close > 550, "{close}");
-    assert!(near.pace(std::f64::consts::FRAC_PI_2) < 0.02 * near.pace(0.0));
+    assert!(near.pace(FRAC_PI_2) < 0.02 * near.pace(0.0));
 }
 
 // claim: C6.3-8

@@ -1,7 +1,6 @@
 //! Paragraphs 6.1 and 6.2: what stays, and Poinsot's ellipsoid rolling on its plane.
 
 use super::*;
-use spinning_bodies::Result;
 use spinning_bodies::conservation::{Particle, Particles};
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
@@ -271,7 +270,7 @@ fn s6_2_the_herpolhode_does_not_wind_back() {
             let l = vector([0, 1, 2].map(|k| moments[k] * start[k]));
             let picture = Poinsot::new(moments, l).unwrap();
             for k in 0..24 {
-                let s = f64::from(k) * std::f64::consts::TAU / 24.0;
+                let s = f64::from(k) * TAU / 24.0;
                 let claimed = picture.herpolhode_curvature(s);
                 let computed = curvature(moments, picture.polhode(s).components().into());
                 // In units of the plane's height, as the curvature of a small polhode is large.
@@ -381,7 +380,7 @@ fn s6_2_radii_of_the_herpolhode() {
         let l = at(&top, 0.0).angular_momentum;
         let radius = |o: [f64; 3]| l.cross(&vector(o)).norm() / l.norm();
         let size = vector(omega0).norm();
-        let quarter = std::f64::consts::FRAC_PI_2;
+        let quarter = FRAC_PI_2;
         let expected = [quarter, 0.0].map(|s| {
             let o: [f64; 3] = picture.polhode(s).components().into();
             let here = momentum(&top, o);

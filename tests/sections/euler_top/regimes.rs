@@ -155,7 +155,6 @@ fn euler_top_regime_against_integers() {
 
 #[test]
 fn euler_top_phase_of_thin_and_wide_cones() {
-    use std::f64::consts::{FRAC_PI_2, PI, TAU};
     // Symmetric: the cone is round, 4π sin²(θ/2), with the wobble's sense.
     for (axial, sense) in [(1.5, -1.0), (0.5, 1.0)] {
         for tilt in [1e-150, 1e-8, 0.1, 1.0, FRAC_PI_2 - 1e-9, 2.5, PI - 1e-6] {

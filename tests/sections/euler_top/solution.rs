@@ -1,7 +1,6 @@
 //! Paragraphs 6.4 and 6.6: the sphere, and the generic top in Jacobi's functions.
 
 use super::*;
-use spinning_bodies::Result;
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 
@@ -219,7 +218,7 @@ fn s6_6_the_example() {
 fn s6_6_period_and_half_period() {
     let top = example();
     let gamma: f64 = 3.625_609_908_221_908_311_930_7; // Γ(1/4)
-    let closed = 3f64.sqrt() * gamma * gamma / (2.0 * std::f64::consts::PI.sqrt());
+    let closed = 3f64.sqrt() * gamma * gamma / (2.0 * PI.sqrt());
     let period = 6.422_703_084_225_693_595_902_933;
     observed!(relative(closed, period), 0.0..=4.5e-16);
     observed!(relative(top.period(), period), 0.0..=4.5e-16);
@@ -274,7 +273,7 @@ fn s6_6_arbitrary_start() {
         .jacobi(tau0)
         .unwrap()
         .sn;
-    observed!((sn - std::f64::consts::FRAC_1_SQRT_2).abs(), 0.0..=4e-16); // observed 1.1e-16
+    observed!((sn - FRAC_1_SQRT_2).abs(), 0.0..=4e-16); // observed 1.1e-16
 }
 
 // claim: C6.6-10

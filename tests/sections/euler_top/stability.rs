@@ -114,7 +114,7 @@ fn quarter_period(mut b: f64) -> f64 {
     for _ in 0..40 {
         (a, b) = (0.5 * (a + b), (a * b).sqrt());
     }
-    std::f64::consts::FRAC_PI_2 / a
+    FRAC_PI_2 / a
 }
 
 // claim: C6.3-5
@@ -310,7 +310,7 @@ fn s6_7_small_oscillations() {
                 ([spin, tilt, tilt], about_smallest, i[1] / i[0]),
                 ([tilt, tilt, spin], about_largest, i[2] / i[1]),
             ] {
-                let found = std::f64::consts::TAU / tilted(i, omega).period();
+                let found = TAU / tilted(i, omega).period();
                 let margin = 1.0 / (ratio - 1.0).min(1.0);
                 within((found / rate - 1.0).abs(), tolerance * margin);
             }
@@ -319,7 +319,7 @@ fn s6_7_small_oscillations() {
     // The condition: oscillation is all that the linear equations show. It is the integrals that keep a large
     // disturbance in its eye, where the period is no longer that of the small one.
     let wide = tilted(MOMENTS, [0.5, 0.0, 1.0]);
-    assert!(std::f64::consts::TAU / wide.period() < 0.99);
+    assert!(TAU / wide.period() < 0.99);
     assert!(extremes(&wide, 2).0 > 0.7);
 }
 

@@ -1,7 +1,6 @@
 //! Energy lost, tilt, Uranus, and picture c.
 
 use super::*;
-use spinning_bodies::Result;
 use spinning_bodies::impacts::URANUS;
 
 // claim: C4.2-6
@@ -37,7 +36,7 @@ fn s4_2_energy_lost() {
 fn s4_2_tilt_and_uranus() -> Result<()> {
     let tilt = example().tilt()?;
     observed!(relative(tilt, 0.598_745_433_701_733_378_7), 0.0..=3e-16);
-    let rim_speed = URANUS.radius * std::f64::consts::TAU / URANUS.period;
+    let rim_speed = URANUS.radius * TAU / URANUS.period;
     let (speed, tilt) = (URANUS.escape_speed, URANUS.obliquity);
     let ratio = grazing_mass_ratio(URANUS.inertia_factor, rim_speed, speed, tilt)?;
     observed!(relative(ratio, 0.041_184_846_873), 1e-13..=1e-11);
@@ -45,7 +44,7 @@ fn s4_2_tilt_and_uranus() -> Result<()> {
     // Struck for real: on the equator, 45° to the vertical, in the meridian plane, at escape speed, with the same moment of inertia.
     // An independent computation that solved the six equations with constants rounded elsewhere: observed 1.1e-4 apart.
     let earth = 5.97e24;
-    let spin = std::f64::consts::TAU / URANUS.period;
+    let spin = TAU / URANUS.period;
     let moment = URANUS.inertia_factor * URANUS.mass * URANUS.radius.powi(2);
     let planet = Planet::spherical(URANUS.mass, moment, V::zero(), V::new(0.0, 0.0, spin))?;
     let slant = URANUS.escape_speed / 2.0_f64.sqrt();
@@ -58,7 +57,7 @@ fn s4_2_tilt_and_uranus() -> Result<()> {
     ] {
         let meteorite = Meteorite::new(masses * earth, V::new(-slant, 0.0, slant))?;
         let hit = strike(&planet, &meteorite, V::new(URANUS.radius, 0.0, 0.0))?;
-        let period = std::f64::consts::TAU / hit.omega_after.norm() / 3600.0;
+        let period = TAU / hit.omega_after.norm() / 3600.0;
         observed!(relative(hit.tilt()?.to_degrees(), degrees), 1e-5..=2e-4);
         observed!(relative(period, hours), 4e-5..=2e-4);
         let rough = hit.first_order()?;

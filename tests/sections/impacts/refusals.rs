@@ -1,7 +1,6 @@
 //! What is refused, and that nothing panics.
 
 use super::*;
-use proptest::prelude::*;
 use support::any;
 
 #[test]

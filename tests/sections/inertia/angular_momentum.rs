@@ -1,7 +1,6 @@
 //! 2.2: the velocity field of a rigid body and its angular momentum.
 
 use super::*;
-use spinning_bodies::Result;
 
 fn assert_close(computed: BodyVector, exact: [R; 3]) {
     let exact = exact.map(|x| *x.numer() as f64 / *x.denom() as f64);
@@ -145,7 +144,7 @@ fn s2_2_l_is_not_parallel_to_omega() -> Result<()> {
     let angle = inertia.angle_between_l_and_omega(vector([1.0, 1.0, 1.0]))?;
     close!(angle, 0.387_596_686_655_180_65, 2.0 * EPS);
     let bound = moments.greatest_angle();
-    close!(bound, std::f64::consts::FRAC_PI_6, EPS);
+    close!(bound, FRAC_PI_6, EPS);
     let attained = inertia.angle_between_l_and_omega(vector(moments.widest_omega()))?;
     close!(attained, bound, 4.0 * EPS);
     let mut uniform = Uniform(26);

@@ -1,7 +1,6 @@
 //! 2.6: box, cylinder, equilateral lamina.
 
 use super::*;
-use spinning_bodies::Result;
 
 #[test]
 fn s2_6_box() -> Result<()> {

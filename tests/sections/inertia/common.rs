@@ -1,7 +1,6 @@
 //! What the files of Section 2 share.
 
 use super::*;
-use spinning_bodies::Result;
 
 pub const EPS: f64 = f64::EPSILON;
 

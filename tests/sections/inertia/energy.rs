@@ -1,7 +1,6 @@
 //! 2.3: kinetic energy in three parts.
 
 use super::*;
-use spinning_bodies::Result;
 
 #[test]
 fn s2_3_energy_splits_in_three() -> Result<()> {

@@ -1,7 +1,6 @@
 //! 2.1: mass is a coefficient, inertia depends on the axis.
 
 use super::*;
-use spinning_bodies::Result;
 
 #[test]
 fn s2_1_mass_as_a_coefficient() -> Result<()> {

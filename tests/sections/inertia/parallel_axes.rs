@@ -1,7 +1,6 @@
 //! 2.8: the theorem of parallel axes.
 
 use super::*;
-use spinning_bodies::Result;
 use spinning_bodies::inertia::principal_axes_of;
 
 #[test]

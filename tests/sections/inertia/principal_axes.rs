@@ -1,7 +1,6 @@
 //! 2.4: the matrix is symmetric; its axes, its moments, its ellipsoid.
 
 use super::*;
-use spinning_bodies::Result;
 use spinning_bodies::inertia::ellipsoid_of_inertia;
 
 #[test]

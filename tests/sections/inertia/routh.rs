@@ -1,7 +1,6 @@
 //! 2.7: Routh's rule, where it holds and where it fails.
 
 use super::*;
-use spinning_bodies::Result;
 use spinning_bodies::inertia::routh;
 use support::inertia::fixed;
 

@@ -1,7 +1,6 @@
 //! 2.5: different bodies, one inertia.
 
 use super::*;
-use spinning_bodies::Result;
 
 /// Six masses on the axes and eight at the corners of a box, both with moments 2, 3, 4 (2.5).
 fn six_and_eight() -> [Vec<(f64, [f64; 3])>; 2] {

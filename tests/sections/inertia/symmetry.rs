@@ -1,7 +1,6 @@
 //! 2.6: what an axis of symmetry does; the cube quiz and the Platonic solids.
 
 use super::*;
-use spinning_bodies::Result;
 
 /// A symmetric matrix with random entries, made an inertia matrix by its second moments: S = A Aᵀ.
 fn random_inertia(uniform: &mut Uniform) -> Result<InertiaMatrix> {
@@ -14,7 +13,7 @@ fn random_inertia(uniform: &mut Uniform) -> Result<InertiaMatrix> {
 fn mean_over_turns(inertia: &InertiaMatrix, axis: BodyVector, order: u32) -> Result<Matrix3<f64>> {
     let mut sum = Matrix3::zeros();
     for k in 0..order {
-        let angle = std::f64::consts::TAU * f64::from(k) / f64::from(order);
+        let angle = TAU * f64::from(k) / f64::from(order);
         sum += inertia
             .rotated(&Attitude::about_axis(axis, angle)?)
             .matrix();
@@ -67,7 +66,7 @@ fn s2_6_two_axes_make_a_ball() -> Result<()> {
     let first = about(Vector3::z());
     for u in [0.0, 1e-8, 0.1, 0.7, 1.5] {
         let other = Vector3::new(f64::sin(u), 0.0, f64::cos(u));
-        let turn = Attitude::about_axis(vector(other.into()), 2.0 * std::f64::consts::PI / 3.0)?;
+        let turn = Attitude::about_axis(vector(other.into()), 2.0 * PI / 3.0)?;
         let r = *turn.quaternion().to_rotation_matrix().matrix();
         // A matrix with both symmetries commutes with this turn; `first` does so only if u = 0 or a = c.
         let misfit = (r * first - first * r).norm();
@@ -134,10 +133,7 @@ fn s2_6_cube_quiz() -> Result<()> {
             1 => [-1.0, 0.0, 0.0],
             _ => return Ok(body),
         };
-        Ok(body.turned(&Attitude::about_axis(
-            vector(about),
-            std::f64::consts::FRAC_PI_2,
-        )?))
+        Ok(body.turned(&Attitude::about_axis(vector(about), FRAC_PI_2)?))
     };
     let (mut faces, mut rods) = (Vec::new(), Vec::new());
     for axis in 0..3 {

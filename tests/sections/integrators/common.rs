@@ -1,15 +1,6 @@
 //! Bodies, methods, distances.
 
-use lab::follow::Follow;
-use lab::general::GeneralMethod;
-use spinning_bodies::euler_top::EulerTop;
-use spinning_bodies::frame::Attitude;
-use spinning_bodies::integrators::geometric::{
-    FreeSplitting, GroupMidpoint, HeavySplitting, MoserVeselov, MuntheKaas, Order, Phase,
-    VeselovOrder, Weight,
-};
-use spinning_bodies::integrators::{Effort, Method};
-use support::vector;
+use super::*;
 
 /// The asymmetric body of Hairer and Vilmart (2006), and the start there.
 pub const MOMENTS: [f64; 3] = [0.6, 0.8, 1.0];

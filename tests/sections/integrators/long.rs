@@ -1,12 +1,6 @@
 //! Long runs: invariants neither drift nor spread, however many steps.
 
-use spinning_bodies::integrators::geometric::{
-    FreeSplitting, GroupMidpoint, HeavySplitting, Integrator, MoserVeselov, MuntheKaas, Order,
-    Phase, VeselovOrder, Weight,
-};
-use support::observed;
-
-use super::common::{LEVER, MOMENTS, TOP, start};
+use super::*;
 
 /// |L| of a free body or L along the vertical, and the energy.
 fn invariants(phase: &Phase, moments: [f64; 3], lever: [f64; 3]) -> [f64; 2] {

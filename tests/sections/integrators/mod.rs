@@ -7,3 +7,13 @@ mod order_eight;
 mod orders;
 mod preservation;
 mod refusals;
+
+use super::*;
+use common::*;
+use lab::follow::Follow;
+use lab::general::GeneralMethod;
+use spinning_bodies::euler_top::EulerTop;
+use spinning_bodies::integrators::geometric::{
+    FreeSplitting, GroupMidpoint, HeavySplitting, Integrator, MoserVeselov, MuntheKaas, Order,
+    Phase, VeselovOrder, Weight,
+};

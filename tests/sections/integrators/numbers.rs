@@ -1,10 +1,7 @@
 //! One method in three kinds of numbers: what of its error is the step's, and what is rounding.
 
-use spinning_bodies::integrators::geometric::{
-    DoubleDouble, FreeSplitting, Integrator, MoserVeselov, Order, Phase, Real, VeselovOrder,
-};
-
-use super::common::{MOMENTS, distance, free, start};
+use super::*;
+use spinning_bodies::integrators::geometric::{DoubleDouble, Real};
 
 fn run<T: Real>(method: &impl Integrator<T>, t: f64, steps: u64) -> Phase {
     let step = T::from_double(t / steps as f64);

@@ -1,9 +1,8 @@
 //! The library's own order 8, beside the DOP853 of the general integrators in the same run: error, evaluations, events.
 
-use core::f64::consts::{FRAC_PI_2, PI, TAU};
-
+use super::*;
 use lab::general::{solve, until};
-use spinning_bodies::integrators::{Effort, Event, Kept, Leg, Method, Stop, System, order_eight};
+use spinning_bodies::integrators::{Event, Stop, System};
 
 /// A comet of eccentricity ½ with its own year, 2π: after whole years it is back.
 fn comet(_: f64, y: &[f64; 4]) -> [f64; 4] {

@@ -1,18 +1,10 @@
 //! The order of each method, measured as the slope of its error on nonlinear motions with a closed form.
 
-use lab::follow::{DormandPrince8, Follow};
-use lab::general::GeneralMethod;
-use spinning_bodies::Result;
-use spinning_bodies::frame::Attitude;
-use spinning_bodies::integrators::geometric::{Phase, Weight};
-use spinning_bodies::integrators::{Effort, Method};
+use super::*;
+use lab::follow::DormandPrince8;
 use spinning_bodies::kovalevskaya_top::KovalevskayaTop;
 use spinning_bodies::lagrange_top::LagrangeTop;
-
-use super::common::{
-    L, LEVER, MOMENTS, TOP, after, distance, free, free_methods, heavy_methods_of, start,
-};
-use support::{ORDERS, slope, vector};
+use support::{ORDERS, slope};
 
 /// Errors below this are rounding: sums without their leftovers have more of it.
 fn floor(method: &dyn Follow) -> f64 {
@@ -155,7 +147,7 @@ fn two_equal_moments_leave_no_error() {
         [0.7, 0.7, 0.7],
     ] {
         let exact = free(moments, &start(), 10.0);
-        for method in super::common::free_methods_of(moments).iter().take(3) {
+        for method in free_methods_of(moments).iter().take(3) {
             let [attitude, momentum] = distance(&after(&**method, &start(), 10.0, 7), &exact);
             // Observed: 1.1e-15.
             assert!(
@@ -172,7 +164,7 @@ fn permuted_moments_turn_the_same_body() {
     for order in ORDERS {
         let moments = order.map(|k| MOMENTS[k]);
         let exact = free(moments, &start(), 10.0);
-        for method in super::common::free_methods_of(moments) {
+        for method in free_methods_of(moments) {
             let [attitude, momentum] = distance(&after(&*method, &start(), 10.0, 4000), &exact);
             // Observed: 3.3e-4 (Moser-Veselov 2).
             assert!(
@@ -184,15 +176,11 @@ fn permuted_moments_turn_the_same_body() {
     }
 }
 
-fn omega(moments: [f64; 3]) -> spinning_bodies::frame::BodyVector {
+fn omega(moments: [f64; 3]) -> BodyVector {
     vector(core::array::from_fn(|k| L[k] / moments[k]))
 }
 
-fn phase(
-    moments: [f64; 3],
-    omega: spinning_bodies::frame::BodyVector,
-    attitude: &Attitude,
-) -> Phase {
+fn phase(moments: [f64; 3], omega: BodyVector, attitude: &Attitude) -> Phase {
     let omega: [f64; 3] = omega.components().into();
     Phase::new(
         vector(core::array::from_fn(|k| moments[k] * omega[k])),

@@ -1,12 +1,7 @@
 //! What each method keeps, measured with long steps, and the table of it that the book prints.
 
+use super::*;
 use std::fmt::Write as _;
-
-use lab::follow::Follow;
-use spinning_bodies::integrators::Effort;
-use spinning_bodies::integrators::geometric::Phase;
-
-use super::common::{LEVER, MOMENTS, TOP, free_methods, heavy_methods_of, start};
 
 /// A tenth of a turn: what is not kept shows.
 const STEP: f64 = 0.2;

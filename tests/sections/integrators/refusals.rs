@@ -1,14 +1,6 @@
 //! What cannot be followed is refused with a reason, and never with a panic.
 
-use lab::follow::Follow;
-use spinning_bodies::Error;
-use spinning_bodies::integrators::Effort;
-use spinning_bodies::integrators::geometric::{
-    FreeSplitting, Integrator, MoserVeselov, Order, Phase, VeselovOrder, Weight,
-};
-use support::refused;
-
-use super::common::{LEVER, MOMENTS, TOP, all_methods, free_methods, heavy_methods_of, start};
+use super::*;
 
 #[test]
 fn numbers_that_are_none() {
@@ -76,7 +68,6 @@ fn a_tolerance_is_refused() {
 #[test]
 fn closed_forms_follow() {
     use lab::accuracy::ClosedForm;
-    use spinning_bodies::integrators::geometric::HeavySplitting;
     for (moments, lever) in [
         (MOMENTS, [0.0; 3]),
         (TOP, LEVER),
@@ -92,7 +83,7 @@ fn closed_forms_follow() {
             .unwrap();
         assert_eq!(a.cost.evaluations, 3);
         for (a, b) in a.states.iter().zip(&b.states) {
-            let [angle, momentum] = super::common::distance(b, a);
+            let [angle, momentum] = distance(b, a);
             // Observed: 2e-14.
             assert!(
                 angle < 1e-13 && momentum < 1e-13,
@@ -117,7 +108,7 @@ fn the_length_of_the_quaternion_does_not_matter() {
                 .unwrap()
                 .states[0]
         };
-        let [angle, momentum] = super::common::distance(&of(&long), &of(&start()));
+        let [angle, momentum] = distance(&of(&long), &of(&start()));
         // Observed: 6e-16.
         assert!(
             angle < 3e-15 && momentum < 3e-15,

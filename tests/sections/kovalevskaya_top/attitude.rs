@@ -1,10 +1,9 @@
 //! The attitude that goes with her solution.
 
-use super::common::Result;
 use super::*;
 
 #[test]
-fn the_attitude_carries_up_and_moves_with_omega() -> Result {
+fn the_attitude_carries_up_and_moves_with_omega() -> Result<()> {
     let top = KovalevskayaTop::new(
         [1.0, 1.0, 0.5],
         vector([0.3, -0.4, 0.0]),

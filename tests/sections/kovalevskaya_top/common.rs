@@ -3,14 +3,12 @@
 use super::*;
 use support::power_series::Whole;
 
-pub type Result = spinning_bodies::Result<()>;
-
 pub const MOMENTS: [f64; 3] = [2.0, 2.0, 1.0];
 
 pub const EPS: f64 = f64::EPSILON;
 
 /// The start of the register: c = 1, Ω = (1, ½, 0.3), z = (2, −1, 2)/3.
-pub fn register() -> spinning_bodies::Result<KovalevskayaTop> {
+pub fn register() -> Result<KovalevskayaTop> {
     let (omega, up) = ([1.0, 0.5, 0.3], [2.0, -1.0, 2.0]);
     KovalevskayaTop::with_up(MOMENTS, vector([1.0, 0.0, 0.0]), vector(omega), vector(up))
 }

@@ -1,6 +1,5 @@
 //! 8.2: her constant, along motions and in exact fractions.
 
-use super::common::Result;
 use super::*;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::kovalevskaya_top::Kind;
@@ -44,7 +43,7 @@ fn s8_2_the_constant_turns_and_does_not_grow() {
 
 // claim: C8.2-6
 #[test]
-fn s8_2_along_a_motion() -> Result {
+fn s8_2_along_a_motion() -> Result<()> {
     let top = register()?;
     assert_eq!(top.kind(), Kind::General);
     assert_eq!(top.method(), Method::Separation);
@@ -95,9 +94,9 @@ fn s8_2_along_a_motion() -> Result {
 
 // claim: C8.2-7
 #[test]
-fn s8_2_the_phase_falls_by_the_integral_of_spin() -> Result {
+fn s8_2_the_phase_falls_by_the_integral_of_spin() -> Result<()> {
     let top = register()?;
-    let k = |t: f64| -> spinning_bodies::Result<[f64; 2]> {
+    let k = |t: f64| -> Result<[f64; 2]> {
         let state = top.omega_and_up(t)?;
         let (o, z) = (state.omega, state.up);
         Ok([
@@ -167,7 +166,7 @@ fn s8_2_only_for_this_ratio() {
 
 // claim: C8.2-9
 #[test]
-fn s8_2_without_gravity_it_is_eulers_top() -> Result {
+fn s8_2_without_gravity_it_is_eulers_top() -> Result<()> {
     // Erratum E8: C₁ = 0 is Euler's symmetric top with I₃/I₁ = ½; 7.1 asks of Lagrange's that O is not C.
     let (omega, up) = (vector([1.0, 0.5, 0.3]), vector([2.0, -1.0, 2.0]));
     let top = KovalevskayaTop::with_up(MOMENTS, BodyVector::zero(), omega, up)?;
@@ -187,7 +186,7 @@ fn s8_2_without_gravity_it_is_eulers_top() -> Result {
         observed!(off, 1e-16..=2e-15);
     }
     // The limit: with little gravity the motion differs from that by a multiple of it.
-    let difference = |c: f64| -> spinning_bodies::Result<f64> {
+    let difference = |c: f64| -> Result<f64> {
         let weak = KovalevskayaTop::with_up(MOMENTS, vector([c, 0.0, 0.0]), omega, up)?;
         Ok(weak.at(3.0)?.attitude.angle_to(&top.at(3.0)?.attitude))
     };

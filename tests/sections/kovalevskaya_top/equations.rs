@@ -1,11 +1,10 @@
 //! 8.1: the equations with gravity, and what stays.
 
-use super::common::Result;
 use super::*;
 
 // claim: C8.1-1
 #[test]
-fn s8_1_eulers_equations_with_gravity() -> Result {
+fn s8_1_eulers_equations_with_gravity() -> Result<()> {
     for [a, b, c, o1, o2, o3, z1, z2, z3, c1, c2, c3] in points() {
         // Moments that a body has.
         let (x, y, w) = (a * a + ONE, b * b + ONE, c * c + ONE);
@@ -34,7 +33,7 @@ fn s8_1_eulers_equations_with_gravity() -> Result {
 
 // claim: C8.1-2
 #[test]
-fn s8_1_the_library_keeps_energy_and_vertical_momentum() -> Result {
+fn s8_1_the_library_keeps_energy_and_vertical_momentum() -> Result<()> {
     for [a, b, c, o1, o2, o3, z1, z2, z3, c1, c2, c3] in points() {
         // Moments that a body has.
         let [x, y, w] = [a, b, c].map(|x| exact(x * x) + 1.0);

@@ -1,13 +1,12 @@
 //! 8.1: bodies that are her top, and where to hold them.
 
-use super::common::Result;
 use super::*;
 use spinning_bodies::kovalevskaya_top::ellipsoid;
 
 // claim: C8.1-4, C8.1-5
 #[test]
-fn s8_1_ellipsoids_that_are_her_top() -> Result {
-    let moments = |semi_axes: [f64; 3], distance: f64| -> spinning_bodies::Result<[f64; 3]> {
+fn s8_1_ellipsoids_that_are_her_top() -> Result<()> {
+    let moments = |semi_axes: [f64; 3], distance: f64| -> Result<[f64; 3]> {
         let body = shapes::ellipsoid(1.0, semi_axes)?;
         let about = body.about(vector([distance, 0.0, 0.0]))?.matrix();
         Ok([about[(0, 0)], about[(1, 1)], about[(2, 2)]])
@@ -61,7 +60,7 @@ fn cubature(semi_axes: [f64; 3], distance: f64) -> [f64; 3] {
         let r = 0.5 * (u + 1.0);
         for (cosine, polar) in gauss {
             for k in 0..6 {
-                let (s, c) = (std::f64::consts::TAU * f64::from(k) / 6.0).sin_cos();
+                let (s, c) = (TAU * f64::from(k) / 6.0).sin_cos();
                 let sine = (1.0 - cosine * cosine).sqrt();
                 let unit = [r * sine * c, r * sine * s, r * cosine];
                 let [x, y, z]: [f64; 3] = std::array::from_fn(|i| semi_axes[i] * unit[i]);
@@ -96,7 +95,7 @@ fn s8_1_which_pivots_a_body_allows() {
 
 // claim: C8.1-7
 #[test]
-fn s8_1_the_centre_anywhere_on_the_plane() -> Result {
+fn s8_1_the_centre_anywhere_on_the_plane() -> Result<()> {
     let (omega, up) = ([1.0, 0.5, 0.3], [2.0, -1.0, 2.0]);
     let angle: f64 = 2.2;
     let turn = |[x, y, z]: [f64; 3]| {

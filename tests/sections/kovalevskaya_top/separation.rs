@@ -1,11 +1,10 @@
 //! 8.2: the separation of variables, roots and periods.
 
-use super::common::Result;
 use super::*;
 
 // claim: C8.2-10
 #[test]
-fn s8_2_the_separation_variables_obey_her_equations() -> Result {
+fn s8_2_the_separation_variables_obey_her_equations() -> Result<()> {
     let top = register()?;
     let roots = top.roots();
     // s from the definition along the motion by power series, ds/dt by differences of order 8.
@@ -50,7 +49,7 @@ fn s8_2_the_separation_variables_obey_her_equations() -> Result {
 
 /// Roots, periods and frequencies against values got by numerical quadrature elsewhere, eight digits.
 #[test]
-fn s8_2_roots_periods_and_frequencies() -> Result {
+fn s8_2_roots_periods_and_frequencies() -> Result<()> {
     let lever = vector([1.0, 0.0, 0.0]);
     let omega = vector([1.0, 0.5, 0.3]);
     let top = KovalevskayaTop::with_up(MOMENTS, lever, omega, vector([0.6, 0.0, 0.8]))?;

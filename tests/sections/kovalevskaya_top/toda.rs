@@ -1,6 +1,5 @@
 //! 8.3: the lattice that came next.
 
-use super::common::Result;
 use super::*;
 use spinning_bodies::kovalevskaya_top::toda::{Ends, Lattice};
 
@@ -36,7 +35,7 @@ fn s8_3_seventy_eight_years() {
 
 // claim: C8.3-2
 #[test]
-fn s8_3_the_toda_lattice_keeps_its_eigenvalues() -> Result {
+fn s8_3_the_toda_lattice_keeps_its_eigenvalues() -> Result<()> {
     let (positions, momenta) = ([0.3, -0.2, 0.1, -0.2], [0.5, -0.4, 0.3, -0.4]);
     for ends in [Ends::Open, Ends::Periodic] {
         let mut lattice = Lattice::new(ends, &positions, &momenta)?;

@@ -13,10 +13,32 @@ pub fn tilted(theta: f64) -> Attitude {
     Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), theta).unwrap()
 }
 
+/// The unit top from its Ω and attitude.
+pub fn started(omega: [f64; 3], attitude: Attitude) -> LagrangeTop {
+    LagrangeTop::new(1.0, AXIAL, 1.0, vector(omega), attitude).unwrap()
+}
+
 /// The unit top at tilt θ with rates θ', φ' and angular momentum L₃.
 pub fn spun(theta: f64, tilting: f64, precessing: f64, l3: f64) -> LagrangeTop {
-    let omega = BodyVector::new(tilting, precessing * theta.sin(), l3 / AXIAL);
-    LagrangeTop::new(1.0, AXIAL, 1.0, omega, tilted(theta)).unwrap()
+    started(
+        [tilting, precessing * theta.sin(), l3 / AXIAL],
+        tilted(theta),
+    )
+}
+
+/// Upright with L₃ and a kick across the axis.
+pub fn kicked(l3: f64, kick: f64) -> LagrangeTop {
+    started([kick, 0.0, l3 / AXIAL], tilted(0.0))
+}
+
+/// The axis level, exactly: cos θ = 0.
+pub fn level() -> Attitude {
+    Attitude::from_quaternion(1.0, 1.0, 0.0, 0.0).unwrap()
+}
+
+/// The axis straight down, exactly: cos θ = −1.
+pub fn hanging() -> Attitude {
+    Attitude::from_quaternion(0.0, 1.0, 0.0, 0.0).unwrap()
 }
 
 /// The unit top at a turning point cos θ = h: θ' = 0 and φ' = (L_vert − L₃h)/(1 − h²).
@@ -26,8 +48,7 @@ pub fn turning(h: f64, l3: f64, vertical: f64) -> LagrangeTop {
 
 /// Released from rest at tilt θ with L₃: the cusps are exact, Ω has no part across the axis.
 pub fn released(theta: f64, l3: f64) -> LagrangeTop {
-    let omega = BodyVector::new(0.0, 0.0, l3 / AXIAL);
-    LagrangeTop::new(1.0, AXIAL, 1.0, omega, tilted(theta)).unwrap()
+    started([0.0, 0.0, l3 / AXIAL], tilted(theta))
 }
 
 /// L₃ = 2, L_vert = 1, E' = ½: cusps, roots 0, ½, 2. From the lowest point.
@@ -53,6 +74,12 @@ pub fn at(top: &LagrangeTop, t: f64) -> State {
 pub fn roots(top: &LagrangeTop) -> [f64; 3] {
     let roots = top.roots();
     [roots.h1, roots.h2, roots.h3]
+}
+
+/// h₂ − h₁, the band in which the height swings.
+pub fn band(top: &LagrangeTop) -> f64 {
+    let [h1, h2, _] = roots(top);
+    h2 - h1
 }
 
 /// The axis x₃ in space.
@@ -87,6 +114,11 @@ pub fn spins(top: &LagrangeTop) -> (f64, f64) {
     )
 }
 
+/// I₁ and Mgl, as squares: positive.
+pub fn body(numbers: &mut Uniform) -> [R; 2] {
+    [0; 2].map(|_| ration(numbers)).map(|x| x * x)
+}
+
 /// The rate φ' = (L_vert − L₃h)/(I₁(1 − h²)) of the unit top.
 pub fn precession(top: &LagrangeTop, state: &State) -> f64 {
     let (l3, vertical) = spins(top);
@@ -108,10 +140,8 @@ pub fn f(top: &LagrangeTop, h: f64) -> f64 {
 /// A rational unit vector: a quaternion of small whole numbers turns the third axis there.
 pub fn unit_vector(numbers: &mut Uniform) -> [R; 3] {
     let mut whole = || (numbers.next() * 9.0) as i128 - 4;
-    let quaternions = std::iter::repeat_with(|| [0; 4].map(|_| whole()));
-    let [a, b, c, d] = { quaternions }
-        .find(|q| *q != [0; 4])
-        .expect("one that turns");
+    let mut quaternions = std::iter::repeat_with(|| [0; 4].map(|_| whole()));
+    let [a, b, c, d] = quaternions.find(|q| *q != [0; 4]).unwrap();
     let n = a * a + b * b + c * c + d * d;
     [
         rational(2 * (b * d - a * c), n),
@@ -122,7 +152,7 @@ pub fn unit_vector(numbers: &mut Uniform) -> [R; 3] {
 
 /// Sum of the integrand at equal distances over one period: exact to rounding for a periodic function.
 pub fn periodic_mean(count: u32, integrand: impl Fn(f64) -> f64) -> f64 {
-    let step = std::f64::consts::TAU / f64::from(count);
+    let step = TAU / f64::from(count);
     let terms = (0..count).map(|k| integrand((f64::from(k) + 0.5) * step));
     terms.sum::<f64>() / f64::from(count)
 }

@@ -30,7 +30,7 @@ fn s7_6_spherical_pendulum() {
         assert_eq!(cubic([i1, weight], energy, ZERO, vertical, h), pendulum);
     }
     // L_vert = 0.6 and E = 0.1, from cos θ = −½: φ' = 0.8, θ'² = 0.72.
-    let theta = 2.0 * std::f64::consts::FRAC_PI_3;
+    let theta = 2.0 * PI / 3.0;
     let top = spun(theta, 0.72_f64.sqrt(), 0.8, 0.0);
     assert_eq!(top.kind(), Nutation::SphericalPendulum);
     observed!((top.energy() - 0.1).abs(), 1e-16..=2e-15);

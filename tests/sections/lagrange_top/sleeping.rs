@@ -2,12 +2,6 @@
 
 use super::*;
 
-/// Upright with L₃ and a kick across the axis.
-fn kicked(l3: f64, kick: f64) -> LagrangeTop {
-    let omega = BodyVector::new(kick, 0.0, l3 / AXIAL);
-    LagrangeTop::new(1.0, AXIAL, 1.0, omega, tilted(0.0)).unwrap()
-}
-
 /// The greatest tilt, reached half a nutation after the upright position; from 1 − cos θ, which keeps its digits.
 fn greatest_tilt(top: &LagrangeTop) -> f64 {
     2.0 * (0.5 * at(top, 0.5 * top.period()).one_less).sqrt().asin()
@@ -151,7 +145,7 @@ fn s7_5_below_it_wakes_up() {
     }
     // L₃ → 0: it falls right over.
     for l3 in [0.1, 0.01] {
-        let over = std::f64::consts::PI - greatest_tilt(&kicked(l3, 1e-9));
+        let over = PI - greatest_tilt(&kicked(l3, 1e-9));
         // cos θ = −1 + L₃²/2 is θ = π − L₃.
         within((over / l3 - 1.0).abs(), l3 * l3);
     }
@@ -166,7 +160,7 @@ fn s7_5_linear_criterion() {
         let [slow, fast] = [2.0 / (l3 + root), 0.5 * (l3 + root)];
         let top = kicked(l3, kick);
         for t in [0.4, 3.0, 17.0] {
-            let [x, y, _] = super::common::axis(&at(&top, t));
+            let [x, y, _] = axis(&at(&top, t));
             // e' = Ω∧e at the start: −i kick for Ω along x₁.
             let wave = |s: f64| [(s * t).cos(), (s * t).sin()];
             let size = kick / (fast - slow);

@@ -1,10 +1,8 @@
 //! The falling cat.
 
 use super::*;
-use spinning_bodies::Result;
 use spinning_bodies::phenomena::{Bend, Cat, EqualHalves, Half};
 use spinning_bodies::scene::effects::Turnover;
-use std::f64::consts::FRAC_PI_3;
 
 /// Two cylinders: I/J = 4.
 fn equal_half(ratio: f64, to_joint: f64) -> Half {

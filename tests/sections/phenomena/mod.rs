@@ -7,7 +7,6 @@ mod sliding;
 mod swivelling;
 
 use super::*;
-use spinning_bodies::integrators::{Method, order_eight};
 use spinning_bodies::phenomena::{Hub, ShapePlane, Step, turn_along, turn_within};
 use spinning_bodies::scene::effects::{Gravity, Pace};
 use spinning_bodies::scene::shape;

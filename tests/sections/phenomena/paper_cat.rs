@@ -1,7 +1,6 @@
 //! The cat of paper, which the air turns.
 
 use super::*;
-use spinning_bodies::Result;
 use spinning_bodies::phenomena::PaperCat;
 use spinning_bodies::scene::effects::Air;
 

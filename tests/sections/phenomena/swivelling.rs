@@ -1,10 +1,8 @@
 //! Swivelling: a net turn without angular momentum, and the area that it is.
 
 use super::*;
-use spinning_bodies::Result;
 use spinning_bodies::phenomena::{Swivel, Waist};
 use spinning_bodies::scene::effects::FourPhases;
-use std::f64::consts::{FRAC_PI_4, FRAC_PI_8};
 
 const DEFAULT: Waist = Waist {
     upper_arms_out: 2.0,

@@ -1,8 +1,6 @@
 //! Paragraph 4.3: the billiard shot. The pulse of the cue is integrated step by step, under Coulomb friction.
 
 use super::*;
-use proptest::prelude::*;
-use spinning_bodies::Result;
 use spinning_bodies::rolling::Regime;
 
 const MASS: f64 = 0.17;

@@ -1,11 +1,8 @@
 //! Paragraph 4.3 after the cue: from sliding to rolling to rest, in closed forms from event to event, against a general integrator.
 
 use super::*;
-use proptest::prelude::*;
-use spinning_bodies::integrators::order_eight;
 use spinning_bodies::rolling::{InPlane, RollingResistance, painleve_friction};
 use spinning_bodies::scene::Geometric;
-use support::double_double::Dd;
 
 const G: f64 = 9.81;
 

@@ -4,7 +4,5 @@ mod billiard_shot;
 mod cloth;
 
 use super::*;
-use lab::general::DifferentialEquations;
-use spinning_bodies::integrators::Method;
 use spinning_bodies::rolling::{Coulomb, Course, Happening, Load, Moment, RoundBody};
-use spinning_bodies::scene::{Choice, Roller, Solver};
+use spinning_bodies::scene::Roller;

@@ -1,14 +1,9 @@
 //! The impact, absent and vanishing.
 
-use spinning_bodies::Result;
+use super::*;
 use spinning_bodies::frame::BodyVector as V;
 use spinning_bodies::impacts::{Impact, Meteorite, Planet, strike};
-use spinning_bodies::inertia::shapes;
-use spinning_bodies::integrators::Method;
-use spinning_bodies::scene::{Choice, Request, Scene, Solver, StruckPlanet};
-use support::{observed, refused};
-
-use super::roller::{balance, same};
+use spinning_bodies::scene::StruckPlanet;
 
 fn planet() -> Planet {
     let brick = shapes::cuboid(5.0, [1.0, 2.0, 3.0]).unwrap().inertia();

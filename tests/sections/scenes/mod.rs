@@ -13,3 +13,11 @@ mod superball;
 mod top;
 mod units;
 mod yo_yo;
+
+use super::*;
+use roller::{balance, same, times};
+use spinning_bodies::rolling::{RoundBody, SheetSpeeds, Spool};
+use spinning_bodies::scene::effects::{
+    BearingFriction, Coulomb, Effect, Gravity, Restitution, RollingResistance, Sheet, Tug, TurnLoss,
+};
+use spinning_bodies::scene::{Geometric, Motion, Tabulated};

@@ -1,13 +1,7 @@
 //! Friction, rolling resistance and the sheet, each absent and at zero, and in another order.
 
-use lab::general::DifferentialEquations;
-use spinning_bodies::integrators::Method;
-use spinning_bodies::rolling::{RoundBody, SheetSpeeds};
-use spinning_bodies::scene::effects::{BearingFriction, Coulomb, Effect, RollingResistance, Sheet};
-use spinning_bodies::scene::{
-    Choice, Geometric, Motion, Request, Roller, Rolling, Scene, Solver, Tabulated,
-};
-use support::refused;
+use super::*;
+use spinning_bodies::scene::{Roller, Rolling};
 
 pub fn times() -> Request {
     Request::at([2.0, 0.0, 0.1, 0.3, 0.7, 1.5]).unwrap()

@@ -1,13 +1,7 @@
 //! The tug, friction and rolling resistance, each absent and at zero.
 
-use lab::general::DifferentialEquations;
-use spinning_bodies::integrators::Method;
-use spinning_bodies::rolling::{RoundBody, Spool};
-use spinning_bodies::scene::effects::{Coulomb, Effect, RollingResistance, Tug};
-use spinning_bodies::scene::{Choice, Motion, Scene, Solver, Spooling, TuggedSpool};
-use support::refused;
-
-use super::roller::{balance, same, times};
+use super::*;
+use spinning_bodies::scene::{Spooling, TuggedSpool};
 
 fn reel() -> TuggedSpool {
     let spool = Spool::new(RoundBody::new(0.2, 0.05, 0.5).unwrap(), 0.02).unwrap();

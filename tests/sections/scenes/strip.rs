@@ -1,16 +1,11 @@
 //! The falling strip. Every effect has a place of its own, so the order of listing cannot matter.
 
+use super::*;
 use lab::general::solve;
-use spinning_bodies::Result;
 use spinning_bodies::falling_strip::{
     AddedMass, Coefficients, Drag, Lift, Plate, RotationalDamping, Sheet,
 };
-use spinning_bodies::integrators::{Effort, Method};
-use spinning_bodies::scene::effects::{Effect, Gravity, TurnLoss};
-use spinning_bodies::scene::{
-    Choice, Motion, Request, Scene, Solver, Strip, StripStart, StripState, Tabulated,
-};
-use support::refused;
+use spinning_bodies::scene::{Strip, StripStart, StripState};
 
 const START: StripStart = StripStart {
     angle: 0.2,

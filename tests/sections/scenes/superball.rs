@@ -1,17 +1,9 @@
 //! Gravity, restitution and grip, each absent and at its neutral value.
 
-use lab::general::DifferentialEquations;
-use spinning_bodies::Result;
-use spinning_bodies::integrators::Method;
-use spinning_bodies::scene::effects::{Coulomb, Effect, Gravity, Restitution};
-use spinning_bodies::scene::{
-    Bouncing, Choice, Geometric, Motion, Request, Scene, Solver, Superball, Tabulated,
-};
+use super::*;
+use spinning_bodies::scene::{Bouncing, Superball};
 use spinning_bodies::superball::InFlight;
 use spinning_bodies::superball::Motion as Throw;
-use support::refused;
-
-use super::roller::{balance, same};
 
 /// None of them the moment of a bounce.
 fn times() -> Request {

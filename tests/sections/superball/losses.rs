@@ -1,7 +1,6 @@
 //! Paragraph 4.6, continued: stiff contacts, restitution along the surface, slipping, bounces that pile up, and flights in closed form.
 
 use super::*;
-use proptest::prelude::*;
 use spinning_bodies::integrators::{Leg, Stop};
 use spinning_bodies::rolling::Coulomb;
 use spinning_bodies::superball::{Restitution, bounce_with, gripping_bounce, return_threshold};

@@ -1,7 +1,6 @@
 //! What is refused, and that nothing panics.
 
 use super::*;
-use proptest::prelude::*;
 
 #[test]
 fn superball_refuses_what_is_no_ball() {

@@ -1,7 +1,6 @@
 //! The contact as springs.
 
 use super::*;
-use spinning_bodies::Result;
 
 /// One contact with springs k_n and k_t, integrated by RK4: heights, velocities, stretch; k_n = M = R = 1.
 fn contact_by_integration(
@@ -17,7 +16,7 @@ fn contact_by_integration(
         [y[1], -y[0], y[3] - y[4], force, -force / kappa]
     };
     let start = [0.0, 1.0, 0.0, before.velocity, before.rim_speed];
-    let step = std::f64::consts::PI / f64::from(steps);
+    let step = PI / f64::from(steps);
     let y = runge_kutta(rate, start, (steps, step), |_| ());
     observed!(y[0].abs(), 5e-16..=6e-14, "the contact has ended");
     (moving(y[3], y[4]), y[2])

@@ -1,7 +1,6 @@
 //! The chiral tippe top: turned over one way only, its mirror image the other way, its symmetric relatives alike both ways.
 
 use super::*;
-use spinning_bodies::Result;
 use spinning_bodies::tippe_top::{beads, chirality_index};
 
 const SPIN: f64 = 132.9;
@@ -257,7 +256,7 @@ fn s4_7_sign_of_the_index_over_random_bodies() {
         let chi = chirality_index(body.inertia(), body.center()).unwrap() / 5.12e-16;
         let swing = |sense: f64| {
             let state = quasi_steady(&body, G, law, sense * 6.0 * rate)?;
-            Ok::<_, spinning_bodies::Error>(state.slow_swing.growth / rate)
+            Ok::<_, Error>(state.slow_swing.growth / rate)
         };
         let (Ok(plus), Ok(minus)) = (swing(1.0), swing(-1.0)) else {
             continue;

@@ -1,7 +1,6 @@
 //! The boiled egg, and other bodies that raise their centre.
 
 use super::*;
-use core::f64::consts::{FRAC_PI_2, TAU};
 
 #[test]
 fn s4_7_a_spun_egg_stands_up() {

@@ -1,7 +1,6 @@
 //! The hoop with clay: the tutorial's estimate, what it leaves out, and the full motion.
 
 use super::*;
-use spinning_bodies::Result;
 use spinning_bodies::scene::contact::Support;
 use spinning_bodies::tippe_top::HoopWithClay;
 

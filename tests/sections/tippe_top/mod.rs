@@ -11,7 +11,6 @@ mod tippe;
 
 use super::*;
 use common::*;
-use core::f64::consts::PI;
 use spinning_bodies::scene::contact::{State, TableTop, passage};
 use spinning_bodies::scene::effects::{Gravity, NoSlip, Regularised, Viscous};
 use spinning_bodies::tippe_top::{ConvexBody, Start, Surface, TippeTop, bodies, quasi_steady};

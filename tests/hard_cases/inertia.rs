@@ -8,21 +8,20 @@ use spinning_bodies::inertia::{
     mesh_mass_properties, principal_axes_of, shapes,
 };
 use spinning_bodies::{Error, Result};
-use support::{Uniform, cross, observed, refused, vector, within};
+use support::{Uniform, cross, greatest, observed, refused, vector, within};
 
 use support::decimal::{decimal, hexadecimal};
-use support::double_double::{Dd, eigenvalues, inertia_error, mesh_truth};
+use support::double_double::{Dd, MeshTruth, eigenvalues, inertia_error, mesh_truth};
 
 const EPS: f64 = f64::EPSILON;
 
 /// Largest entry of VᵀV − 1 and of (A V − V diag(moments))/|A|, both in 106 bits.
 fn defects(a: &Matrix3<f64>, found: &PrincipalAxes) -> (f64, f64) {
     let v = found.axes;
-    let largest = found.moments.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-    let sum = |terms: [(f64, f64); 3]| {
-        terms
-            .into_iter()
-            .fold(Dd::ZERO, |s, (x, y)| s + Dd::from(x) * Dd::from(y))
+    let largest = greatest(found.moments.map(f64::abs));
+    let sum = |terms: [(f64, f64); 3]| -> Dd {
+        let products = terms.map(|(x, y)| Dd::from(x) * y);
+        products.into_iter().sum()
     };
     let (mut skew, mut residual) = (0.0_f64, 0.0_f64);
     for i in 0..3 {
@@ -40,14 +39,10 @@ fn defects(a: &Matrix3<f64>, found: &PrincipalAxes) -> (f64, f64) {
 
 fn assert_promises(kind: &str, a: &Matrix3<f64>, exact: [Dd; 3]) -> [f64; 3] {
     let found = principal_axes_of(a).expect("a finite symmetric matrix");
-    let largest = exact.iter().fold(0.0, |m: f64, x| m.max(x.hi.abs()));
+    let largest = greatest(exact.map(|x| x.hi.abs()));
     let moments = found.moments;
-    let error = moments
-        .iter()
-        .zip(exact)
-        .fold(0.0, |m: f64, (value, exact)| {
-            m.max((Dd::from(*value) - exact).value().abs() / largest)
-        });
+    let off = |(value, exact): (f64, Dd)| (value - exact).value().abs() / largest;
+    let error = greatest(moments.into_iter().zip(exact).map(off));
     let (skew, residual) = defects(a, &found);
     observed!(error, 3e-16..=1e-15, "{kind}: moments of {a:?}");
     observed!(skew, 3e-16..=1e-15, "{kind}: axes off by {skew:e} in {a:?}");
@@ -143,11 +138,7 @@ fn principal_axes_of_a_hundred_thousand_matrices() {
             _ => ("indefinite", s.map(|x| 2.0 * x - 1.0)),
         };
         let diagonal = Matrix3::from_diagonal(&Vector3::from(moments));
-        let r = *uniform
-            .attitude()
-            .quaternion()
-            .to_rotation_matrix()
-            .matrix();
+        let r = uniform.attitude().quaternion().to_rotation_matrix();
         let a = r * diagonal * r.transpose();
         let a = a * 0.5 + a.transpose() * 0.5;
         let found = assert_promises(kind, &a, eigenvalues(a.into()));
@@ -182,8 +173,7 @@ fn principal_axes_do_not_know_the_unit() -> Result<()> {
 
 #[test]
 fn principal_axes_of_degenerate_matrices() -> Result<()> {
-    let frame =
-        |diagonal: [f64; 3]| principal_axes_of(&Matrix3::from_diagonal(&Vector3::from(diagonal)));
+    let frame = |diagonal: [f64; 3]| principal_axes_of(&Matrix3::from_diagonal(&diagonal.into()));
     for moment in [0.0, 1.0, 1e-200, 5e-324, 1e300] {
         let sphere = frame([moment; 3])?;
         assert_eq!(sphere.axes, Matrix3::identity());
@@ -268,23 +258,27 @@ fn million_triangles_near_and_a_million_radii_away() -> Result<()> {
     for offset in [0.0, 1e6] {
         let (vertices, triangles) = moved_icosphere(8, offset)?;
         assert_eq!(triangles.len(), 1_310_720);
-        let truth = mesh_truth(&vertices, &triangles);
-        let body = mesh_mass_properties(&vertices, &triangles, 1.0)?;
+        let (body, truth) = mesh_and_truth(&vertices, &triangles)?;
         let matrix = body.inertia().matrix();
         let error = inertia_error(&truth, |i, j| matrix[(i, j)]);
         // Observed 1.7e-15 at the origin, 1e-15 far away.
         observed!(error, 6e-16..=4e-15, "{offset:e}: {error:e}");
-        let mass = (Dd::from(body.mass()) - truth.volume).value().abs();
+        let mass = (body.mass() - truth.volume).value().abs();
         observed!(mass, 9e-16..=8e-15, "{mass:e}");
-        let center = body.center().components();
-        for i in 0..3 {
-            let exact = truth.center_from_first_vertex[i] + Dd::from(vertices[0][i]);
-            let error = (Dd::from(center[i]) - exact).value().abs();
-            // Half a unit in the last place of the coordinate, and the rounding of sums of order 1.
-            within(error, 0.5 * EPS * offset.abs() + 2e-15);
-        }
     }
     Ok(())
+}
+
+/// The body of a mesh and the truth of it. The centre is right to half a unit in the last place of the coordinate, and the rounding of sums of order 1.
+fn mesh_and_truth(v: &[[f64; 3]], t: &[[u32; 3]]) -> Result<(MassProperties, MeshTruth)> {
+    let (body, truth) = (mesh_mass_properties(v, t, 1.0)?, mesh_truth(v, t));
+    let center = body.center().components();
+    for i in 0..3 {
+        let exact = truth.center_from_first_vertex[i] + v[0][i];
+        let error = (center[i] - exact).value().abs();
+        within(error, 0.5 * EPS * center[i].abs() + 2e-15);
+    }
+    Ok((body, truth))
 }
 
 #[test]
@@ -299,16 +293,9 @@ fn an_egg_far_away_keeps_its_centre() -> Result<()> {
             v[2] + 0.1 * v[0] * v[2],
         ];
     }
-    let truth = mesh_truth(&vertices, &triangles);
-    let body = mesh_mass_properties(&vertices, &triangles, 1.0)?;
+    let (body, truth) = mesh_and_truth(&vertices, &triangles)?;
     let matrix = body.inertia().matrix();
     observed!(inertia_error(&truth, |i, j| matrix[(i, j)]), 4e-16..=4e-15);
-    let center = body.center().components();
-    for i in 0..3 {
-        let exact = truth.center_from_first_vertex[i] + Dd::from(vertices[0][i]);
-        let error = (Dd::from(center[i]) - exact).value().abs();
-        assert!(error <= 0.5 * EPS * center[i].abs() + 2e-15, "{error:e}");
-    }
     Ok(())
 }
 
@@ -339,40 +326,35 @@ fn meshes_in_huge_and_tiny_units() -> Result<()> {
 fn meshes_that_are_no_bodies() -> Result<()> {
     let solid = PlatonicSolid::Icosahedron;
     let (vertices, triangles) = (solid.vertices(1.0)?, solid.triangles());
-    let refuse =
-        |v: &[[f64; 3]], t: &[[u32; 3]]| mesh_mass_properties(v, t, 1.0).expect_err("not a body");
-    assert!(matches!(refuse(&[], &triangles), Error::Empty { .. }));
-    assert!(matches!(refuse(&vertices, &[]), Error::Empty { .. }));
-    let open = &triangles[1..];
-    assert_eq!(refuse(&vertices, open), Error::OpenMesh);
+    let made = |v: &[[f64; 3]], t: &[[u32; 3]]| mesh_mass_properties(v, t, 1.0);
+    let flat = |made: Result<MassProperties>| matches!(made, Err(Error::NoVolume { hint, .. }) if hint.contains("plane"));
+    refused!(made(&[], &triangles), Empty);
+    refused!(made(&vertices, &[]), Empty);
+    assert_eq!(made(&vertices, &triangles[1..]), Err(Error::OpenMesh));
     let mut flipped = triangles.clone();
     flipped[7].swap(0, 1);
-    assert_eq!(refuse(&vertices, &flipped), Error::OpenMesh);
+    assert_eq!(made(&vertices, &flipped), Err(Error::OpenMesh));
     let mut inside_out = triangles.clone();
     inside_out.iter_mut().for_each(|t| t.swap(0, 1));
-    let Error::NoVolume { volume, hint } = refuse(&vertices, &inside_out) else {
+    let Err(Error::NoVolume { volume, hint }) = made(&vertices, &inside_out) else {
         panic!("inside out must be told")
     };
-    let body = mesh_mass_properties(&vertices, &triangles, 1.0)?;
+    let body = made(&vertices, &triangles)?;
     assert!((volume / body.mass() + 1.0).abs() < 4.0 * EPS && hint.contains("inside out"));
     let mut wrong = triangles.clone();
     wrong[3][1] = 12;
-    assert!(matches!(
-        refuse(&vertices, &wrong),
-        Error::VertexIndex {
-            triangle: 3,
-            index: 12,
-            vertices: 12
-        }
-    ));
+    let (triangle, index, count) = (3, 12, 12);
+    let unknown = Error::VertexIndex {
+        triangle,
+        index,
+        vertices: count,
+    };
+    assert_eq!(made(&vertices, &wrong), Err(unknown));
     for bad in [f64::NAN, f64::INFINITY] {
         for k in 0..12 {
             let mut broken = vertices.clone();
             broken[k][k % 3] = bad;
-            assert!(matches!(
-                refuse(&broken, &triangles),
-                Error::NotFinite { .. }
-            ));
+            refused!(made(&broken, &triangles), NotFinite);
         }
     }
     // Flat, in a plane that no coordinate knows: o + iA + jB with integers of 20 bits is exact, and so is the scaling,
@@ -382,50 +364,39 @@ fn meshes_that_are_no_bodies() -> Result<()> {
         let mut integers = || [0; 3].map(|_| (uniform.signed() * 1_048_576.0).round());
         let (o, a, b) = (integers(), integers(), integers());
         let scale = 2_f64.powi((600.0 * uniform.signed()) as i32);
-        let flat: Vec<[f64; 3]> = [(0.0, 0.0), (3.0, 1.0), (2.0, 5.0), (-1.0, 4.0)]
-            .into_iter()
-            .map(|(i, j)| [0, 1, 2].map(|k| scale * (o[k] + i * a[k] + j * b[k])))
-            .collect();
-        let refused = refuse(&flat, &[[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]]);
-        assert!(matches!(refused, Error::NoVolume { hint, .. } if hint.contains("plane")));
+        let corners = [(0.0, 0.0), (3.0, 1.0), (2.0, 5.0), (-1.0, 4.0)]
+            .map(|(i, j)| [0, 1, 2].map(|k| scale * (o[k] + i * a[k] + j * b[k])));
+        let faces = [[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]];
+        assert!(flat(made(&corners, &faces)));
     }
     // Slabs whose volume is above, or below, what rounding can make of a flat one.
-    let (cube, triangles) = (
-        PlatonicSolid::Cube.vertices(1.0)?,
-        PlatonicSolid::Cube.triangles(),
-    );
+    let cube = PlatonicSolid::Cube.vertices(1.0)?;
+    let triangles = PlatonicSolid::Cube.triangles();
     for _ in 0..200 {
         let [a, b] = [0; 2].map(|_| [0; 3].map(|_| 1e-3 * uniform.signed()));
         let across = cross(a, b);
-        let slab = |height: f64| -> Vec<[f64; 3]> {
-            let corner = |&[x, y, z]: &[f64; 3]| {
+        let slab = |height: f64| {
+            let corner = |[x, y, z]: [f64; 3]| {
                 [0, 1, 2].map(|k| x * a[k] + y * b[k] + z * height * across[k])
             };
-            cube.iter().map(corner).collect()
+            cube.iter().copied().map(corner).collect::<Vec<_>>()
         };
-        let flat = slab(0.0);
+        let thin = slab(0.0).into_iter().map(Vector3::from).collect::<Vec<_>>();
+        let apex = thin[triangles[0][0] as usize];
         let products = triangles.iter().map(|corners| {
-            let from_apex =
-                |n: u32| [0, 1, 2].map(|k| flat[n as usize][k] - flat[triangles[0][0] as usize][k]);
-            corners
-                .map(|n| Vector3::from(from_apex(n)).norm())
-                .iter()
-                .product::<f64>()
+            let lengths = corners.map(|n| (thin[n as usize] - apex).norm());
+            lengths.iter().product::<f64>()
         });
         let height =
             8.0 * EPS * products.sum::<f64>() / (6.0 * Vector3::from(across).norm_squared());
-        assert!(mesh_mass_properties(&slab(1.4 * height), &triangles, 1.0).is_ok());
-        let refused = refuse(&slab(0.6 * height), &triangles);
-        assert!(matches!(refused, Error::NoVolume { hint, .. } if hint.contains("plane")));
+        assert!(made(&slab(1.4 * height), &triangles).is_ok());
+        assert!(flat(made(&slab(0.6 * height), &triangles)));
     }
     // A plate a billion times thinner than wide is a body, along the axes or across.
     for turn in [Attitude::identity(), uniform.attitude()] {
-        let plate: Vec<[f64; 3]> = PlatonicSolid::Cube
-            .vertices(1.0)?
-            .into_iter()
-            .map(|[x, y, z]| turn.to_space(vector([x, y, 1e-9 * z])).components().into())
-            .collect();
-        let body = mesh_mass_properties(&plate, &PlatonicSolid::Cube.triangles(), 1e9)?;
+        let flattened = |&[x, y, z]: &[f64; 3]| turn.to_space(vector([x, y, 1e-9 * z]));
+        let plate = cube.iter().map(|v| flattened(v).components().into());
+        let body = mesh_mass_properties(&plate.collect::<Vec<_>>(), &triangles, 1e9)?;
         // Tilted, the coordinates say the thickness to 1e-16/1e-9 only.
         observed!((body.mass() - 1.0).abs(), 3e-8..=1e-6);
         let off = (body.inertia().principal_axes().moments[2] - 1.0 / 6.0).abs();

@@ -43,5 +43,16 @@ use std::f64::consts::{
 use support::double_double::Dd;
 use support::{
     ONE, R, TWO, Uniform, ZERO, close, cross, dot, exact, greatest, near, observed, ration,
-    rational, refused, relative, runge_kutta, vector, whole, within, wrapped,
+    rational, refused, relative, runge_kutta, turned, vector, whole, within, wrapped,
 };
+
+/// The same asked of one of the general methods.
+fn by_general(request: Request, method: Method) -> Request {
+    let general = request.by(Choice::Use(Solver::General(method)));
+    general.with_methods(&DifferentialEquations)
+}
+
+/// A number as it is printed, with so many digits after the point.
+fn rounded(value: f64, digits: i32, expected: f64) {
+    near!(value, expected, 0.5000001 * 10f64.powi(-digits));
+}

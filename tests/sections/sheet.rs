@@ -14,15 +14,21 @@ fn friction(mu: f64) -> Coulomb {
     Coulomb::new(mu).unwrap()
 }
 
+/// On this sheet and, beside it, on a table with friction of its own; until a time.
+fn course(kappa: f64, (sheet, table): (&Sheet, f64), g: f64, start: Moment, until: f64) -> Course {
+    let effects = (Some(friction(table)), None, Some(sheet));
+    Course::new(kappa, Load::weight(g), effects, start, until).unwrap()
+}
+
 /// From rest on a sheet with its edge `margin` behind.
 fn withdrawn(kappa: f64, speeds: &SheetSpeeds, margin: f64, [sheet, table]: [f64; 2]) -> Course {
     let sheet = Sheet::new(friction(sheet), speeds.clone(), margin).unwrap();
-    let effects = (Some(friction(table)), None, Some(&sheet));
+    let slip = -speeds.at(-1.0);
     let start = Moment {
-        slip: -speeds.at(-1.0),
+        slip,
         ..Moment::default()
     };
-    Course::new(kappa, Load::weight(G), effects, start, 1e3).unwrap()
+    course(kappa, (&sheet, table), G, start, 1e3)
 }
 
 // claim: C4.5-1
@@ -30,11 +36,8 @@ fn withdrawn(kappa: f64, speeds: &SheetSpeeds, margin: f64, [sheet, table]: [f64
 fn s4_5_numbers_of_a_quick_pull() {
     let speeds = SheetSpeeds::ramp(3.0, 0.02).unwrap();
     let mut stops = Vec::new();
-    for (kappa, rim) in [
-        (0.4, -0.455_268),
-        (2.0 / 3.0, -0.273_161),
-        (1.0, -0.182_107),
-    ] {
+    let rims = [-0.455_268, -0.273_161, -0.182_107];
+    for (kappa, rim) in [0.4, 2.0 / 3.0, 1.0].into_iter().zip(rims) {
         let course = withdrawn(kappa, &speeds, 0.15, [0.3, 0.2]);
         let leaves = course.first(Happening::LeavesSheet).unwrap();
         observed!((leaves.time - 0.061_88).abs(), 6e-7..=5e-6, "{leaves:?}");
@@ -53,16 +56,13 @@ fn s4_5_numbers_of_a_quick_pull() {
     // Pulled a second later it is held until then, and begins to slip once.
     let later = SheetSpeeds::through([(0.0, 0.0), (1.0, 0.0), (1.02, 3.0)]).unwrap();
     let events = withdrawn(0.4, &later, 0.15, [0.3, 0.2]).events;
-    let begins: Vec<f64> = (events.iter())
-        .filter(|event| event.what == Happening::SlippingBegins)
-        .map(|event| event.time)
-        .collect();
-    assert_eq!(begins, [1.0]);
+    let begins = events
+        .iter()
+        .filter(|event| event.what == Happening::SlippingBegins);
+    assert!(begins.map(|event| event.time).eq([1.0]));
     // It does not depend on κ.
-    assert!(
-        stops.iter().all(|stop| (stop - stops[0]).abs() < 1e-16),
-        "{stops:?}"
-    );
+    let alike = stops.iter().all(|stop| (stop - stops[0]).abs() < 1e-16);
+    assert!(alike, "{stops:?}");
 }
 
 // claim: C4.5-2
@@ -72,9 +72,7 @@ fn s4_5_numbers_of_a_gentle_pull() {
         // 1 m/s reached in two seconds: no slip. Then a metre and more of sheet, then the table.
         let speeds = SheetSpeeds::ramp(1.0, 2.0).unwrap();
         let sheet = Sheet::new(friction(0.3), speeds, 1.5).unwrap();
-        let effects = (Some(friction(0.2)), None, Some(&sheet));
-        let course =
-            Course::new(kappa, Load::weight(9.8), effects, Moment::default(), 1e3).unwrap();
+        let course = course(kappa, (&sheet, 0.2), 9.8, Moment::default(), 1e3);
         let on = course.at(2.5);
         let share = kappa / (1.0 + kappa);
         assert_eq!(on.slip, 0.0);
@@ -149,8 +147,8 @@ proptest! {
         let body = RoundBody::new(1.0, 1.0, 0.4).unwrap();
         let roller = Roller::new(body, G, 0.0, 0.0).unwrap().with(friction(table)).unwrap();
         let roller = roller.with(resistance).unwrap().with(cloth).unwrap();
-        let dop853 = Choice::Use(Solver::General(Method::Dop853));
-        let run = roller.simulate(&Request::at(times).unwrap().by(dop853).with_methods(&DifferentialEquations)).unwrap();
+        let request = by_general(Request::at(times).unwrap(), Method::Dop853);
+        let run = roller.simulate(&request).unwrap();
         for (t, row) in run.rows {
             let (c, m) = (course.at(t), row.moment);
             // Speeds up to 5 m/s.
@@ -199,8 +197,7 @@ fn s4_5_top_spin_brings_it_back() {
     };
     let course = |margin, [on_it, beside]: [f64; 2]| {
         let sheet = Sheet::new(friction(on_it), speeds.clone(), margin).unwrap();
-        let effects = (Some(friction(beside)), None, Some(&sheet));
-        Course::new(0.4, Load::weight(10.0), effects, start, 1.6).unwrap()
+        self::course(0.4, (&sheet, beside), 10.0, start, 1.6)
     };
     // Half a metre at 1 m/s on ice; then 1 + 2t from there is 2t, the edge's way, after a second.
     let back = course(0.5, [0.0, 0.2]);
@@ -256,26 +253,19 @@ fn in_space(
         let ground = if t < leaves { sheet(t) } else { [0.0; 2] };
         let spin = omega.cross(&arm);
         let f = rubbing([vx + spin.x() - ground[0], vy + spin.y() - ground[1]]);
-        let torque = arm.cross(&V::new(f[0], f[1], 0.0));
         let turn = kappa * radius * radius;
-        [
-            f[0],
-            f[1],
-            torque.x() / turn,
-            torque.y() / turn,
-            torque.z() / turn,
-        ]
+        let [x, y, z]: [f64; 3] = (arm.cross(&V::new(f[0], f[1], 0.0)) / turn)
+            .components()
+            .into();
+        [f[0], f[1], x, y, z]
     };
     let mut y = start;
     for (from, to) in [(0.0, leaves), (leaves, end)] {
         let effort = Effort::Tolerance(1e-12);
         // Times shift so that the run starts at `from`, and its first stage sees the right ground.
         let shifted = |t: f64, y: &[f64; 5]| {
-            let inside = (from + t).clamp(
-                from * (1.0 + 1e-15),
-                if to == leaves { to * (1.0 - 1e-15) } else { to },
-            );
-            rate(inside, y)
+            let end = if to == leaves { to * (1.0 - 1e-15) } else { to };
+            rate((from + t).clamp(from * (1.0 + 1e-15), end), y)
         };
         let scales = [1.0, 1.0, 50.0, 50.0, 50.0];
         let run = order_eight(&shifted, Kept::Nothing, &y, &scales, &[to - from], effort);
@@ -295,12 +285,8 @@ fn coulomb(mu: f64) -> impl Fn([f64; 2]) -> [f64; 2] {
 // claim: C4.5-1, C4.5-3, C4.5-4
 #[test]
 fn s4_5_in_space_with_any_friction() {
-    let jerks = |t: f64| {
-        [
-            1.5 * (9.0 * t).sin() + 2.0 * t,
-            0.8 * (17.0 * t).cos() - 0.5,
-        ]
-    };
+    let forward = |t: f64| 1.5 * (9.0 * t).sin() + 2.0 * t;
+    let jerks = |t: f64| [forward(t), 0.8 * (17.0 * t).cos() - 0.5];
     let viscous = |u: [f64; 2]| u.map(|c| -30.0 * c);
     for kappa in [0.4, 2.0 / 3.0] {
         for start in [[0.0; 5], [0.0, 0.0, 0.0, 0.0, 20.0]] {
@@ -321,9 +307,10 @@ fn s4_5_in_space_with_any_friction() {
             observed!((a - b).abs(), 2e-12..=3e-11, "{end:?}");
         }
         let body = RoundBody::new(1.0, 0.02, kappa).unwrap();
+        let (velocity, rim_velocity) = ([0.5, -0.3], [0.5, -0.3]);
         let motion = InPlane {
-            velocity: [0.5, -0.3],
-            rim_velocity: [0.5, -0.3],
+            velocity,
+            rim_velocity,
         };
         let [x, y] = body.slide_in_plane(motion, 0.3, 9.81).unwrap().rolling;
         observed!((x - 0.5).abs(), 0.0..=1e-16);
@@ -337,9 +324,7 @@ fn s4_5_a_ball_already_rolling_keeps_its_velocity() {
     let speeds = SheetSpeeds::through([(0.0, 0.0), (0.2, 3.0), (0.3, -1.0), (0.5, 4.0)]).unwrap();
     for v in [0.5, -0.3] {
         let sheet = Sheet::new(friction(0.3), speeds.clone(), 0.6).unwrap();
-        let effects = (Some(friction(0.2)), None, Some(&sheet));
-        let start = Moment::moving(v, v);
-        let course = Course::new(0.4, Load::weight(G), effects, start, 50.0).unwrap();
+        let course = course(0.4, (&sheet, 0.2), G, Moment::moving(v, v), 50.0);
         assert!(course.first(Happening::LeavesSheet).is_some());
         let end = course.at(50.0);
         close!(end.velocity, v, 4e-15);
@@ -369,8 +354,5 @@ fn sheet_refuses_what_is_no_history() {
     assert!(SheetSpeeds::through([(0.0, f64::NAN)]).is_err());
     let speeds = SheetSpeeds::ramp(1.0, 1.0).unwrap();
     assert!(Sheet::new(friction(0.1), speeds.clone(), 0.0).is_err());
-    assert_eq!(
-        (speeds.at(0.5), speeds.at(7.0), speeds.at(-1.0)),
-        (0.5, 1.0, 0.0)
-    );
+    assert_eq!([0.5, 7.0, -1.0].map(|t| speeds.at(t)), [0.5, 1.0, 0.0]);
 }

@@ -83,10 +83,8 @@ fn s4_4_rolls_with_a_low_tug_and_winds_up() {
 /// The moments at these times by DOP853 with events.
 fn by_dop853(scene: TuggedSpool, times: &[f64]) -> Vec<Moment> {
     let request = Request::at(times).unwrap().to_accuracy(1e-11).unwrap();
-    let dop853 = Choice::Use(Solver::General(Method::Dop853));
-    let motion = scene
-        .simulate(&request.by(dop853).with_methods(&DifferentialEquations))
-        .unwrap();
+    let motion = scene.simulate(&by_general(request, Method::Dop853));
+    let motion = motion.unwrap();
     motion.rows.iter().map(|row| row.1.moment).collect()
 }
 
@@ -135,12 +133,9 @@ fn s4_4_critical_angle_by_simulation() -> Result<()> {
     observed!(worst[0], 0.0..=1e-12, "{worst:?}");
     observed!(worst[1], 0.0..=1e-12, "{worst:?}");
     close!(unit().critical_angle().unwrap(), FRAC_PI_3, 3e-16);
-    close!(
-        spool().critical_angle().unwrap(),
-        1.159_279_480_727_408_6,
-        3e-16
-    );
-    let off = (spool().critical_angle().unwrap().to_degrees() - 66.4218).abs();
+    let critical = spool().critical_angle().unwrap();
+    close!(critical, 1.159_279_480_727_408_6, 3e-16);
+    let off = (critical.to_degrees() - 66.4218).abs();
     observed!(off, 7e-6..=5e-5);
     // r → 0: 90°. r > R, an axle on rails: away even from a level tug.
     let body = RoundBody::new(0.2, 0.05, 0.5)?;
@@ -187,9 +182,7 @@ fn s4_4_the_hand_pays_for_everything() {
         let power = spool.hand_speed(hand, &m);
         let gain = 1.5 * m.velocity * spool.rolling_acceleration(hand);
         // Nothing is gained at the critical angle: there all of it is rounding.
-        let alike = |a: f64, b: f64| {
-            approx::assert_relative_eq!(a, b, max_relative = 1e-14, epsilon = 1e-30);
-        };
+        let alike = |a, b| assert_relative_eq!(a, b, max_relative = 1e-14, epsilon = 1e-30);
         alike(power, gain);
         assert!(power > 0.0, "on both sides of the critical angle");
         // Over time: all work is kinetic energy, none is heat.
@@ -260,8 +253,7 @@ fn s4_4_a_hard_steep_tug_drags_it_along() {
     assert!(place(0.8) < 0.0 && place(2.0) > 0.0);
     let lifted = Tug::new(2.1, angle).unwrap();
     assert!(spool.reaction(lifted, g) < 0.0);
-    let refused = spool.course(lifted, g, Some(law), None, 1.0);
-    refused!(refused, NotPositive);
+    refused!(spool.course(lifted, g, Some(law), None, 1.0), NotPositive);
 }
 
 // claim: C4.4-7, C4.4-8, C4.4-9

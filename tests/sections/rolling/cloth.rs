@@ -68,11 +68,11 @@ fn s4_3_draw_shots_turn_round() {
 #[test]
 fn s4_3_resistance_brings_it_to_rest() {
     let (mu, arm) = (0.2, 0.01);
-    let effects = (
-        Some(Coulomb::new(mu).unwrap()),
-        Some(RollingResistance::new(arm).unwrap()),
-        None,
+    let (law, resistance) = (
+        Coulomb::new(mu).unwrap(),
+        RollingResistance::new(arm).unwrap(),
     );
+    let effects = (Some(law), Some(resistance), None);
     for height in [0.0, 0.3, 0.7, 1.0, 1.2, 1.4, 1.6, 2.0] {
         let start = shot(height, 2.0);
         let course = Course::new(0.4, Load::weight(G), effects, start, 1e3).unwrap();
@@ -97,11 +97,8 @@ fn s4_3_resistance_brings_it_to_rest() {
 #[test]
 fn s4_3_resistance_holds_what_pulls_and_twists() {
     let end = |push, twist, mu, speed| {
-        let effects = (
-            Some(Coulomb::new(mu).unwrap()),
-            Some(RollingResistance::new(0.03).unwrap()),
-            None,
-        );
+        let (law, resistance) = (Coulomb::new(mu), RollingResistance::new(0.03));
+        let effects = (Some(law.unwrap()), Some(resistance.unwrap()), None);
         let load = Load {
             push,
             twist,
@@ -131,10 +128,8 @@ fn apart(start: Moment, (mu, arm): (f64, f64), kappa: f64, solver: Solver) -> (f
     let body = RoundBody::new(1.0, 1.0, kappa).unwrap();
     let roller = Roller::new(body, G, start.velocity, start.rim_speed).unwrap();
     let roller = roller.with(law).unwrap().with(resistance).unwrap();
-    let request = Request::at(times)
-        .unwrap()
-        .by(Choice::Use(solver))
-        .with_methods(&DifferentialEquations);
+    let request = Request::at(times).unwrap().by(Choice::Use(solver));
+    let request = request.with_methods(&DifferentialEquations);
     let run = roller.simulate(&request).unwrap();
     let size = start.velocity.abs().max(start.rim_speed.abs());
     let mut worst = 0.0_f64;
@@ -213,20 +208,18 @@ fn brute(start: InPlane, mu: f64, kappa: f64, times: &[f64]) -> Vec<[f64; 6]> {
 
 #[test]
 fn s4_3_masse_shots_are_parabolas() {
-    let start = InPlane {
+    let shot = |rim_velocity| InPlane {
         velocity: [2.0, 0.0],
-        rim_velocity: [-1.5, 3.0],
+        rim_velocity,
     };
+    let start = shot([-1.5, 3.0]);
     let slide = ball().slide_in_plane(start, 0.2, G).unwrap();
     let times: Vec<f64> = (1..=50).map(|k| slide.time * f64::from(k) / 51.0).collect();
     let mut worst = 0.0_f64;
     for (&t, y) in times.iter().zip(brute(start, 0.2, 0.4, &times)) {
         let (place, motion) = slide.at(t);
         let all = [place, motion.velocity, motion.rim_velocity].concat();
-        worst = all
-            .iter()
-            .zip(&y)
-            .fold(worst, |w, (a, b)| w.max((a - b).abs()));
+        worst = worst.max(greatest(all.iter().zip(y).map(|(a, b)| (a - b).abs())));
         // The slip keeps its direction.
         let [a, b] = [start.slip(), motion.slip()];
         observed!((a[0] * b[1] - a[1] * b[0]).abs(), 0.0..=1e-14);
@@ -241,12 +234,8 @@ fn s4_3_masse_shots_are_parabolas() {
         assert_eq!(end.velocity[i], slide.rolling[i]);
     }
     // On the line of the shot it is the planar slide.
-    let straight = InPlane {
-        velocity: [2.0, 0.0],
-        rim_velocity: [0.0, 0.0],
-    };
     let planar = ball().slide_to_roll(2.0, 0.0, 0.2, G).unwrap();
-    let slide = ball().slide_in_plane(straight, 0.2, G).unwrap();
+    let slide = ball().slide_in_plane(shot([0.0; 2]), 0.2, G).unwrap();
     close!(slide.time, planar.time, 1e-15);
     let (place, _) = slide.at(slide.time);
     close!(place[0], planar.distance, 1e-15);

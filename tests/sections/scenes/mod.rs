@@ -15,7 +15,7 @@ mod units;
 mod yo_yo;
 
 use super::*;
-use roller::{balance, same, times};
+use roller::{agreed, balance, same, times};
 use spinning_bodies::rolling::{RoundBody, SheetSpeeds, Spool};
 use spinning_bodies::scene::effects::{
     BearingFriction, Coulomb, Effect, Gravity, Restitution, RollingResistance, Sheet, Tug, TurnLoss,

@@ -9,16 +9,23 @@ pub fn times() -> Request {
 
 pub fn same<S: Tabulated>(a: &Motion<S>, b: &Motion<S>) -> f64 {
     let rows = a.rows.iter().zip(&b.rows);
-    rows.flat_map(|(x, y)| {
-        let pairs: Vec<_> = x.1.row().into_iter().zip(y.1.row()).collect();
-        pairs
-    })
-    .fold(0.0, |worst, (x, y)| worst.max((x - y).abs()))
+    let pairs = rows.flat_map(|(x, y)| x.1.row().into_iter().zip(y.1.row()));
+    greatest(pairs.map(|(x, y)| (x - y).abs()))
 }
 
 pub fn balance<S>(motion: &Motion<S>) -> f64 {
     let entries = motion.ledger.entries().iter();
-    entries.map(|e| e.relative_drift()).fold(0.0, f64::max)
+    greatest(entries.map(|e| e.relative_drift()))
+}
+
+/// The closed form's run, or that from event to event; DOP853 agrees with it, and both balance.
+pub fn agreed<S: Tabulated>(scene: &impl Scene<State = S>, times: Request) -> Motion<S> {
+    let exact = scene.simulate(&times).unwrap();
+    let found = by_general(times, Method::Dop853);
+    let found = scene.simulate(&found).unwrap();
+    assert!(same(&exact, &found) < 1e-12, "{:e}", same(&exact, &found));
+    assert!(balance(&exact) < 1e-13 && balance(&found) < 1e-12);
+    exact
 }
 
 fn thrown() -> Roller {
@@ -35,17 +42,8 @@ fn mu(value: f64) -> Coulomb {
     Coulomb::new(value).unwrap()
 }
 
-fn by(method: Method) -> Request {
-    times()
-        .by(Choice::Use(Solver::General(method)))
-        .with_methods(&DifferentialEquations)
-}
-
 fn run(scene: &impl Scene<State = Rolling>) -> Motion<Rolling> {
-    let exact = scene.simulate(&times()).unwrap();
-    let found = scene.simulate(&by(Method::Dop853)).unwrap();
-    assert!(same(&exact, &found) < 1e-12, "{:e}", same(&exact, &found));
-    assert!(balance(&exact) < 1e-13 && balance(&found) < 1e-12);
+    let exact = agreed(scene, times());
     assert!(exact.ledger.entries().len() >= 2);
     exact
 }
@@ -90,22 +88,18 @@ fn what_a_roller_refuses() {
     refused!(scene.simulate(&exact), Solver);
     assert!(thrown().simulate(&exact).is_ok());
     for method in [Method::Rk4, Method::Dopri5, Method::Verner98] {
-        let motion = scene.simulate(&by(method)).unwrap();
+        let motion = scene.simulate(&by_general(times(), method)).unwrap();
         let (off, told) = (same(&motion, &run(&scene)), motion.error_estimate);
         // The fastest of its speeds is 4 m/s.
-        assert!(
-            off < 1e-11 && off <= 4.0 * told,
-            "{method:?}: {off:e} of {told:e}"
-        );
+        let said = format!("{method:?}: {off:e} of {told:e}");
+        assert!(off < 1e-11 && off <= 4.0 * told, "{said}");
     }
     let ours = times().by(Choice::Use(Solver::Geometric(Geometric::DormandPrince8)));
     assert!(same(&scene.simulate(&ours).unwrap(), &run(&scene)) < 1e-12);
     let friction = thrown().with(BearingFriction::new(0.1).unwrap());
     let told = friction.unwrap_err().to_string();
-    assert!(
-        told.contains("bearing_friction") && told.contains("sheet"),
-        "{told}"
-    );
+    let named = ["bearing_friction", "sheet"].map(|effect| told.contains(effect));
+    assert_eq!(named, [true; 2], "{told}");
 }
 
 /// The numbers of a ball at rest are rounding, and asked for alone they are answered all the same.
@@ -114,12 +108,9 @@ fn a_ball_that_a_gentle_pull_has_left_behind() {
     let ball = RoundBody::new(0.17, 0.028_575, 0.4).unwrap();
     let speeds = SheetSpeeds::ramp(1.0, 2.0).unwrap();
     let sheet = Sheet::new(mu(0.3), speeds, 1.5).unwrap();
-    let scene = Roller::new(ball, 9.8, 0.0, 0.0)
-        .unwrap()
-        .with(mu(0.2))
-        .unwrap();
-    let request = Request::at([9.0]).unwrap();
-    let motion = scene.with(sheet).unwrap().simulate(&request).unwrap();
+    let still = Roller::new(ball, 9.8, 0.0, 0.0).unwrap();
+    let scene = still.with(mu(0.2)).unwrap().with(sheet).unwrap();
+    let motion = scene.simulate(&Request::at([9.0]).unwrap()).unwrap();
     assert!(motion.rows[0].1.moment.velocity.abs() < 1e-15);
     assert!(motion.error_estimate < 1e-12);
 }

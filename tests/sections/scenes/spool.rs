@@ -3,20 +3,17 @@
 use super::*;
 use spinning_bodies::scene::{Spooling, TuggedSpool};
 
+fn spool() -> Spool {
+    Spool::new(RoundBody::new(0.2, 0.05, 0.5).unwrap(), 0.02).unwrap()
+}
+
 fn reel() -> TuggedSpool {
-    let spool = Spool::new(RoundBody::new(0.2, 0.05, 0.5).unwrap(), 0.02).unwrap();
-    TuggedSpool::new(spool, 9.81).unwrap().moving(-0.5, 0.8)
+    let still = TuggedSpool::new(spool(), 9.81).unwrap();
+    still.moving(-0.5, 0.8)
 }
 
 fn run(scene: &impl Scene<State = Spooling>) -> Motion<Spooling> {
-    let exact = scene.simulate(&times()).unwrap();
-    let dop853 = Choice::Use(Solver::General(Method::Dop853));
-    let found = scene
-        .simulate(&times().by(dop853).with_methods(&DifferentialEquations))
-        .unwrap();
-    assert!(same(&exact, &found) < 1e-12, "{:e}", same(&exact, &found));
-    assert!(balance(&exact) < 1e-13 && balance(&found) < 1e-12);
-    exact
+    agreed(scene, times())
 }
 
 #[test]
@@ -55,16 +52,11 @@ fn a_lifted_spool_is_refused() {
 /// At the critical angle pull and twist balance, and what is left is rounding: that is no reason to refuse an answer.
 #[test]
 fn a_spool_at_the_critical_angle_stays() {
-    let spool = Spool::new(RoundBody::new(0.2, 0.05, 0.5).unwrap(), 0.02).unwrap();
-    let tug = Tug::new(0.3, spool.critical_angle().unwrap()).unwrap();
-    let tugged = TuggedSpool::new(spool, 9.81).unwrap().with(tug).unwrap();
+    let tug = Tug::new(0.3, spool().critical_angle().unwrap()).unwrap();
+    let tugged = TuggedSpool::new(spool(), 9.81).unwrap().with(tug).unwrap();
     let scene = tugged.with(Coulomb::new(0.5).unwrap()).unwrap();
     let motion = run(&scene);
-    assert!(
-        motion
-            .rows
-            .iter()
-            .all(|row| row.1.moment.position.abs() < 1e-15)
-    );
+    let mut places = motion.rows.iter().map(|row| row.1.moment.position);
+    assert!(places.all(|place| place.abs() < 1e-15));
     assert!(motion.error_estimate < 1e-13);
 }

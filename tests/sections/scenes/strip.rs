@@ -51,26 +51,19 @@ fn apart(a: &Motion<StripState>, b: &Motion<StripState>) -> f64 {
 
 /// The effects, each with this much of it.
 fn effects(part: f64) -> [Effect; 5] {
-    let lift = Lift {
-        translational: part * LIFT.translational,
-        rotational: part * LIFT.rotational,
-    };
-    let drag = Drag {
-        mean: part * DRAG.mean,
-        contrast: part * DRAG.contrast,
-    };
-    let damping = RotationalDamping {
-        linear: part * DAMPING.linear,
-        quadratic: part * DAMPING.quadratic,
-    };
-    let weight = Gravity::new(part * 9.81).unwrap();
-    let added = AddedMass { factor: part };
+    let [translational, rotational] = [LIFT.translational, LIFT.rotational].map(|x| part * x);
+    let [mean, contrast] = [DRAG.mean, DRAG.contrast].map(|x| part * x);
+    let [linear, quadratic] = [DAMPING.linear, DAMPING.quadratic].map(|x| part * x);
     [
-        weight.into(),
-        lift.into(),
-        drag.into(),
-        damping.into(),
-        added.into(),
+        Gravity::new(part * 9.81).unwrap().into(),
+        Lift {
+            translational,
+            rotational,
+        }
+        .into(),
+        Drag { mean, contrast }.into(),
+        RotationalDamping { linear, quadratic }.into(),
+        AddedMass { factor: part }.into(),
     ]
 }
 
@@ -88,10 +81,8 @@ fn leaving_an_effect_out_changes_the_fall_and_its_zero_changes_no_bit() {
         let absent = with(&others);
         let without = run(&absent);
         assert!(apart(&all, &without) > 0.05, "{}", apart(&all, &without));
-        assert_eq!(
-            numbers(&without),
-            numbers(&run(&absent.with(zero).unwrap()))
-        );
+        let nothing = run(&absent.with(zero).unwrap());
+        assert_eq!(numbers(&without), numbers(&nothing));
     }
 }
 
@@ -110,9 +101,8 @@ fn in_a_vacuum_it_is_a_stone() {
     let all = Strip::new(thin, START).unwrap().with(gravity()).unwrap();
     let all = all.with(LIFT).unwrap().with(DRAG).unwrap();
     let all = all.with(DAMPING).unwrap().with(ADDED).unwrap();
-    let all = all
-        .simulate(&request().to_accuracy(1e-12).unwrap())
-        .unwrap();
+    let tight = request().to_accuracy(1e-12).unwrap();
+    let all = all.simulate(&tight).unwrap();
     assert!(apart(&motion, &all) < 5e-13);
 }
 
@@ -153,10 +143,8 @@ fn the_ideal_fluid_keeps_impulse_and_energy() -> Result<()> {
     let rows = strip.simulate(&request)?.rows;
     let [first, second] = [rows[0].1, rows[1].1];
     // Half a swing later it stands still again, and swung about the middle in between. Observed: 2e-9.
-    assert!(
-        second.omega.abs() < 1e-6 * first.omega.abs(),
-        "{first:?} {second:?}"
-    );
+    let still = second.omega.abs() < 1e-6 * first.omega.abs();
+    assert!(still, "{first:?} {second:?}");
     assert!((first.angle - 0.5 * (1e-5 + second.angle)).abs() < 1e-10);
     Ok(())
 }
@@ -172,10 +160,8 @@ fn a_mirrored_start_gives_a_mirrored_fall() {
     let [here, there] = [START, mirrored]
         .map(|start| run(&Strip::in_air(&sheet, start, Coefficients::PAPER).unwrap()));
     for ((_, a), (_, b)) in here.rows.iter().zip(&there.rows) {
-        assert_eq!(
-            (a.position[0], a.position[1], a.angle),
-            (-b.position[0], b.position[1], -b.angle)
-        );
+        let ([x, y], [across, down]) = (a.position, b.position);
+        assert_eq!([x, y, a.angle], [-across, down, -b.angle]);
     }
 }
 
@@ -191,11 +177,9 @@ fn the_frame_does_not_matter() -> Result<()> {
     };
     let small = Strip::in_air(&sheet, START, Coefficients::PAPER)?;
     let big = Strip::in_air(&big, start, Coefficients::PAPER)?;
-    let a = small
-        .simulate(&Request::at([0.5])?.to_accuracy(1e-9)?)?
-        .rows[0]
-        .1;
-    let b = big.simulate(&Request::at([1.0])?.to_accuracy(1e-9)?)?.rows[0].1;
+    let [short, long] = [0.5, 1.0].map(|t| Request::at([t]).unwrap());
+    let a = small.simulate(&short.to_accuracy(1e-9)?)?.rows[0].1;
+    let b = big.simulate(&long.to_accuracy(1e-9)?)?.rows[0].1;
     // Observed: 1e-14 relative.
     assert!((4.0 * a.position[0] - b.position[0]).abs() < 1e-11);
     assert!((4.0 * a.position[1] - b.position[1]).abs() < 1e-11);
@@ -218,16 +202,9 @@ fn turning_back_costs_no_digit() {
         let [vx, vy] = start.velocity;
         let (u, w) = (vx * cosine + vy * sine, vy * cosine - vx * sine);
         let first = [0.0, 0.0, start.angle, u, w, start.omega, 0.0];
-        let plain = solve(
-            scene.equations(),
-            0.0,
-            &first,
-            &[0.01, 0.01, 1.0, 0.3, 0.3, 30.0, 1e-4],
-            &[1.0],
-            Method::Verner98,
-            Effort::Tolerance(1e-15),
-        )
-        .unwrap();
+        let (system, scales) = (scene.equations(), [0.01, 0.01, 1.0, 0.3, 0.3, 30.0, 1e-4]);
+        let (method, effort) = (Method::Verner98, Effort::Tolerance(1e-15));
+        let plain = solve(system, 0.0, &first, &scales, &[1.0], method, effort).unwrap();
         let [x, y, angle, _, _, omega, _] = plain.states[0];
         for asked in [1e-9, 1e-11] {
             let request = request().to_accuracy(asked).unwrap();
@@ -249,32 +226,26 @@ fn methods_agree_and_refusals_are_named() {
     let scene = Strip::in_air(&sheet, START, Coefficients::PAPER).unwrap();
     let reference = run(&scene);
     for method in [Method::Dopri5, Method::Verner98] {
-        let request = request().by(Choice::Use(Solver::General(method)));
-        let other = scene.simulate(&request).unwrap();
-        assert!(
-            // Observed: 5e-13, as each is off by.
-            apart(&reference, &other) < 2e-12,
-            "{method:?}: {:e}",
-            apart(&reference, &other)
-        );
+        let other = scene.simulate(&by_general(request(), method)).unwrap();
+        // Observed: 5e-13, as each is off by.
+        let off = apart(&reference, &other);
+        assert!(off < 2e-12, "{method:?}: {off:e}");
     }
     for solver in [Solver::Exact, Solver::Events] {
-        let refused = scene.plan(&request().by(Choice::Use(solver)));
-        refused!(refused, Solver);
+        refused!(scene.plan(&request().by(Choice::Use(solver))), Solver);
     }
     let before = Request::at([-1.0]).unwrap();
     refused!(scene.plan(&before), OutOfRange);
     let strip = Strip::new(plate(), START).unwrap();
-    let driving = Drag {
-        mean: 0.5,
-        contrast: 1.0,
-    };
+    let (mean, contrast) = (0.5, 1.0);
+    let driving = Drag { mean, contrast };
     refused!(strip.with(driving), Negative);
-    let nonsense = Lift {
-        translational: f64::NAN,
-        rotational: 1.0,
-    };
-    assert!(strip.with(nonsense).is_err());
+    let (translational, rotational) = (f64::NAN, 1.0);
+    let nonsense = strip.with(Lift {
+        translational,
+        rotational,
+    });
+    assert!(nonsense.is_err());
     let stranger = strip.with(TurnLoss::new(0.9).unwrap());
     refused!(stranger, Effect);
     assert!(Plate::new(0.01, 1e-3, 1.2, 2.0, 0.3).is_err());

@@ -46,10 +46,8 @@ fn s4_6_exactly_two_solutions() {
     // constant term: f² (1 + 1/κ) + 2 f (V − RΩ) = 0. Three points fix it; its roots are the dull one and the superball's.
     for kappa in kappas().into_iter().filter(|kappa| *kappa != ZERO) {
         let before = moving(ONE, rational(3, 10));
-        let gain = |f: R| {
-            moving(before.velocity + f, before.rim_speed - f / kappa).energy(kappa)
-                - before.energy(kappa)
-        };
+        let after = |f: R| moving(before.velocity + f, before.rim_speed - f / kappa);
+        let gain = |f: R| after(f).energy(kappa) - before.energy(kappa);
         let quadratic = (gain(ONE) + gain(whole(-1))) / TWO;
         let linear = (gain(ONE) - gain(whole(-1))) / TWO;
         assert_eq!(gain(ZERO), ZERO);
@@ -69,10 +67,8 @@ fn s4_6_matrices_of_floor_and_ceiling() {
     let sevenths = |m: [[i128; 2]; 2]| m.map(|row| row.map(|n| rational(n, 7)));
     let spun = moving(ONE, rational(3, 10));
     let floor = ([[3, 4], [10, -3]], moving(rational(3, 5), rational(13, 10)));
-    let ceiling = (
-        [[3, -4], [-10, -3]],
-        moving(rational(9, 35), rational(-109, 70)),
-    );
+    let under = moving(rational(9, 35), rational(-109, 70));
+    let ceiling = ([[3, -4], [-10, -3]], under);
     for (surface, (matrix, after)) in [(Surface::Floor, floor), (Surface::Ceiling, ceiling)] {
         assert_eq!(bounce_matrix(surface, KAPPA), sevenths(matrix));
         assert_eq!(bounce(spun, surface, KAPPA), after);

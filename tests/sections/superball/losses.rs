@@ -82,16 +82,13 @@ fn s4_6_tangential_restitution() {
     let q = |n: i128, d: i128| Ratio::new(n, d);
     let (kappa, e, one) = (q(2, 5), q(3, 4), q(1, 1));
     let start = moving(one, q(0, 1));
-    let end = surfaces
-        .iter()
-        .fold(start, |m, &s| bounce_with(m, s, kappa, e));
+    let after = |m, &s: &Surface| bounce_with(m, s, kappa, e);
+    let end = surfaces.iter().fold(start, after);
     let a = (one + e) / (one + kappa);
     let c = one - kappa;
     let three = q(3, 1);
-    assert_eq!(
-        end.velocity,
-        one - kappa * a * (three + (one - three * kappa) * a + c * c * a * a)
-    );
+    let cubic = three + (one - three * kappa) * a + c * c * a * a;
+    assert_eq!(end.velocity, one - kappa * a * cubic);
 }
 
 proptest! {
@@ -137,6 +134,15 @@ fn thrown(height: f64, climb: f64, velocity: f64, rim_speed: f64) -> InFlight {
     }
 }
 
+/// Place, speeds and spin.
+fn numbers(ball: &InFlight) -> [f64; 5] {
+    let Motion {
+        velocity,
+        rim_speed,
+    } = ball.motion;
+    [ball.position, ball.height, ball.climb, velocity, rim_speed]
+}
+
 /// Gravity, m/s².
 const WEIGHT: Option<f64> = Some(9.81);
 
@@ -160,14 +166,8 @@ fn s4_6_flights_two_ways() {
         let followed = flight.followed(&times).unwrap();
         for (&t, other) in times.iter().zip(&followed) {
             let e = flight.exact(t).unwrap();
-            let apart = [
-                e.position - other.position,
-                e.height - other.height,
-                e.climb - other.climb,
-                e.motion.velocity - other.motion.velocity,
-                e.motion.rim_speed - other.motion.rim_speed,
-            ];
-            worst = apart.iter().fold(worst, |w, d| w.max(d.abs()));
+            let (a, b) = (numbers(&e), numbers(other));
+            worst = worst.max(greatest((0..5).map(|k| (a[k] - b[k]).abs())));
             assert_eq!(e.bounces, other.bounces);
         }
     }
@@ -237,11 +237,8 @@ fn s4_6_bounces_that_pile_up() {
     close!(rolls.motion.velocity, 15.0 / 7.0, 1e-14);
     // μg takes 0.01 μg from V, and 1.4/0.4 times as much from the slip; then it rolls for the rest of the nine seconds.
     let brake = 0.05 * 9.81;
-    near!(
-        ends.motion.velocity - slides.motion.velocity,
-        0.01 * brake,
-        1e-12
-    );
+    let lost = ends.motion.velocity - slides.motion.velocity;
+    near!(lost, 0.01 * brake, 1e-12);
     let way = 0.01 * ends.motion.velocity - 0.5 * 0.01 * 0.01 * brake;
     close!(slides.position - ends.position, way, 1e-12);
     let sliding = slip / (3.5 * brake);
@@ -256,29 +253,21 @@ fn s4_6_bounces_that_pile_up() {
 /// The sums over the pile against the bounces one by one, and where there are too many of these.
 #[test]
 fn s4_6_after_the_last_bounce() {
-    let sky = f64::INFINITY;
-    for (normal, along) in [
+    let losses = [
         (0.0, 0.6),
         (0.5, 0.6),
         (0.9, -0.3),
         (0.8, -1.0),
         (0.95, 0.99),
-    ] {
+    ];
+    for (normal, along) in losses {
         let dull = Restitution::new(normal, along).unwrap();
-        let ball = Flight::new(
-            0.4,
-            sky,
-            (WEIGHT, Some(dull), None),
-            thrown(1.0, 0.0, 1.0, 0.3),
-        );
-        let ball = ball.unwrap();
+        let ball = flight((Some(dull), None), thrown(1.0, 0.0, 1.0, 0.3));
         let last = ball.last_contact().unwrap().unwrap();
         let end = ball.followed(&[last, last + 2.0]).unwrap();
         let mut here = moving(1.0, 0.3);
-        let (mut x, mut climb) = (
-            (2.0_f64 / 9.81).sqrt(),
-            2.0 * 9.81_f64.sqrt() / 2.0_f64.sqrt(),
-        );
+        let mut x = (2.0_f64 / 9.81).sqrt();
+        let mut climb = 2.0 * 9.81_f64.sqrt() / 2.0_f64.sqrt();
         for _ in 0..4000 {
             here = bounce_with(here, Surface::Floor, 0.4, along);
             climb *= normal;
@@ -304,12 +293,8 @@ fn s4_6_after_the_last_bounce() {
 #[test]
 fn s4_6_a_ball_that_lies_on_the_floor() {
     // What just reaches the ceiling does not strike it.
-    let touches = Flight::new(
-        0.4,
-        1.0,
-        (Some(8.0), None, None),
-        thrown(0.0, 4.0, 1.0, 0.0),
-    );
+    let effects = (Some(8.0), None, None);
+    let touches = Flight::new(0.4, 1.0, effects, thrown(0.0, 4.0, 1.0, 0.0));
     assert_eq!(touches.unwrap().exact(0.75).unwrap().bounces, 0);
     let effects = (WEIGHT, None, None);
     let lies = |v, w| Flight::new(0.4, 1.0, effects, thrown(0.0, 0.0, v, w)).unwrap();
@@ -396,8 +381,7 @@ proptest! {
         let lossy = Flight::new(0.4, f64::INFINITY, (weight, Some(losses), None), start);
         let states = [elastic.and_then(|flight| flight.exact(t)), lossy.and_then(|flight| Ok(flight.followed(&[t])?[0]))];
         for ball in states.into_iter().flatten() {
-            let numbers = [ball.position, ball.height, ball.climb, ball.motion.velocity, ball.motion.rim_speed];
-            prop_assert!(numbers.iter().all(|x| x.is_finite()), "{start:?} {room:e} {weight:?} {t:e}: {ball:?}");
+            prop_assert!(numbers(&ball).iter().all(|x| x.is_finite()), "{start:?} {room:e} {weight:?} {t:e}: {ball:?}");
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Bodies, methods, distances.
 
 use super::*;
+use std::fmt::Debug;
 
 /// The asymmetric body of Hairer and Vilmart (2006), and the start there.
 pub const MOMENTS: [f64; 3] = [0.6, 0.8, 1.0];
@@ -33,9 +34,8 @@ pub fn free_methods_of(moments: [f64; 3]) -> Vec<Box<dyn Follow>> {
     }
     all.push(Box::new(GroupMidpoint::new(moments).unwrap()));
     all.push(Box::new(MuntheKaas::new(moments, ()).unwrap()));
-    all.push(Box::new(
-        GeneralMethod::new(moments, (), Method::Rk4).unwrap(),
-    ));
+    let general = GeneralMethod::new(moments, (), Method::Rk4);
+    all.push(Box::new(general.unwrap()));
     all
 }
 
@@ -59,10 +59,9 @@ pub fn heavy_methods_of(moments: [f64; 3], lever: [f64; 3]) -> Vec<Box<dyn Follo
     splittings.into_iter().chain(others).collect()
 }
 
-/// One sample after so many steps.
-pub fn after(method: &dyn Follow, phase: &Phase, t: f64, steps: u32) -> Phase {
-    let step = t.abs() / f64::from(steps) * (1.0 + 1e-12);
-    let course = method.follow(phase, &[t], Effort::Step(step));
+/// One sample after steps no longer than these.
+pub fn after(method: &dyn Follow, phase: &Phase, t: f64, step: f64) -> Phase {
+    let course = method.follow(phase, &[t], Effort::Step(step * (1.0 + 1e-12)));
     course.unwrap().states[0]
 }
 
@@ -79,4 +78,14 @@ pub fn distance(a: &Phase, b: &Phase) -> [f64; 2] {
     let angle = a.attitude().unwrap().angle_to(&b.attitude().unwrap());
     let gap = (a.angular_momentum() - b.angular_momentum()).norm();
     [angle, gap / b.angular_momentum().norm()]
+}
+
+/// Fails, with the numbers and what they are of, unless both are closer than this.
+#[track_caller]
+pub fn close_to(a: &Phase, b: &Phase, most: f64, of: impl Debug) {
+    let [angle, momentum] = distance(a, b);
+    assert!(
+        angle < most && momentum < most,
+        "{of:?} {angle:e} {momentum:e}"
+    );
 }

@@ -20,10 +20,8 @@ fn rounding_falls_with_the_length_of_the_numbers() {
     let [dd_error, _] = distance(&run::<DoubleDouble>(&method, t, steps), &exact);
     // Observed: 3.8e-6; 2.5e-15; 6.6e-16, which is the rounding of the phase that is compared.
     assert!(f32_error > 1e-7 && f32_error < 1e-5, "{f32_error:e}");
-    assert!(
-        f64_error < 5e-15 && dd_error < 1.3e-15,
-        "{f64_error:e} {dd_error:e}"
-    );
+    within(f64_error, 5e-15);
+    within(dd_error, 1.3e-15);
 }
 
 /// The truncation error is the same in doubles and in two words: the difference of the two is rounding, and tiny.

@@ -1,7 +1,9 @@
 //! What each method keeps, measured with long steps, and the table of it that the book prints.
 
 use super::*;
-use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+use support::multiplied;
 
 /// A tenth of a turn: what is not kept shows.
 const STEP: f64 = 0.2;
@@ -9,11 +11,7 @@ const STEP: f64 = 0.2;
 /// Values in the course of 4000 steps: kept to rounding, bounded, or drifting.
 fn verdict(values: &[f64]) -> &'static str {
     let scale = values[0].abs();
-    let worst = |part: &[f64]| {
-        part.iter()
-            .fold(0.0_f64, |a, &v| a.max((v - values[0]).abs()))
-            / scale
-    };
+    let worst = |part: &[f64]| greatest(part.iter().map(|v| (v - values[0]).abs())) / scale;
     let quarter = values.len() / 4;
     let (early, late) = (worst(&values[..quarter]), worst(&values[3 * quarter..]));
     // Observed: at most 9e-14 where kept, 1.4e-11 and more elsewhere.
@@ -28,27 +26,21 @@ fn verdict(values: &[f64]) -> &'static str {
 
 fn course(method: &dyn Follow) -> Vec<Phase> {
     let times: Vec<f64> = (0..=400).map(|n| f64::from(n) * 10.0 * STEP).collect();
-    let step = STEP * (1.0 + 1e-12);
-    method
-        .follow(&start(), &times, Effort::Step(step))
-        .unwrap()
-        .states
+    let step = Effort::Step(STEP * (1.0 + 1e-12));
+    method.follow(&start(), &times, step).unwrap().states
 }
 
 fn one(method: &dyn Follow, phase: &Phase, t: f64) -> Phase {
-    let step = Effort::Step(t.abs() * (1.0 + 1e-12));
-    method.follow(phase, &[t], step).unwrap().states[0]
+    after(method, phase, t, t.abs())
 }
 
 /// One step forward and back.
 fn is_symmetric(method: &dyn Follow) -> bool {
     let there = one(method, &start(), STEP);
     let back = one(method, &there, -STEP);
-    let gap = (0..3).map(|k| (back.l[k] - start().l[k]).abs());
-    let worst = gap
-        .chain((0..4).map(|k| (back.q[k] - start().q[k]).abs()))
-        .fold(0.0, f64::max);
-    worst < 1e-14
+    let gap = (0..3).map(|k| back.l[k] - start().l[k]);
+    let turn = (0..4).map(|k| back.q[k] - start().q[k]);
+    greatest(gap.chain(turn).map(f64::abs)) < 1e-14
 }
 
 /// Whether one step keeps the symplectic form of phase space, dL∧dφ + the term of the moving axes, for all pairs of small changes.
@@ -66,7 +58,7 @@ fn is_symplectic(method: &dyn Follow) -> bool {
                 if k < 3 {
                     let mut turn = [1.0, 0.0, 0.0, 0.0];
                     turn[k + 1] = 0.5 * sign * SMALL;
-                    phase.q = product(phase.q, turn);
+                    phase.q = multiplied(phase.q, turn);
                 } else {
                     phase.l[k - 3] += sign * SMALL;
                 }
@@ -74,10 +66,8 @@ fn is_symplectic(method: &dyn Follow) -> bool {
             };
             let (ahead, behind) = (moved(1.0), moved(-1.0));
             let [w, x, y, z] = image.q;
-            let there = product(
-                [w, -x, -y, -z],
-                core::array::from_fn(|i| ahead.q[i] - behind.q[i]),
-            );
+            let change = core::array::from_fn(|i| ahead.q[i] - behind.q[i]);
+            let there = multiplied([w, -x, -y, -z], change);
             core::array::from_fn(|i| {
                 let change = if i < 3 {
                     2.0 * there[i + 1]
@@ -90,10 +80,8 @@ fn is_symplectic(method: &dyn Follow) -> bool {
         .collect();
     let form = |l: [f64; 3], a: &[f64; 6], b: &[f64; 6]| -> f64 {
         let pairing: f64 = (0..3).map(|i| b[i + 3] * a[i] - a[i + 3] * b[i]).sum();
-        let volume: f64 = (0..3)
-            .map(|i| l[i] * (a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3]))
-            .sum();
-        pairing + volume
+        let across = cross([a[0], a[1], a[2]], [b[0], b[1], b[2]]);
+        pairing + dot(l, across)
     };
     let mut worst = 0.0_f64;
     for i in 0..6 {
@@ -108,51 +96,30 @@ fn is_symplectic(method: &dyn Follow) -> bool {
     worst < 2e-9
 }
 
-fn product(p: [f64; 4], q: [f64; 4]) -> [f64; 4] {
-    let ([a, b, c, d], [w, x, y, z]) = (p, q);
-    [
-        a * w - b * x - c * y - d * z,
-        a * x + b * w + c * z - d * y,
-        a * y - b * z + c * w + d * x,
-        a * z + b * y - c * x + d * w,
-    ]
-}
-
 fn row(method: &dyn Follow, moments: [f64; 3], lever: [f64; 3]) -> String {
     let course = course(method);
     let heavy = lever != [0.0; 3];
     let size: Vec<f64> = course.iter().map(|p| p.angular_momentum().norm()).collect();
-    let energy: Vec<f64> = course
-        .iter()
-        .map(|p| {
-            let up = p.up();
-            (0..3)
-                .map(|k| 0.5 * p.l[k] * p.l[k] / moments[k] + lever[k] * up[k])
-                .sum()
-        })
-        .collect();
+    let kinetic_and_potential = |p: &Phase| {
+        let up = p.up();
+        let parts = (0..3).map(|k| 0.5 * p.l[k] * p.l[k] / moments[k] + lever[k] * up[k]);
+        parts.sum()
+    };
+    let energy: Vec<f64> = course.iter().map(kinetic_and_potential).collect();
     let in_space = |axis: usize| -> Vec<f64> {
-        let along = |p: &Phase| {
-            p.attitude()
-                .unwrap()
-                .to_space(p.angular_momentum())
-                .components()[axis]
-        };
-        course.iter().map(along).collect()
+        let momentum = |p: &Phase| p.attitude().unwrap().to_space(p.angular_momentum());
+        let along = course.iter().map(|p| momentum(p).components()[axis]);
+        along.collect()
     };
     let verdicts = [0, 1, 2].map(|axis| verdict(&in_space(axis)));
     let space = if heavy {
         verdicts[2]
     } else {
-        let worst = ["drifts", "bounded"]
-            .into_iter()
-            .find(|v| verdicts.contains(v));
-        worst.unwrap_or("kept")
+        let mut worst = ["drifts", "bounded"].into_iter();
+        worst.find(|v| verdicts.contains(v)).unwrap_or("kept")
     };
-    let norm: Vec<f64> = course
-        .iter()
-        .map(|p| p.q.iter().map(|x| x * x).sum::<f64>())
-        .collect();
+    let norms = course.iter().map(|p| p.q.iter().map(|x| x * x).sum());
+    let norm: Vec<f64> = norms.collect();
     let yes = |kept: bool| if kept { "yes" } else { "no" };
     format!(
         "| {} | {} | {} | {} | {} | {} | {} |\n",
@@ -170,21 +137,24 @@ fn table() -> String {
     let mut text = String::from(
         "| method and order | size of L | energy | L in space | norm of the attitude | time symmetry | symplectic |\n|---|---|---|---|---|---|---|\n",
     );
-    let mut section = |name: &str| writeln!(text, "| *{name}* | | | | | | |").unwrap();
-    section("free body");
-    for method in free_methods() {
-        text += &row(&*method, MOMENTS, [0.0; 3]);
-    }
-    let mut section = |name: &str| writeln!(text, "| *{name}* | | | | | | |").unwrap();
-    section("heavy top: L along the vertical");
-    for method in heavy_methods_of(TOP, LEVER) {
-        text += &row(&*method, TOP, LEVER);
-    }
     let lever = [0.4, -0.3, 0.6];
-    let mut section = |name: &str| writeln!(text, "| *{name}* | | | | | | |").unwrap();
-    section("heavy body with unequal moments");
-    for method in heavy_methods_of(MOMENTS, lever).iter().take(3) {
-        text += &row(&**method, MOMENTS, lever);
+    let mut splittings = heavy_methods_of(MOMENTS, lever);
+    splittings.truncate(3);
+    let heavy = heavy_methods_of(TOP, LEVER);
+    for (name, methods, moments, lever) in [
+        ("free body", free_methods(), MOMENTS, [0.0; 3]),
+        ("heavy top: L along the vertical", heavy, TOP, LEVER),
+        (
+            "heavy body with unequal moments",
+            splittings,
+            MOMENTS,
+            lever,
+        ),
+    ] {
+        text += &format!("| *{name}* | | | | | | |\n");
+        for method in methods {
+            text += &row(&*method, moments, lever);
+        }
     }
     text
 }
@@ -192,22 +162,14 @@ fn table() -> String {
 /// The committed table is the measured one. `UPDATE_TABLES=1 cargo test --test sections preservation` writes it.
 #[test]
 fn the_table_of_what_is_kept() {
-    let path = concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../../book/src/tables/integrators.md"
-    );
+    let tables = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/tables");
+    let path = tables.join("integrators.md");
     let measured = table();
     if std::env::var_os("UPDATE_TABLES").is_some() {
-        std::fs::create_dir_all(concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/../../book/src/tables"
-        ))
-        .unwrap();
-        std::fs::write(path, &measured).unwrap();
+        fs::create_dir_all(&tables).unwrap();
+        fs::write(&path, &measured).unwrap();
     }
-    let committed = std::fs::read_to_string(path).unwrap_or_default();
-    assert!(
-        committed == measured,
-        "what is kept has changed: UPDATE_TABLES=1 writes the table anew\n{measured}"
-    );
+    let committed = fs::read_to_string(path).unwrap_or_default();
+    let told = "what is kept has changed: UPDATE_TABLES=1 writes the table anew";
+    assert!(committed == measured, "{told}\n{measured}");
 }

@@ -25,10 +25,8 @@ fn s1_1_the_cat_in_closed_form() -> Result<()> {
     let cat = EqualHalves::new(1.0, 3.0)?;
     close(cat.turn_per_swing(1.0)?, 2.505_681_320_653_108);
     close(cat.half_turn_bend(), 2.0 * 0.604_342_896_591_750_2);
-    close(
-        EqualHalves::new(1.0, 1.0)?.half_turn_bend(),
-        2.0 * FRAC_PI_3,
-    );
+    let stout = EqualHalves::new(1.0, 1.0)?;
+    close(stout.half_turn_bend(), 2.0 * FRAC_PI_3);
     assert_eq!(cat.turn_per_swing(0.0)?, 0.0);
     for (ratio, degrees) in [(4.0, 59.43), (2.63, 74.29)] {
         let cat = EqualHalves::new(1.0, ratio)?;
@@ -68,30 +66,24 @@ fn s1_1_the_curvature_of_the_cat_is_the_slope_of_its_turn() {
 }
 
 /// The turn of a cat after a turnover: attitudes against each other, and its axis in the body.
-fn turned(cat: Cat, forward: f64, back: f64, duration: f64) -> (f64, BodyVector) {
+fn turned_over(cat: Cat, forward: f64, back: f64, duration: f64) -> (f64, BodyVector) {
     let turnover = Turnover {
         forward,
         back,
         duration,
         pace: Pace::Even,
     };
-    let scene = shape::Cat::new(cat, Attitude::identity())
-        .with(turnover)
-        .unwrap();
+    let cat = shape::Cat::new(cat, Attitude::identity());
+    let scene = cat.with(turnover).unwrap();
     let request = Request::at([duration]).unwrap().to_accuracy(1e-11).unwrap();
-    let request = request.with_methods(&lab::general::DifferentialEquations);
-    let general = request.clone().by(spinning_bodies::scene::Choice::Use(
-        spinning_bodies::scene::Solver::General(Method::Dop853),
-    ));
+    let general = by_general(request.clone(), Method::Dop853);
     let [exact, followed] = [request, general].map(|r| scene.simulate(&r).unwrap().rows[0].1);
     // Closed form, and L = 0 solved and integrated without any symmetry. Observed: 9e-13 rad, 1e-11 asked.
     let apart = exact.attitude.angle_to(&followed.attitude);
     observed!(apart, 1e-15..=4e-12, "{apart:e}");
-    let axis = followed.attitude.quaternion().imag();
-    let axis = BodyVector::from_components(axis)
-        .direction("the axis of the turn")
-        .unwrap();
-    (followed.attitude.angle_to(&Attitude::identity()), axis)
+    let axis = BodyVector::from_components(followed.attitude.quaternion().imag());
+    let turn = followed.attitude.angle_to(&Attitude::identity());
+    (turn, axis.direction("the axis of the turn").unwrap())
 }
 
 // claim: C1.1-8
@@ -102,7 +94,7 @@ fn s1_1_the_reconstructed_cat_turns_over() {
     // Neither the distance to the joint nor the speed matters.
     for to_joint in [0.05, 0.12, 0.2] {
         for duration in [0.2, 3.0] {
-            let (turn, axis) = turned(equal(4.0, to_joint), bend, bend, duration);
+            let (turn, axis) = turned_over(equal(4.0, to_joint), bend, bend, duration);
             // Observed: 9e-13.
             observed!((turn - PI).abs(), 5e-16..=4e-12, "{turn}");
             // From straight to straight about the spine.
@@ -120,27 +112,20 @@ fn s1_1_the_reconstructed_cat_turns_over() {
         let forward = f64::to_radians(forward);
         let found = closed.back_bend_for_half_turn(forward).unwrap().unwrap();
         observed!((found.to_degrees() - back).abs(), 1e-3..=5e-3);
-        let (turn, _) = turned(equal(4.0, 0.12), forward, found, 0.5);
+        let (turn, _) = turned_over(equal(4.0, 0.12), forward, found, 0.5);
         observed!((turn - PI).abs(), 0.0..=4e-12, "{turn}");
     }
     for (forward, back, degrees) in [(90.0, 45.0, 161.0), (120.0, 30.0, 154.7)] {
-        let (turn, _) = turned(
-            equal(4.0, 0.12),
-            f64::to_radians(forward),
-            f64::to_radians(back),
-            0.5,
-        );
+        let [forward, back] = [forward, back].map(f64::to_radians);
+        let (turn, _) = turned_over(equal(4.0, 0.12), forward, back, 0.5);
         observed!((turn.to_degrees() - degrees).abs(), 7e-3..=0.05);
         // The cat went past half a turn.
-        let whole = closed
-            .turn_of_uneven_swing(f64::to_radians(forward), f64::to_radians(back))
-            .unwrap();
+        let whole = closed.turn_of_uneven_swing(forward, back).unwrap();
         observed!(relative(TAU - whole, turn), 0.0..=1e-12);
     }
-    assert_eq!(
-        closed.back_bend_for_half_turn(0.5).unwrap().is_some(),
-        closed.turn_of_uneven_swing(0.5, PI).unwrap() > PI
-    );
+    let reachable = closed.turn_of_uneven_swing(0.5, PI).unwrap() > PI;
+    let bend = closed.back_bend_for_half_turn(0.5).unwrap();
+    assert_eq!(bend.is_some(), reachable);
     assert_eq!(closed.back_bend_for_half_turn(3.1).unwrap(), None);
 }
 
@@ -158,13 +143,7 @@ fn s1_1_a_bent_loop_turns_the_cat_about_its_mean_spine() {
             direction_rate: 1.0,
         };
         let w = cat.angular_velocity(&bend, BodyVector::zero()).unwrap();
-        let [q, x, y, z] = *y;
-        [
-            -0.5 * (x * w.x() + y * w.y() + z * w.z()),
-            0.5 * (q * w.x() + y * w.z() - z * w.y()),
-            0.5 * (q * w.y() + z * w.x() - x * w.z()),
-            0.5 * (q * w.z() + x * w.y() - y * w.x()),
-        ]
+        turned(*y, w.components().into())
     };
     let start = [1.0, 0.0, 0.0, 0.0];
     let effort = Effort::Tolerance(1e-14);
@@ -181,21 +160,14 @@ fn s1_1_a_bent_loop_turns_the_cat_about_its_mean_spine() {
 // claim: C1.1-8
 #[test]
 fn s1_1_no_angular_momentum_at_any_shape() {
-    let halves = [
-        Half {
-            mass: 1.3,
-            axial: 0.003,
-            transverse: 0.011,
-            to_joint: 0.11,
-        },
-        Half {
-            mass: 2.1,
-            axial: 0.005,
-            transverse: 0.014,
-            to_joint: 0.14,
-        },
-    ];
-    for halves in [halves, [equal_half(4.0, 0.12); 2]] {
+    let unequal = [[1.3, 0.003, 0.011, 0.11], [2.1, 0.005, 0.014, 0.14]];
+    let unequal = unequal.map(|[mass, axial, transverse, to_joint]| Half {
+        mass,
+        axial,
+        transverse,
+        to_joint,
+    });
+    for halves in [unequal, [equal_half(4.0, 0.12); 2]] {
         let cat = Cat::new(halves).unwrap();
         for k in 0..200 {
             let s = f64::from(k);
@@ -230,9 +202,9 @@ fn s1_1_no_angular_momentum_at_any_shape() {
                 let step = after.1[body] * before.1[body].inverse();
                 let rate = SpaceVector::from_components(step.scaled_axis() / (2.0 * h));
                 let attitude = Attitude::from(before.1[body].slerp(&after.1[body], 0.5));
-                let matrix =
-                    InertiaMatrix::diagonal(half.axial, half.transverse, half.transverse).unwrap();
-                sum += attitude.to_space(matrix.angular_momentum(attitude.to_body(rate)));
+                let matrix = InertiaMatrix::diagonal(half.axial, half.transverse, half.transverse);
+                let l = matrix.unwrap().angular_momentum(attitude.to_body(rate));
+                sum += attitude.to_space(l);
             }
             // The step's own error, h² times third derivatives. Observed: 4e-9 of terms of 0.03.
             observed!(sum.norm(), 2e-10..=2e-8, "{k}: {:e}", sum.norm());

@@ -56,11 +56,8 @@ fn s1_1_upside_down_is_an_equilibrium_and_costs_a_logarithm() {
     let cat = PaperCat::POSTCARD;
     let fall = |error: f64| {
         let scene = shape::PaperCat::new(cat, PI - error).unwrap();
-        let scene = scene
-            .with(Air::new(1.2).unwrap())
-            .unwrap()
-            .with(Gravity::new(9.81).unwrap())
-            .unwrap();
+        let scene = scene.with(Air::new(1.2).unwrap()).unwrap();
+        let scene = scene.with(Gravity::new(9.81).unwrap()).unwrap();
         scene.rights_itself(30.0).unwrap().unwrap().fall
     };
     let decade = cat.fall_per_decade(1.2, 9.81);

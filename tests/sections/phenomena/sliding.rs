@@ -21,9 +21,8 @@ fn s1_1_no_wriggling_moves_the_centre() {
             // Rounding of some thousand steps, not the tolerance of the method. Observed: 9e-15 m.
             observed!(drift, 1e-15..=3e-14, "seed {seed}: {drift:e}");
             for part in 0..PARTS {
-                let way = (state[2 * part] - start[2 * part])
-                    .hypot(state[2 * part + 1] - start[2 * part + 1]);
-                travelled = travelled.max(way);
+                let [x, y] = [2 * part, 2 * part + 1].map(|k| state[k] - start[k]);
+                travelled = travelled.max(x.hypot(y));
             }
         }
         assert!(travelled > 0.2, "seed {seed}: nobody moved, {travelled}");
@@ -44,16 +43,10 @@ fn person(lean: f64, arms: f64) -> [Part; 4] {
 /// A loop of shapes, and how fast it is run through: lean and arms, each a wave of its own overtones.
 fn wriggle(overtone: i32, s: f64) -> ([f64; 2], [f64; 2]) {
     let n = f64::from(overtone);
-    (
-        [
-            0.6 * s.sin() + 0.2 * (n * s).cos(),
-            0.4 * (1.0 - s.cos()) + 0.1 * (n * s).sin(),
-        ],
-        [
-            0.6 * s.cos() - 0.2 * n * (n * s).sin(),
-            0.4 * s.sin() + 0.1 * n * (n * s).cos(),
-        ],
-    )
+    let ([sine, cosine], [wave, coast]) = ([s.sin(), s.cos()], [(n * s).sin(), (n * s).cos()]);
+    let (lean, arms) = (0.6 * sine + 0.2 * coast, 0.4 * (1.0 - cosine) + 0.1 * wave);
+    let rates = [0.6 * cosine - 0.2 * n * wave, 0.4 * sine + 0.1 * n * coast];
+    ([lean, arms], rates)
 }
 
 // claim: C1.1-2, C1.1-11
@@ -63,11 +56,9 @@ fn s1_1_picture_a_a_closed_cycle_of_shapes_brings_the_feet_back() {
     assert!(feet(&[], center).is_err());
     // The parts' velocities from the feet, when the posture changes at these rates: `person` is linear in both.
     let moment_rate = |[lean, arms]: [f64; 2]| -> f64 {
-        let [moving, still] = [person(lean, arms), person(0.0, 0.0)];
-        let parts = moving.iter().zip(&still);
-        parts
-            .map(|(a, b)| a.mass * (a.from_feet[0] - b.from_feet[0]))
-            .sum()
+        let parts = person(lean, arms).into_iter().zip(person(0.0, 0.0));
+        let moments = parts.map(|(a, b)| a.mass * (a.from_feet[0] - b.from_feet[0]));
+        moments.sum()
     };
     for overtone in 2..7 {
         // No momentum: the sum of m (F′ + x′) is zero. That constraint is integrated round the loop, as is that of the swivel with
@@ -96,11 +87,8 @@ fn s1_1_picture_a_a_closed_cycle_of_shapes_brings_the_feet_back() {
             near!(now, place, 2e-10);
             furthest = furthest.max((place - home).abs());
             // The centre of what is drawn is where it was: one vertical line through all drawings.
-            let x: f64 = parts
-                .iter()
-                .map(|p| p.mass * (place + p.from_feet[0]))
-                .sum();
-            near!(x / 80.0, center[0], 2e-10);
+            let moments = parts.map(|p| p.mass * (place + p.from_feet[0]));
+            near!(moments.iter().sum::<f64>() / 80.0, center[0], 2e-10);
         }
         assert!(furthest > 0.2, "the feet moved on the way: {furthest}");
         observed!((place - home).abs(), 0.0..=1e-12, "{:e}", place - home);
@@ -134,8 +122,6 @@ fn s1_1_friction_makes_the_crawler_move() {
     assert_eq!(drift(0.0), 0.0);
     let drifts = [0.01, 0.02, 0.05, 0.1, 0.2].map(drift);
     // Metres a cycle; none is more than a heavy foot that never slips would make, 1/4 of a stroke.
-    assert!(
-        drifts.iter().all(|d| (0.02..0.05).contains(d)),
-        "{drifts:?}"
-    );
+    let slow = drifts.iter().all(|d| (0.02..0.05).contains(d));
+    assert!(slow, "{drifts:?}");
 }

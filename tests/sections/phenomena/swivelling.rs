@@ -4,20 +4,31 @@ use super::*;
 use spinning_bodies::phenomena::{Swivel, Waist};
 use spinning_bodies::scene::effects::FourPhases;
 
-const DEFAULT: Waist = Waist {
-    upper_arms_out: 2.0,
-    upper_arms_in: 0.7,
-    lower: 0.6,
-};
+const DEFAULT: Waist = waist(2.0, 0.7, 0.6);
+
+const fn waist(upper_arms_out: f64, upper_arms_in: f64, lower: f64) -> Waist {
+    Waist {
+        upper_arms_out,
+        upper_arms_in,
+        lower,
+    }
+}
+
+/// Four phases with the arms of the default, a quarter turn.
+fn phases(duration: f64, pace: Pace) -> FourPhases {
+    FourPhases {
+        arms_out: 2.0,
+        arms_in: 0.7,
+        twist: FRAC_PI_2,
+        duration,
+        pace,
+    }
+}
 
 // claim: C1.1-3, C1.1-4
 #[test]
 fn s1_1_the_swivel_turns_further_than_it_turns_back() {
-    let body = Waist {
-        upper_arms_out: 3.0,
-        upper_arms_in: 1.0,
-        lower: 1.0,
-    };
+    let body = waist(3.0, 1.0, 1.0);
     let exact = [
         (body.swivel_angle(FRAC_PI_2).unwrap(), -FRAC_PI_8),
         (body.phases(FRAC_PI_2).unwrap()[0], -3.0 * FRAC_PI_8),
@@ -35,16 +46,12 @@ fn s1_1_the_swivel_turns_further_than_it_turns_back() {
     let shares = (1..100).map(|k| plane.turn_back(0.1 * f64::from(k)));
     assert!(shares.is_sorted_by(|a, b| a < b));
     // The limits.
-    for (out, arms_in, lower, twist) in [
-        (2.0, 2.0, 0.6, 1.0),
-        (2.0, 0.7, 0.0, 1.0),
-        (2.0, 0.7, 0.6, 0.0),
-    ] {
-        let waist = Waist {
-            upper_arms_out: out,
-            upper_arms_in: arms_in,
-            lower,
-        };
+    let still = [
+        (waist(2.0, 2.0, 0.6), 1.0),
+        (waist(2.0, 0.7, 0.0), 1.0),
+        (DEFAULT, 0.0),
+    ];
+    for (waist, twist) in still {
         assert_eq!(waist.swivel_angle(twist).unwrap(), 0.0);
     }
     for lower in [1e9, 1e-9] {
@@ -58,11 +65,7 @@ fn s1_1_the_swivel_turns_further_than_it_turns_back() {
 fn s1_1_the_sense_of_the_swivel() -> Result<()> {
     // Anticlockwise is positive: twist that way with the arms out, and the net turn is clockwise.
     assert!(DEFAULT.swivel_angle(1.0)? < 0.0);
-    let swapped = Waist {
-        upper_arms_out: DEFAULT.upper_arms_in,
-        upper_arms_in: DEFAULT.upper_arms_out,
-        ..DEFAULT
-    };
+    let swapped = waist(0.7, 2.0, 0.6);
     let off = relative(swapped.swivel_angle(1.0)?, -DEFAULT.swivel_angle(1.0)?);
     observed!(off, 0.0..=3e-16);
     assert_eq!(DEFAULT.swivel_angle(-1.0)?, -DEFAULT.swivel_angle(1.0)?);
@@ -72,11 +75,7 @@ fn s1_1_the_sense_of_the_swivel() -> Result<()> {
 // claim: C1.1-6
 #[test]
 fn s1_1_the_best_lower_moment() {
-    let body = Waist {
-        upper_arms_out: 3.0,
-        upper_arms_in: 1.0,
-        lower: 1.0,
-    };
+    let body = waist(3.0, 1.0, 1.0);
     let best = body.best_lower().unwrap();
     observed!(relative(best, 3.0_f64.sqrt()), 0.0..=3e-16);
     let turn = |lower: f64| Waist { lower, ..body }.swivel_angle(FRAC_PI_2).unwrap();
@@ -124,14 +123,7 @@ fn s1_1_the_turn_is_an_area_and_the_pace_does_not_matter() -> Result<()> {
     observed!(relative(turn_along(&plane, late)?, truth), 0.0..=2e-15);
     for duration in [0.3, 60.0] {
         for pace in [Pace::Even, Pace::Late] {
-            let phases = FourPhases {
-                arms_out: 2.0,
-                arms_in: 0.7,
-                twist: FRAC_PI_2,
-                duration,
-                pace,
-            };
-            let scene = shape::Swivel::new(0.6, 2.0)?.with(phases)?;
+            let scene = shape::Swivel::new(0.6, 2.0)?.with(phases(duration, pace))?;
             let motion = scene.simulate(&Request::at([duration])?)?;
             let (turn, area) = (motion.rows[0].1.lower, DEFAULT.swivel_angle(FRAC_PI_2)?);
             assert!(relative(turn, area) < 2e-14, "{turn}");
@@ -157,17 +149,10 @@ fn s1_1_the_turn_is_an_area_and_the_pace_does_not_matter() -> Result<()> {
 // claim: C1.1-12
 #[test]
 fn s1_1_picture_b_the_four_frames() {
-    let phases = FourPhases {
-        arms_out: 2.0,
-        arms_in: 0.7,
-        twist: FRAC_PI_2,
-        duration: 4.0,
-        pace: Pace::Even,
-    };
-    let scene = shape::Swivel::new(0.6, 2.0).unwrap().with(phases).unwrap();
-    let motion = scene
-        .simulate(&Request::at([1.0, 2.0, 3.0, 4.0]).unwrap())
-        .unwrap();
+    let scene = shape::Swivel::new(0.6, 2.0).unwrap();
+    let scene = scene.with(phases(4.0, Pace::Even)).unwrap();
+    let request = Request::at([1.0, 2.0, 3.0, 4.0]).unwrap();
+    let motion = scene.simulate(&request).unwrap();
     let [there, back] = DEFAULT.phases(FRAC_PI_2).unwrap();
     let whole = DEFAULT.swivel_angle(FRAC_PI_2).unwrap();
     // ΨB/(A + B) and −ΨA/(A + B).
@@ -175,8 +160,8 @@ fn s1_1_picture_b_the_four_frames() {
     let expected = [
         [there, upper],
         [there, upper],
-        [there + back, there + back],
-        [whole, whole],
+        [there + back; 2],
+        [whole; 2],
     ];
     for ((_, state), [lower, upper]) in motion.rows.iter().zip(expected) {
         // Observed: 4e-16.

@@ -7,13 +7,8 @@ use spinning_bodies::scene::effects::Effect;
 pub const G: f64 = 9.81;
 
 /// A body on a table in this gravity, under one more effect.
-pub fn on_a_table(
-    body: ConvexBody,
-    start: Start,
-    gravity: f64,
-    effect: impl Into<Effect>,
-) -> TableTop {
-    let heavy = TableTop::new(body, start).with(Gravity::new(gravity).unwrap());
+pub fn on_a_table(body: ConvexBody, start: Start, g: f64, effect: impl Into<Effect>) -> TableTop {
+    let heavy = TableTop::new(body, start).with(Gravity::new(g).unwrap());
     heavy.unwrap().with(effect).unwrap()
 }
 
@@ -27,9 +22,19 @@ pub fn run(scene: &TableTop, end: f64, samples: u32, accuracy: f64) -> Vec<(f64,
 
 /// The greatest of a quantity.
 pub fn most(rows: &[(f64, State)], quantity: impl Fn(&State) -> f64) -> f64 {
-    rows.iter()
-        .map(|row| quantity(&row.1))
-        .fold(f64::MIN, f64::max)
+    let quantities = rows.iter().map(|row| quantity(&row.1));
+    quantities.fold(f64::MIN, f64::max)
+}
+
+/// By how much of its first value a quantity that should stay is off at the most.
+pub fn drift(rows: &[(f64, State)], quantity: impl Fn(&State) -> f64) -> f64 {
+    let first = quantity(&rows[0].1);
+    most(rows, |state| (quantity(state) / first - 1.0).abs())
+}
+
+/// Friction that grows with the slip.
+pub fn viscous(c: f64) -> Viscous {
+    Viscous::new(c).unwrap()
 }
 
 /// Tilt in degrees.

@@ -8,12 +8,8 @@ fn s4_7_a_spun_egg_stands_up() {
     // Centimetres and grams, as in the register: 3:2:2, lying but for 0.02 rad.
     for (spin, stands) in [(120.0, true), (15.0, false)] {
         let start = Start::about_vertical(1.551, 0.0, spin).unwrap();
-        let scene = on_a_table(
-            bodies::egg(1.0, 3.0, 2.0).unwrap(),
-            start,
-            1000.0,
-            Viscous::new(0.02).unwrap(),
-        );
+        let egg = bodies::egg(1.0, 3.0, 2.0).unwrap();
+        let scene = on_a_table(egg, start, 1000.0, viscous(0.02));
         let rows = run(&scene, 4.0, 400, 1e-6);
         let end = last(&rows);
         if stands {
@@ -31,12 +27,8 @@ fn s4_7_most_convex_bodies_raise_their_centre() {
     // claim: C4.7-2
     // An oblate spheroid 2:2:1, spun about its axis, ends on its edge.
     let start = Start::about_third_axis(0.02, 0.0, 80.0).unwrap();
-    let scene = on_a_table(
-        bodies::egg(1.0, 1.0, 2.0).unwrap(),
-        start,
-        1000.0,
-        Viscous::new(0.02).unwrap(),
-    );
+    let spheroid = bodies::egg(1.0, 1.0, 2.0).unwrap();
+    let scene = on_a_table(spheroid, start, 1000.0, viscous(0.02));
     let end = last(&run(&scene, 8.0, 400, 1e-6));
     assert!((end.tilt() - FRAC_PI_2).abs() < 0.05 && end.position.z() > 1.99);
 }
@@ -54,12 +46,8 @@ fn s4_7_how_far_an_egg_rises() {
         (0.2, 20.0, 3.5),
     ] {
         let start = Start::about_vertical(88f64.to_radians(), 0.0, turns * TAU).unwrap();
-        let scene = on_a_table(
-            bodies::egg(0.06, 0.03, 0.02).unwrap(),
-            start,
-            G,
-            Regularised::new(mu, 2e-3).unwrap(),
-        );
+        let (egg, law) = (bodies::egg(0.06, 0.03, 0.02), Regularised::new(mu, 2e-3));
+        let scene = on_a_table(egg.unwrap(), start, G, law.unwrap());
         let rows = run(&scene, 8.0, 800, 1e-5);
         let end = degrees(&last(&rows));
         // Off the axis of symmetry both ends are alike.

@@ -1,18 +1,15 @@
 //! The attitude: rebuilt from the polhode (6.2), after one period (6.6), and by theta functions (6.8).
 
 use super::*;
-use nalgebra::Quaternion;
+use nalgebra::{Complex, Quaternion};
 use spinning_bodies::elliptic::{Characteristic, complete_third, incomplete_first};
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 
 /// The azimuth of a vector about L, seen from its tip; zero where `from` points.
 fn azimuth(vector: SpaceVector, from: SpaceVector, l: SpaceVector) -> f64 {
-    let (v, f, n) = (
-        vector.components(),
-        from.components(),
-        l.components() / l.norm(),
-    );
+    let [v, f] = [vector, from].map(|v| v.components());
+    let n = l.components() / l.norm();
     let side = n.cross(&f);
     side.dot(&v).atan2((f - n * n.dot(&f)).dot(&v))
 }
@@ -51,14 +48,10 @@ fn s6_2_motion_rebuilt_from_the_polhode() {
     }
     // The condition: the curve without its pace is not enough. Along the same curve at constant parameter speed
     // the azimuth comes out differently.
-    let picture =
-        spinning_bodies::euler_top::Poinsot::new(MOMENTS, at(&top, 0.0).angular_momentum).unwrap();
-    let end = spinning_bodies::euler_top::Poinsot::new(MOMENTS, at(&top, 1.0).angular_momentum)
-        .unwrap()
-        .start();
+    let (curve, end) = (picture(&top, 0.0), picture(&top, 1.0).start());
     let wrong: f64 = (0..64)
         .map(|n| {
-            let o = picture.polhode(end * (f64::from(n) + 0.5) / 64.0);
+            let o = curve.polhode(end * (f64::from(n) + 0.5) / 64.0);
             size * (o.x().powi(2) + 2.0 * o.y().powi(2))
                 / (o.x().powi(2) + 4.0 * o.y().powi(2))
                 / 64.0
@@ -76,15 +69,12 @@ fn turn_by_quadrature(top: &EulerTop, k: usize) -> f64 {
     period
         * mean(600, |s| {
             let state = at(top, s * period);
-            let (lk, ok) = (
-                state.angular_momentum.components()[k],
-                state.omega.components()[k],
+            let (l, o) = (
+                state.angular_momentum.components(),
+                state.omega.components(),
             );
-            let square: f64 = (0..3)
-                .filter(|j| *j != k)
-                .map(|j| state.angular_momentum.components()[j].powi(2))
-                .sum();
-            size * (twice_energy - lk * ok) / square
+            let squares = (0..3).filter(|j| *j != k).map(|j| l[j].powi(2));
+            size * (twice_energy - l[k] * o[k]) / squares.sum::<f64>()
         })
 }
 
@@ -112,13 +102,10 @@ fn solid_angle(top: &EulerTop, k: usize) -> f64 {
 #[test]
 fn s6_6_turn_after_one_period() {
     // By the register, to twenty digits; the second top in the other sector.
+    let other = tilted(MOMENTS, [2.0, 0.0, 1.0]);
     for (top, k, expected) in [
         (example(), 2, 15.580_047_713_328_212_112_5),
-        (
-            tilted(MOMENTS, [2.0, 0.0, 1.0]),
-            0,
-            11.754_983_226_935_397_075_1,
-        ),
+        (other, 0, 11.754_983_226_935_397_075_1),
     ] {
         let turn = top.mean_precession_rate() * top.period();
         observed!(relative(turn, expected), 0.0..=4.5e-16);
@@ -149,11 +136,9 @@ fn s6_6_turn_after_one_period() {
         observed!(relative(phase.dynamical, dynamical), 0.0..=1e-15);
         let swept = solid_angle(&top, k);
         observed!((phase.geometric + swept).abs(), 1e-15..=3e-14); // observed 8e-15
-        let truth = Flight::from_omega(moments, omega0)
-            .fly(top.period())
-            .attitude();
+        let truth = Flight::from_omega(moments, omega0).fly(top.period());
         // The turn that brings the body from its first attitude to this one is about L.
-        let q = truth.quaternion();
+        let q = truth.attitude().quaternion();
         let along = q.imag().dot(&l.components()) / l.norm();
         let turn = 2.0 * along.atan2(q.w);
         let off = (q.imag() - l.components() / l.norm() * along).norm();
@@ -179,35 +164,30 @@ fn s6_6_turn_after_one_period() {
     observed!(off, 1e-11..=1e-10);
 }
 
-/// Jacobi's four theta functions of a complex argument x + iy, by their series.
-fn theta(kind: u32, nome: f64, (x, y): (f64, f64)) -> (f64, f64) {
-    let mut total = if kind > 2 { (1.0, 0.0) } else { (0.0, 0.0) };
+/// Jacobi's four theta functions of a complex argument, by their series.
+fn theta(kind: u32, nome: f64, z: Complex<f64>) -> Complex<f64> {
+    let mut total = Complex::from(if kind > 2 { 1.0 } else { 0.0 });
     for n in 0..12 {
-        let (power, multiple) = if kind > 2 {
-            (f64::from((n + 1) * (n + 1)), f64::from(2 * n + 2))
-        } else {
-            ((f64::from(n) + 0.5).powi(2), f64::from(2 * n + 1))
-        };
+        let order = f64::from(n) + if kind > 2 { 1.0 } else { 0.5 };
+        let alternating = if n % 2 == 0 { 1.0 } else { -1.0 };
         let sign = match kind {
-            1 if n % 2 == 1 => -1.0,
-            4 if n % 2 == 0 => -1.0,
+            1 => alternating,
+            4 => -alternating,
             _ => 1.0,
         };
-        let (sine, cosine) = (multiple * x).sin_cos();
-        let (sinh, cosh) = ((multiple * y).sinh(), (multiple * y).cosh());
+        let turned = z * (2.0 * order);
         let wave = if kind == 1 {
-            (sine * cosh, cosine * sinh)
+            turned.sin()
         } else {
-            (cosine * cosh, -sine * sinh)
+            turned.cos()
         };
-        let factor = 2.0 * sign * nome.powf(power);
-        total = (total.0 + factor * wave.0, total.1 + factor * wave.1);
+        total += wave * (2.0 * sign * nome.powf(order * order));
     }
     total
 }
 
 fn real_theta(kind: u32, nome: f64, x: f64) -> f64 {
-    theta(kind, nome, (x, 0.0)).0
+    theta(kind, nome, x.into()).re
 }
 
 /// sn, cn, dn as quotients of theta functions.
@@ -256,20 +236,17 @@ fn s6_8_theta_functions() {
     let half = Parameter::from_parameter(0.5).unwrap();
     let eta = incomplete_first((amplitudes[2] / size).asin(), half).unwrap();
     let w = PI * eta / (2.0 * complete_first(half).unwrap());
-    let sum: f64 = (1..8)
-        .map(|n| {
-            let n = f64::from(n);
-            4.0 * n * nome.powf(n * n) * (2.0 * n * w).sinh()
-        })
-        .sum();
-    let excess = FRAC_PI_2 / quarter * sum / theta(3, nome, (0.0, w)).0;
+    let terms = (1..8).map(f64::from);
+    let terms = terms.map(|n| 4.0 * n * nome.powf(n * n) * (2.0 * n * w).sinh());
+    let sum: f64 = terms.sum();
+    let excess = FRAC_PI_2 / quarter * sum / theta(3, nome, Complex::new(0.0, w)).re;
     let nu = size / 2.0 + rate * excess;
     let turned = |t: f64| {
         let u = rate * t;
         let [sn, cn, dn] = jacobi_by_theta(nome, u);
-        let z = theta(4, nome, (FRAC_PI_2 / quarter * u, w));
+        let z = theta(4, nome, Complex::new(FRAC_PI_2 / quarter * u, w));
         let l = [amplitudes[0] * cn, amplitudes[1] * sn, amplitudes[2] * dn];
-        let psi = nu * t + z.1.atan2(z.0) - l[1].atan2(l[0]);
+        let psi = nu * t + z.arg() - l[1].atan2(l[0]);
         // The shortest turn that carries L onto x₃, and then ψ about it.
         let upright = Quaternion::new(l[2] + size, l[1], -l[0], 0.0);
         let about = Quaternion::new((psi / 2.0).cos(), 0.0, 0.0, (psi / 2.0).sin());
@@ -288,18 +265,11 @@ fn s6_8_theta_functions() {
     }
     // Tori: Ω and attitude run with two frequencies, 2π/T and the mean precession; strip both off and what is left comes
     // back with every period.
+    let l = vector(in_space(top.angular_momentum_in_space()));
     let left = |t: f64| {
-        let back = Attitude::about_axis(
-            BodyVector::from_components(top.angular_momentum_in_space().components()),
-            -top.mean_precession_rate() * t,
-        )
-        .unwrap();
-        back.to_space(BodyVector::from_components(
-            at(&top, t)
-                .attitude
-                .to_space(vector([0.6, 0.0, 0.8]))
-                .components(),
-        ))
+        let back = Attitude::about_axis(l, -top.mean_precession_rate() * t).unwrap();
+        let turned = at(&top, t).attitude.to_space(vector([0.6, 0.0, 0.8]));
+        back.to_space(vector(in_space(turned)))
     };
     for n in 1..6 {
         let later = 1.1 + f64::from(n) * top.period();

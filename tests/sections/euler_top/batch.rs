@@ -6,22 +6,20 @@ use super::*;
 /// One body of each kind, and one whose axes are numbered the other way round.
 fn tops() -> Vec<EulerTop> {
     let mut numbers = Uniform(66);
+    use Regime::{AroundLargest, AroundSmallest, AtRest, PermanentRotation, Rod};
+    use Regime::{Separatrix, Sphere, Symmetric};
     let kinds = [
-        ([0.6, 0.8, 1.0], [1.8, 0.4, -0.9], Regime::AroundSmallest),
-        ([0.8, 1.0, 0.6], [-0.4, 0.9, -0.3], Regime::AroundLargest),
-        ([1.0, 3.0, 2.0], [1e-3, 3e-3, -2.0], Regime::AroundLargest),
-        ([1.5, 3.0, 4.0], [1.0, 0.5, 2.0], Regime::Separatrix),
-        ([1.0, 1.0, 1.5], [0.3, 0.4, 2.0], Regime::Symmetric),
-        ([1.0, 1.0, 1.0], [0.3, 0.4, 2.0], Regime::Sphere),
-        ([0.0, 1.0, 1.0], [0.0, 0.4, 2.0], Regime::Rod),
-        ([1.0, 2.0, 3.0], [0.0, 2.0, 0.0], Regime::PermanentRotation),
-        ([1.0, 2.0, 3.0], [0.0, 0.0, 0.0], Regime::AtRest),
+        ([0.6, 0.8, 1.0], [1.8, 0.4, -0.9], AroundSmallest),
+        ([0.8, 1.0, 0.6], [-0.4, 0.9, -0.3], AroundLargest),
+        ([1.0, 3.0, 2.0], [1e-3, 3e-3, -2.0], AroundLargest),
+        ([1.5, 3.0, 4.0], [1.0, 0.5, 2.0], Separatrix),
+        ([1.0, 1.0, 1.5], [0.3, 0.4, 2.0], Symmetric),
+        ([1.0, 1.0, 1.0], [0.3, 0.4, 2.0], Sphere),
+        ([0.0, 1.0, 1.0], [0.0, 0.4, 2.0], Rod),
+        ([1.0, 2.0, 3.0], [0.0, 2.0, 0.0], PermanentRotation),
+        ([1.0, 2.0, 3.0], [0.0, 0.0, 0.0], AtRest),
         // In ratios of 10²⁰⁰.
-        (
-            [1.0, 2.0, 3.0],
-            [1e-200, 1e-200, 2.0],
-            Regime::AroundLargest,
-        ),
+        ([1.0, 2.0, 3.0], [1e-200, 1e-200, 2.0], AroundLargest),
     ];
     kinds
         .into_iter()

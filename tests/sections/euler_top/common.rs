@@ -17,11 +17,32 @@ pub fn thrown(moments: [f64; 3], l: [f64; 3]) -> EulerTop {
     EulerTop::new(moments, vector(l), Attitude::identity()).unwrap()
 }
 
-/// The axis whose component of Ω keeps its sign.
-pub fn kept_axis(top: &EulerTop) -> usize {
-    let moments = top.moments();
+/// The axes in the order of their moments.
+pub fn ascending(moments: [f64; 3]) -> [usize; 3] {
     let mut order = [0, 1, 2];
     order.sort_by(|a, b| moments[*a].total_cmp(&moments[*b]));
+    order
+}
+
+pub fn sorted(mut i: [f64; 3]) -> [f64; 3] {
+    i.sort_by(f64::total_cmp);
+    i
+}
+
+/// Poinsot's picture of the motion, as it is at the time t.
+pub fn picture(top: &EulerTop, t: f64) -> Poinsot {
+    Poinsot::new(top.moments(), at(top, t).angular_momentum).unwrap()
+}
+
+/// Jacobi's functions of the parameter m.
+pub fn jacobi(m: f64, u: f64) -> Jacobi {
+    let modulus = Modulus::new(Parameter::from_parameter(m).unwrap());
+    modulus.jacobi(u).unwrap()
+}
+
+/// The axis whose component of Ω keeps its sign.
+pub fn kept_axis(top: &EulerTop) -> usize {
+    let order = ascending(top.moments());
     match top.regime() {
         Regime::AroundLargest => order[2],
         _ => order[0],
@@ -64,7 +85,7 @@ pub fn step(top: &EulerTop) -> f64 {
 
 /// √(2E/I₁), the greatest |Ω| at this energy.
 pub fn fastest(top: &EulerTop) -> f64 {
-    let least = top.moments().into_iter().fold(f64::INFINITY, f64::min);
+    let [least, ..] = sorted(top.moments());
     (2.0 * top.energy() / least).sqrt()
 }
 
@@ -97,11 +118,8 @@ pub fn in_space(v: SpaceVector) -> [f64; 3] {
 
 /// The mean of a periodic function over one period by equal ordinates: the error falls like a geometric series.
 pub fn mean(count: u32, f: impl Fn(f64) -> f64) -> f64 {
-    let count = f64::from(count);
-    (0..count as u32)
-        .map(|k| f(f64::from(k) / count))
-        .sum::<f64>()
-        / count
+    let terms = (0..count).map(|k| f(f64::from(k) / f64::from(count)));
+    terms.sum::<f64>() / f64::from(count)
 }
 
 /// Three rational moments, strictly ascending, that a body can have.
@@ -115,11 +133,8 @@ pub fn rational_moments(numbers: &mut Uniform) -> [R; 3] {
 
 /// E doubled and L squared, exactly.
 pub fn integrals(i: [R; 3], o: [R; 3]) -> (R, R) {
-    let sum = |f: &dyn Fn(usize) -> R| f(0) + f(1) + f(2);
-    (
-        sum(&|k| i[k] * o[k] * o[k]),
-        sum(&|k| i[k] * o[k] * i[k] * o[k]),
-    )
+    let l = [0, 1, 2].map(|k| i[k] * o[k]);
+    (dot(l, o), dot(l, l))
 }
 
 /// So many bodies of rational moments, strictly ascending, and their Ω.
@@ -132,12 +147,9 @@ pub fn rational_starts(seed: u64, count: usize) -> impl Iterator<Item = ([R; 3],
 }
 
 /// So many random bodies, their Ω at the start, and their motions.
-pub fn random_tops(
-    seed: u64,
-    count: usize,
-) -> impl Iterator<Item = ([f64; 3], [f64; 3], EulerTop)> {
+pub fn random_tops(seed: u64, n: usize) -> impl Iterator<Item = ([f64; 3], [f64; 3], EulerTop)> {
     let mut numbers = Uniform(seed);
-    (0..count).map(move |_| {
+    (0..n).map(move |_| {
         let (moments, omega) = random_start(&mut numbers);
         (moments, omega, tilted(moments, omega))
     })
@@ -145,9 +157,11 @@ pub fn random_tops(
 
 /// Three moments of a random body, in any order, and a random Ω.
 pub fn random_start(numbers: &mut Uniform) -> ([f64; 3], [f64; 3]) {
+    let moments = random_moments(numbers);
+    (moments, [0; 3].map(|_| 2.0 * numbers.signed()))
+}
+
+pub fn random_moments(numbers: &mut Uniform) -> [f64; 3] {
     let [a, b, c] = [0; 3].map(|_| 0.05 + numbers.next());
-    (
-        [b + c, c + a, a + b],
-        [0; 3].map(|_| 2.0 * numbers.signed()),
-    )
+    [b + c, c + a, a + b]
 }

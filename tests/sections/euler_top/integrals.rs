@@ -10,17 +10,18 @@ const BODIES: [[f64; 3]; 5] = [
     [1e20, 1.0000001e20, 1.9e20],
 ];
 
-fn sorted(mut i: [f64; 3]) -> [f64; 3] {
-    i.sort_by(f64::total_cmp);
-    i
+fn beside(moments: [f64; 3], energy: f64, distance: f64) -> EulerTop {
+    EulerTop::beside_separatrix(moments, energy, distance, Attitude::identity()).unwrap()
+}
+
+fn from(moments: [f64; 3], square: f64, energy: f64) -> Result<EulerTop> {
+    EulerTop::from_integrals(moments, square, energy, Attitude::identity())
 }
 
 /// L along the axes of the ascending moments.
 fn along(i: [f64; 3], l: BodyVector) -> [f64; 3] {
-    let mut order = [0, 1, 2];
-    order.sort_by(|a, b| i[*a].total_cmp(&i[*b]));
-    let l: [f64; 3] = l.components().into();
-    order.map(|k| l[k])
+    let l = l.components();
+    ascending(i).map(|k| l[k])
 }
 
 /// L = (P₁ sech λt, ±|L| tanh λt, P₃ sech λt), λ² = 2E(I₂ − I₁)(I₃ − I₂)/(I₁I₂I₃), until it underflows, whatever the body and the energy.
@@ -29,8 +30,7 @@ fn s6_6_the_separatrix_of_every_body_down_to_underflow() {
     for moments in BODIES {
         let [i1, i2, i3] = sorted(moments);
         for energy in [1.0, 0.1, 7e-9] {
-            let top =
-                EulerTop::beside_separatrix(moments, energy, 0.0, Attitude::identity()).unwrap();
+            let top = beside(moments, energy, 0.0);
             assert_eq!(top.regime(), Regime::Separatrix);
             assert_eq!(top.period(), f64::INFINITY);
             let rate = (2.0 * energy * ((i2 - i1) / i1) * ((i3 - i2) / i3) / i2).sqrt();
@@ -42,11 +42,8 @@ fn s6_6_the_separatrix_of_every_body_down_to_underflow() {
                 let (cosh, tanh) = ((rate * t).cosh(), (rate * t).tanh());
                 let [x, y, z] = along(moments, at(&top, t).angular_momentum);
                 // Observed: 9e-14 at 650, the rounding of λt.
-                for (found, expected) in [
-                    (x, first / cosh),
-                    (z, third / cosh),
-                    (y.abs(), size * tanh.abs()),
-                ] {
+                let expected = [first / cosh, size * tanh.abs(), third / cosh];
+                for (found, expected) in [x, y.abs(), z].into_iter().zip(expected) {
                     within((found - expected).abs(), 3e-13 * expected);
                 }
             }
@@ -55,14 +52,12 @@ fn s6_6_the_separatrix_of_every_body_down_to_underflow() {
     // A power of two as energy makes 2EI₂ a double.
     for moments in BODIES {
         let [_, middle, _] = sorted(moments);
-        let top = EulerTop::from_integrals(moments, middle, 0.5, Attitude::identity()).unwrap();
-        assert_eq!(top.regime(), Regime::Separatrix);
-        for (beside, regime) in [
+        for (square, regime) in [
+            (middle, Regime::Separatrix),
             (middle.next_up(), Regime::AroundLargest),
             (middle.next_down(), Regime::AroundSmallest),
         ] {
-            let top = EulerTop::from_integrals(moments, beside, 0.5, Attitude::identity()).unwrap();
-            assert_eq!(top.regime(), regime);
+            assert_eq!(from(moments, square, 0.5).unwrap().regime(), regime);
         }
     }
 }
@@ -74,9 +69,7 @@ fn s6_6_the_way_to_the_separatrix() {
     let energy = 0.75;
     for d in [1e-3, 1e-8, f64::EPSILON, 1e-30, 1e-100, 1e-300] {
         for (distance, [least, greatest]) in [(d, [i1, i3]), (-d, [i3, i1])] {
-            let top =
-                EulerTop::beside_separatrix([i1, i2, i3], energy, distance, Attitude::identity())
-                    .unwrap();
+            let top = beside([i1, i2, i3], energy, distance);
             let over = (2.0 * energy * (i2 - least) + distance).abs();
             let mc = (greatest - least).abs() * d / ((greatest - i2).abs() * over);
             let rate = ((greatest - i2).abs() * over / (i1 * i2 * i3)).sqrt();
@@ -93,15 +86,12 @@ fn s6_6_any_integrals_are_kept() {
     let mut numbers = Uniform(66);
     for _ in 0..2000 {
         let (a, b) = (0.2 + numbers.next(), 0.2 + numbers.next());
-        let i = [
-            a,
-            b,
-            (a - b).abs() + (a + b - (a - b).abs()) * numbers.next(),
-        ];
+        let third = (a - b).abs() + (a + b - (a - b).abs()) * numbers.next();
+        let i = [a, b, third];
         let [least, _, greatest] = sorted(i);
         let energy = 5.0 * numbers.next();
         let square = 2.0 * energy * (least + (greatest - least) * numbers.next());
-        let top = EulerTop::from_integrals(i, square, energy, Attitude::identity()).unwrap();
+        let top = from(i, square, energy).unwrap();
         let [x, y, z] = along(i, at(&top, 0.0).angular_momentum);
         assert!(x >= 0.0 && z >= 0.0 && y == 0.0, "{x} {y} {z}");
         for t in [0.0, 1.3, -20.0] {
@@ -117,8 +107,6 @@ fn s6_6_any_integrals_are_kept() {
 
 #[test]
 fn s6_6_the_ends_and_what_lies_beyond() {
-    let from =
-        |i, square, energy| EulerTop::from_integrals(i, square, energy, Attitude::identity());
     let body = [1.0, 2.0, 2.5];
     for (square, axis) in [
         (2.0, [2f64.sqrt(), 0.0, 0.0]),

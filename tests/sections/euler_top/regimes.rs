@@ -14,33 +14,35 @@ fn reordered<T: Copy>(v: [T; 3], order: [usize; 3]) -> [T; 3] {
 fn euler_top_decides_the_regime_by_exact_differences() {
     let tiny = f64::from_bits(1);
     let (up, down) = (2f64.next_up(), 2f64.next_down());
+    use Regime::{AroundLargest, AroundSmallest, AtRest, PermanentRotation, Rod};
+    use Regime::{Separatrix, Sphere, Symmetric};
     for (moments, l, regime) in [
-        (MOMENTS, [0.0, -0.0, 0.0], Regime::AtRest),
-        (MOMENTS, [0.0, -0.0, tiny], Regime::PermanentRotation),
-        (MOMENTS, [0.0, 1.0, 0.0], Regime::PermanentRotation),
-        (MOMENTS, [0.0, 1.0, tiny], Regime::AroundLargest),
-        (MOMENTS, [-tiny, 1.0, 0.0], Regime::AroundSmallest),
-        ([2.0; 3], [1.0, 2.0, 3.0], Regime::Sphere),
-        ([0.0, 2.0, 2.0], [0.0, 1.0, 1.0], Regime::Rod),
-        ([2.0, 2.0, 3.0], [1.0, 2.0, 3.0], Regime::Symmetric),
-        ([2.0, 2.0, 3.0], [1.0, 2.0, 0.0], Regime::PermanentRotation),
-        ([2.0, up, 3.0], [1.0, 2.0, 0.0], Regime::AroundSmallest),
-        ([1.0, 2.0, 2.0], [1.0, 2.0, 3.0], Regime::Symmetric),
-        ([1.0, 2.0, up], [0.0, 2.0, 3.0], Regime::AroundLargest),
+        (MOMENTS, [0.0, -0.0, 0.0], AtRest),
+        (MOMENTS, [0.0, -0.0, tiny], PermanentRotation),
+        (MOMENTS, [0.0, 1.0, 0.0], PermanentRotation),
+        (MOMENTS, [0.0, 1.0, tiny], AroundLargest),
+        (MOMENTS, [-tiny, 1.0, 0.0], AroundSmallest),
+        ([2.0; 3], [1.0, 2.0, 3.0], Sphere),
+        ([0.0, 2.0, 2.0], [0.0, 1.0, 1.0], Rod),
+        ([2.0, 2.0, 3.0], [1.0, 2.0, 3.0], Symmetric),
+        ([2.0, 2.0, 3.0], [1.0, 2.0, 0.0], PermanentRotation),
+        ([2.0, up, 3.0], [1.0, 2.0, 0.0], AroundSmallest),
+        ([1.0, 2.0, 2.0], [1.0, 2.0, 3.0], Symmetric),
+        ([1.0, 2.0, up], [0.0, 2.0, 3.0], AroundLargest),
         // The squares of these slopes are in the ratio 4 : 1 exactly.
-        ([1.5, 3.0, 4.0], [1.0, 7.0, 2.0], Regime::Separatrix),
-        ([1.5, 3.0, 4.0], [1e-200, 7.0, -2e-200], Regime::Separatrix),
-        ([1.5, 3.0, 4.0], [1.0, 7.0, up], Regime::AroundLargest),
-        ([1.5, 3.0, 4.0], [1.0, 7.0, down], Regime::AroundSmallest),
+        ([1.5, 3.0, 4.0], [1.0, 7.0, 2.0], Separatrix),
+        ([1.5, 3.0, 4.0], [1e-200, 7.0, -2e-200], Separatrix),
+        ([1.5, 3.0, 4.0], [1.0, 7.0, up], AroundLargest),
+        ([1.5, 3.0, 4.0], [1.0, 7.0, down], AroundSmallest),
         (
             [1.5, 3.0f64.next_up(), 4.0],
             [1.0, 7.0, 2.0],
-            Regime::AroundSmallest,
+            AroundSmallest,
         ),
         (
             [1.5, 3.0f64.next_down(), 4.0],
             [1.0, 7.0, 2.0],
-            Regime::AroundLargest,
+            AroundLargest,
         ),
     ] {
         for order in ORDERS {
@@ -48,18 +50,13 @@ fn euler_top_decides_the_regime_by_exact_differences() {
                 let l = l.map(|x| if x.abs() == tiny { x } else { x * scale });
                 let top = thrown(reordered(moments, order), reordered(l, order));
                 assert_eq!(top.regime(), regime, "{moments:?} {l:?} {order:?}");
-                let moves = matches!(
-                    regime,
-                    Regime::Symmetric | Regime::AroundLargest | Regime::AroundSmallest
-                );
+                let moves = matches!(regime, Symmetric | AroundLargest | AroundSmallest);
                 assert_eq!(top.period().is_finite(), moves);
                 assert_eq!(top.geometric_phase().is_some(), moves);
                 // At t = 0 it stands where it was put.
                 let state = at(&top, 0.0);
-                within(
-                    distance(state.angular_momentum, reordered(l, order)),
-                    4e-16 * norm(l),
-                );
+                let off = distance(state.angular_momentum, reordered(l, order));
+                within(off, 4e-16 * norm(l));
                 observed!(state.attitude.angle_to(&Attitude::identity()), 0.0..=4e-16); // observed 1.1e-16
             }
         }
@@ -69,12 +66,7 @@ fn euler_top_decides_the_regime_by_exact_differences() {
 #[test]
 fn euler_top_rods_and_rest() {
     // A rod turns steadily about L; a spin about itself is ignored in Ω and refused in L.
-    let rod = EulerTop::from_omega(
-        [0.0, 2.0, 2.0],
-        vector([5.0, 0.6, 0.8]),
-        Attitude::identity(),
-    )
-    .unwrap();
+    let rod = tilted([0.0, 2.0, 2.0], [5.0, 0.6, 0.8]);
     assert_eq!(rod.regime(), Regime::Rod);
     assert_eq!([rod.energy(), rod.mean_precession_rate()], [1.0; 2]);
     let state = at(&rod, 0.4);
@@ -82,29 +74,30 @@ fn euler_top_rods_and_rest() {
     let turned = Attitude::about_axis(vector([0.0, 0.6, 0.8]), 0.4).unwrap();
     observed!(state.attitude.angle_to(&turned), 0.0..=3e-16); // observed 7.9e-17
     let (about_itself, start) = (vector([1e-300, 0.0, 1.0]), Attitude::identity());
-    refused!(
-        EulerTop::new([0.0, 2.0, 2.0], about_itself, start),
-        Condition
-    );
+    let spinning = EulerTop::new([0.0, 2.0, 2.0], about_itself, start);
+    refused!(spinning, Condition);
     let still = thrown(MOMENTS, [0.0; 3]);
     assert_eq!((still.energy(), still.mean_precession_rate()), (0.0, 0.0));
 }
 
 #[test]
 fn euler_top_refuses_what_it_cannot_know() {
-    let new = |moments, l| EulerTop::new(moments, vector(l), Attitude::identity());
     // What would overflow is refused where it is made.
-    assert!(new([1e-300, 1e-300, 1e-300], [1e300, 0.0, 0.0]).is_err());
+    let endless = EulerTop::new([1e-300; 3], vector([1e300, 0.0, 0.0]), Attitude::identity());
+    assert!(endless.is_err());
     // Too many quarter periods to count: the limit is named, and it is one.
     let top = tilted(MOMENTS, [1.0; 3]);
+    let refused = top.at(1e17);
     let Err(Error::OutOfRange {
-        least, greatest, ..
-    }) = top.at(1e17)
+        least,
+        greatest: most,
+        ..
+    }) = refused
     else {
-        panic!("1e17 s are accepted")
+        panic!("{refused:?}")
     };
-    assert!(greatest > 2f64.powi(53) * top.period() / 4.0 * 0.999 && least == -greatest);
-    assert!(top.at(0.999 * greatest).is_ok() && top.at(1.001 * least).is_err());
+    assert!(most > 2f64.powi(53) * top.period() / 4.0 * 0.999 && least == -most);
+    assert!(top.at(0.999 * most).is_ok() && top.at(1.001 * least).is_err());
 }
 
 #[test]
@@ -116,8 +109,7 @@ fn euler_top_regime_against_integers() {
     for _ in 0..20_000 {
         let mut integer = |least: f64| (least + numbers.next() * (2f64.powi(26) - least)).round();
         let [a, b, c] = [0; 3].map(|_| integer(1.0) / 2.0);
-        let mut i = [b + c, c + a, a + b].map(f64::round);
-        i.sort_by(f64::total_cmp);
+        let i = sorted([b + c, c + a, a + b].map(f64::round));
         if i[0] == i[1] || i[1] == i[2] {
             continue;
         }
@@ -134,10 +126,8 @@ fn euler_top_regime_against_integers() {
             j3 * (j3 - j2) * m3 * m3 - j1 * (j2 - j1) * m1 * m1,
         ];
         let l = vector([l1, l2, -l3]);
-        let tops = [
-            EulerTop::beyond_bodies(i, l, Attitude::identity()),
-            EulerTop::from_omega(i, l, Attitude::identity()),
-        ];
+        let tops = [EulerTop::beyond_bodies, EulerTop::from_omega];
+        let tops = tops.map(|made| made(i, l, Attitude::identity()));
         for (top, exact) in tops.into_iter().zip(exact) {
             // The rounded moments may miss the triangle inequality by one.
             let Ok(top) = top else { continue };
@@ -218,9 +208,8 @@ fn s6_6_whole_numbers_on_the_separatrix() {
             (third.next_up(), Regime::AroundLargest),
             (third.next_down(), Regime::AroundSmallest),
         ] {
-            let top =
-                EulerTop::beyond_bodies(moments, vector([p * r, 1.0, third]), Attitude::identity())
-                    .unwrap();
+            let l = vector([p * r, 1.0, third]);
+            let top = EulerTop::beyond_bodies(moments, l, Attitude::identity()).unwrap();
             assert_eq!(top.regime(), regime, "{moments:?} {p}");
         }
     }

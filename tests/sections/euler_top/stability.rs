@@ -16,14 +16,12 @@ fn extremes(top: &EulerTop, axis: usize) -> (f64, f64) {
     } else {
         100.0
     };
-    let values: Vec<f64> = (-200..4000)
-        .map(|k| f64::from(k) * period / 400.0)
-        .chain([1e5 * period, 1e6 * period])
-        .map(|t| omega(top, t)[axis])
-        .collect();
-    (
-        values.iter().copied().fold(f64::INFINITY, f64::min),
-        values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+    let times = (-200..4000).map(|k| f64::from(k) * period / 400.0);
+    let times = times.chain([1e5 * period, 1e6 * period]);
+    let values = times.map(|t| omega(top, t)[axis]);
+    values.fold(
+        (f64::INFINITY, f64::NEG_INFINITY),
+        |(least, greatest), x| (least.min(x), greatest.max(x)),
     )
 }
 
@@ -53,10 +51,8 @@ fn s6_3_middle_axis_is_unstable() {
         let (least, greatest) = extremes(&top, 1);
         assert!(least < -0.999 && greatest > 0.999, "{least} {greatest}");
         // The integrator sees the same half turn.
-        let half = Flight::from_omega(MOMENTS, start)
-            .fly(top.period() / 2.0)
-            .omega();
-        observed!((half.y() + 1.0).abs(), 0.0..=4.5e-16); // observed none
+        let half = Flight::from_omega(MOMENTS, start).fly(top.period() / 2.0);
+        observed!((half.omega().y() + 1.0).abs(), 0.0..=4.5e-16); // observed none
     }
     // On the separatrix: from −x₂ to +x₂, and no return.
     let top = thrown([1.5, 3.0, 4.0], [-1e-3, -3.0, -2e-3]);
@@ -139,12 +135,8 @@ fn s6_3_flip_time_over_sixteen_decades() {
         let d = 10f64.powi(-n);
         for (start, about_largest) in [([0.0, 1.0, d], true), ([d, 1.0, 0.0], false)] {
             let top = tilted(MOMENTS, start);
-            let regime = if about_largest {
-                Regime::AroundLargest
-            } else {
-                Regime::AroundSmallest
-            };
-            assert_eq!(top.regime(), regime);
+            let regimes = [Regime::AroundSmallest, Regime::AroundLargest];
+            assert_eq!(top.regime(), regimes[usize::from(about_largest)]);
             let flip = top.period() / 2.0;
             // mc = 3d²/(1+3d²), rate² = (1+3d²)/3; about the smallest d²/(1+d²) and (1+d²)/3.
             let factor: f64 = if about_largest { 3.0 } else { 1.0 };
@@ -156,10 +148,8 @@ fn s6_3_flip_time_over_sixteen_decades() {
             let asymptote = (16.0 * more / factor).ln() - 2.0 * d.ln();
             let asymptote = asymptote * (3.0 / more).sqrt();
             let beyond = flip / asymptote - 1.0;
-            assert!(
-                beyond < factor * d * d / 4.0 + 1e-15 && beyond > -1e-15,
-                "{d}: {beyond:e}"
-            );
+            let most = factor * d * d / 4.0 + 1e-15;
+            assert!(beyond < most && beyond > -1e-15, "{d}: {beyond:e}");
             // √3 from the separatrix on either side: the same line, shifted by ln 3/√λ.
             if about_largest {
                 if let Some((before, flip_before)) = last {
@@ -249,10 +239,8 @@ fn s6_7_omega2_is_steady_to_first_order() {
         let change = omega(&top, 1.0)[1] - 1.0;
         let expected = a * b * e * e * ((2.0 * fate.rate).exp() - 1.0) / (2.0 * fate.rate);
         // The next order is ε⁴; rounding of Ω₂ itself, an ulp of 1.
-        within(
-            (change / expected - 1.0).abs(),
-            3.0 * e * e + 3e-16 / expected.abs(),
-        );
+        let off = (change / expected - 1.0).abs();
+        within(off, 3.0 * e * e + 3e-16 / expected.abs());
         changes.push(change);
         // While Ω₁ and Ω₃ have changed in first order.
         assert!((omega(&top, 1.0)[0] - e * a).abs() > 0.5 * e);
@@ -277,8 +265,7 @@ fn s6_7_same_rate_as_the_separatrix() {
         assert_eq!(of_sech, printed * o * o);
         assert_eq!(of_sech == printed, o * o == ONE);
     }
-    let q = |n: i128| whole(n);
-    assert_eq!((q(3) - q(2)) * (q(16) - q(8)) / q(6), rational(4, 3));
+    assert_eq!(rational((3 - 2) * (16 - 8), 6), rational(4, 3));
     let rate = saddle(&moments(MOMENTS), 2.0).unwrap().rate;
     observed!(relative(rate, 2.0 / 3f64.sqrt()), 0.0..=4.5e-16);
     // In the motion of C6.6-12: Ω₂ = 2 tanh rt. With 1/√3 it would not be.
@@ -299,9 +286,7 @@ fn s6_7_small_oscillations() {
     observed!(relative(about_3, 1.0), 0.0..=3e-16);
     let mut numbers = Uniform(674);
     for _ in 0..40 {
-        let [a, b, c] = [0; 3].map(|_| 0.05 + numbers.next());
-        let mut i = [b + c, c + a, a + b];
-        i.sort_by(f64::total_cmp);
+        let i = sorted(random_moments(&mut numbers));
         let spin = 0.2 + 3.0 * numbers.next();
         let body = moments(i);
         for (tilt, tolerance) in [(1e-4, 1e-6), (1e-9, 1e-15), (1e-200, 1e-15)] {

@@ -14,11 +14,7 @@ pub const U: [i128; 3] = [1, -2, 3];
 pub const OMEGA: [i128; 3] = [2, 1, -1];
 
 pub fn four_masses() -> Result<MassProperties> {
-    let list: Vec<_> = MASSES
-        .iter()
-        .zip(POSITIONS)
-        .map(|(&m, x)| (m as f64, x.map(|x| x as f64)))
-        .collect();
+    let list = [0, 1, 2, 3].map(|k| (MASSES[k] as f64, POSITIONS[k].map(|x| x as f64)));
     particles(&list)
 }
 

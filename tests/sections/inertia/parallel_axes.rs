@@ -16,18 +16,14 @@ fn s2_8_parallel_axes() -> Result<()> {
     // Only from the centre: shifting on from the origin as if it were the centre gives another matrix.
     let point = vector([1.0, 1.0, 1.0]);
     let right = body.about(point)?.matrix();
-    let direct: Matrix3<f64> = MASSES
-        .iter()
-        .zip(POSITIONS)
-        .map(|(&m, x)| {
-            let d = vector(x.map(|x| x as f64)) - point;
-            InertiaMatrix::of_particle(m as f64, d).map(|i| i.matrix())
-        })
-        .sum::<Result<Matrix3<f64>>>()?;
+    let mut direct = Matrix3::zeros();
+    for (&m, x) in MASSES.iter().zip(POSITIONS) {
+        let d = vector(x.map(|x| x as f64)) - point;
+        direct += InertiaMatrix::of_particle(m as f64, d)?.matrix();
+    }
     assert!((right - direct).amax() <= 8.0 * EPS * 13.0);
-    let wrong = MassProperties::new(10.0, point, shifted)?
-        .about(vector([0.0; 3]))?
-        .matrix();
+    let wrong = MassProperties::new(10.0, point, shifted)?;
+    let wrong = wrong.about(vector([0.0; 3]))?.matrix();
     assert!((wrong - right).amax() > 1.0);
     Ok(())
 }

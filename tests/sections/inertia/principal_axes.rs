@@ -7,14 +7,11 @@ use spinning_bodies::inertia::ellipsoid_of_inertia;
 fn s2_4_symmetric() {
     // claim: C2.4-1
     for (list, inertia, [a, b]) in swarms(41, 500, 6) {
-        let integral: f64 = list
-            .iter()
-            .map(|(m, x)| m * a.cross(&vector(*x)).dot(&b.cross(&vector(*x))))
-            .sum();
-        let (left, right) = (
-            inertia.angular_momentum(a).dot(&b),
-            inertia.angular_momentum(b).dot(&a),
-        );
+        let parts = list.iter().map(|(m, x)| (m, vector(*x)));
+        let parts = parts.map(|(m, x)| m * a.cross(&x).dot(&b.cross(&x)));
+        let integral: f64 = parts.sum();
+        let left = inertia.angular_momentum(a).dot(&b);
+        let right = inertia.angular_momentum(b).dot(&a);
         let bound = 20.0 * EPS * inertia.matrix().amax();
         assert!((left - right).abs() <= bound && (left - integral).abs() <= bound);
         assert_eq!(inertia.matrix(), inertia.matrix().transpose());
@@ -52,14 +49,9 @@ fn s2_4_moment_about_an_axis() -> Result<()> {
     // claim: C2.4-3
     for (list, inertia, [axis, _]) in swarms(43, 500, 6) {
         let e = axis.direction("the axis")?;
-        let distances: f64 = list
-            .iter()
-            .map(|(m, x)| {
-                let away = e.cross(&vector(*x));
-                m * away.dot(&away)
-            })
-            .sum();
-        let difference = inertia.moment_about(axis)? - distances;
+        let away = |x: &[f64; 3]| e.cross(&vector(*x));
+        let parts = list.iter().map(|(m, x)| m * away(x).dot(&away(x)));
+        let difference = inertia.moment_about(axis)? - parts.sum::<f64>();
         assert!(difference.abs() <= 10.0 * EPS * inertia.matrix().amax());
     }
     Ok(())
@@ -83,21 +75,16 @@ fn s2_4_any_top_is_an_ellipsoid() -> Result<()> {
         let moments = PrincipalMoments::new(y + z, z + x, x + y)?;
         let mass = 0.5 + uniform.next();
         let axes = ellipsoid_of_inertia(mass, &moments)?;
-        let again = shapes::ellipsoid(mass, axes)?
-            .inertia()
-            .principal_axes()
-            .moments;
-        for (again, moment) in again.into_iter().zip(moments.values()) {
+        let again = shapes::ellipsoid(mass, axes)?.inertia().principal_axes();
+        for (again, moment) in again.moments.into_iter().zip(moments.values()) {
             close!(again, moment, 8.0 * EPS);
         }
         // Ordered as Poinsot's ellipsoid, whose semi-axes are 1/√I, but not of its shape.
         assert!(axes[0] >= axes[1] && axes[1] >= axes[2]);
     }
     // The condition: a lamina gives a flat ellipsoid; without the triangle inequality there is none.
-    assert_eq!(
-        ellipsoid_of_inertia(1.0, &PrincipalMoments::new(1.0, 2.0, 3.0)?)?[2],
-        0.0
-    );
+    let lamina = PrincipalMoments::new(1.0, 2.0, 3.0)?;
+    assert_eq!(ellipsoid_of_inertia(1.0, &lamina)?[2], 0.0);
     refused!(PrincipalMoments::new(1.0, 2.0, 3.1), TriangleInequality);
     Ok(())
 }

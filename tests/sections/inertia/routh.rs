@@ -15,26 +15,12 @@ fn s2_7_matrix_of_inertia() -> Result<()> {
                 let point = [x, y, z].map(f64::from);
                 let particle = InertiaMatrix::of_particle(1.0, vector(point))?;
                 let [x, y, z] = point;
-                let expected = Matrix3::new(
-                    y * y + z * z,
-                    -x * y,
-                    -x * z,
-                    -x * y,
-                    z * z + x * x,
-                    -y * z,
-                    -x * z,
-                    -y * z,
-                    x * x + y * y,
-                );
+                let [xy, xz, yz] = [-x * y, -x * z, -y * z];
+                let [xx, yy, zz] = [y * y + z * z, z * z + x * x, x * x + y * y];
+                let expected = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
                 assert_eq!(particle.matrix(), expected);
-                for omega in [
-                    [1.0, 0.0, 0.0],
-                    [0.0, 1.0, 0.0],
-                    [0.0, 0.0, 1.0],
-                    [2.0, 1.0, -1.0],
-                ]
-                .map(vector)
-                {
+                let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+                for omega in axes.into_iter().chain([[2.0, 1.0, -1.0]]).map(vector) {
                     let double = vector(point).cross(&omega.cross(&vector(point)));
                     assert_eq!(particle.angular_momentum(omega), double);
                 }
@@ -103,10 +89,8 @@ fn s2_7_routh_rule_four_and_five() -> Result<()> {
             ([0, 1, 2].map(|i| axes[i] * point[i]), r * r)
         })
     };
-    assert_inertia(
-        &shapes::ellipsoid(1.0, [2.0, 3.0, 5.0])?,
-        ellipsoid([2.0, 3.0, 5.0]),
-    );
+    let unequal = [2.0, 3.0, 5.0];
+    assert_inertia(&shapes::ellipsoid(1.0, unequal)?, ellipsoid(unequal));
     assert_inertia(&shapes::ball(4.0, 1.5)?, ellipsoid([1.5; 3]));
     let ball = shapes::ball(1.0, 1.0)?.inertia().matrix();
     close!(ball[(0, 0)], exact(rational(2, 5)), EPS);
@@ -120,10 +104,8 @@ fn s2_7_shells() -> Result<()> {
         Ok(shapes::thick_shell(1.0, inner, 1.0)?.inertia().matrix()[(2, 2)])
     };
     close!(shell(0.5)?, exact(rational(31, 70)), 2.0 * EPS);
-    assert_eq!(
-        shell(0.0)?,
-        shapes::ball(1.0, 1.0)?.inertia().matrix()[(2, 2)]
-    );
+    let ball = shapes::ball(1.0, 1.0)?.inertia().matrix();
+    assert_eq!(shell(0.0)?, ball[(2, 2)]);
     close!(shell(1.0)?, exact(rational(2, 3)), EPS);
     let thin = cubature([fixed(1.0), gauss(), circle()], |[r, u, phi]| {
         let sine = (1.0 - u * u).sqrt();
@@ -163,29 +145,23 @@ fn s2_7_where_routh_fails() -> Result<()> {
     for denominator in [3, 4, 5] {
         assert_ne!(rational(7, 12), rational(2, denominator));
     }
-    assert_eq!(
-        routh::moment(1.0, CylinderAboutItsAxis, [1.0, 1.0])?,
-        cylinder[(2, 2)]
-    );
+    let about_its_axis = routh::moment(1.0, CylinderAboutItsAxis, [1.0, 1.0])?;
+    assert_eq!(about_its_axis, cylinder[(2, 2)]);
     let (radius, height) = (1.25, 3.0);
     let cone = shapes::cone(1.0, radius, height)?;
     let axial = cone.inertia().matrix()[(2, 2)];
     close!(axial, exact(rational(3, 10)) * radius * radius, 2.0 * EPS);
     let entries = cubature([unit_gauss(), circle(), unit_gauss()], |[r, phi, s]| {
         let rho = radius * r * (1.0 - s);
-        (
-            [rho * phi.cos(), rho * phi.sin(), height * (s - 0.25)],
-            r * (1.0 - s).powi(2),
-        )
+        let place = [rho * phi.cos(), rho * phi.sin(), height * (s - 0.25)];
+        (place, r * (1.0 - s).powi(2))
     });
     assert_inertia(&cone, entries);
     let (ring, tube) = (2.0, 0.75);
     let entries = cubature([unit_gauss(), circle(), circle()], |[r, psi, phi]| {
         let rho = ring + tube * r * psi.cos();
-        (
-            [rho * phi.cos(), rho * phi.sin(), tube * r * psi.sin()],
-            r * rho,
-        )
+        let place = [rho * phi.cos(), rho * phi.sin(), tube * r * psi.sin()];
+        (place, r * rho)
     });
     assert_inertia(&shapes::torus(1.0, ring, tube)?, entries);
     Ok(())
@@ -197,10 +173,8 @@ fn s2_7_why_three_four_five() -> Result<()> {
     for d in [1_u32, 2, 3, 4, 7] {
         // ⟨x²⟩ = ⟨r²⟩/d, and ⟨r²⟩ = ∫r^(d+1) / ∫r^(d−1) on 0..1: at most degree 8, so the rule is exact.
         let moment = |power: u32| -> f64 {
-            unit_gauss()
-                .iter()
-                .map(|(r, w)| w * r.powi(power as i32))
-                .sum()
+            let terms = unit_gauss().into_iter();
+            terms.map(|(r, w)| w * r.powi(power as i32)).sum()
         };
         let quadrature = moment(d + 1) / moment(d - 1) / f64::from(d);
         close!(routh::mean_square(1.0, d)?, quadrature, 8.0 * EPS);

@@ -14,9 +14,8 @@ fn mean_over_turns(inertia: &InertiaMatrix, axis: BodyVector, order: u32) -> Res
     let mut sum = Matrix3::zeros();
     for k in 0..order {
         let angle = TAU * f64::from(k) / f64::from(order);
-        sum += inertia
-            .rotated(&Attitude::about_axis(axis, angle)?)
-            .matrix();
+        let turn = Attitude::about_axis(axis, angle)?;
+        sum += inertia.rotated(&turn).matrix();
     }
     Ok(sum / f64::from(order))
 }
@@ -152,10 +151,8 @@ fn s2_6_cube_quiz() -> Result<()> {
     }
     for (parts, factor) in [(faces, rational(5, 18)), (rods, rational(7, 18))] {
         let entry = exact(factor) * edge * edge;
-        assert_inertia(
-            &MassProperties::compose(&parts)?,
-            [entry, entry, entry, 0.0, 0.0, 0.0],
-        );
+        let whole = MassProperties::compose(&parts)?;
+        assert_inertia(&whole, [entry, entry, entry, 0.0, 0.0, 0.0]);
     }
     // By cubature, about a vertex axis, an edge axis and a face axis.
     let half = 0.5 * edge;
@@ -203,9 +200,8 @@ fn s2_6_platonic_solids() -> Result<()> {
         }
         let body = mesh_mass_properties(&vertices, &solid.triangles(), 1.0)?;
         assert!(body.center().norm() <= 4.0 * EPS);
-        let formula = shapes::platonic(solid, body.mass(), edge)?
-            .inertia()
-            .matrix();
+        let formula = shapes::platonic(solid, body.mass(), edge)?;
+        let formula = formula.inertia().matrix();
         assert!((body.inertia().matrix() - formula).amax() <= 8.0 * EPS * formula.amax());
     }
     Ok(())

@@ -4,12 +4,9 @@ use super::*;
 
 #[test]
 fn the_attitude_carries_up_and_moves_with_omega() -> Result<()> {
-    let top = KovalevskayaTop::new(
-        [1.0, 1.0, 0.5],
-        vector([0.3, -0.4, 0.0]),
-        vector([1.0, 0.5, 0.3]),
-        Attitude::from_quaternion(0.3, -0.5, 0.7, 0.2)?,
-    )?;
+    let (lever, omega) = (vector([0.3, -0.4, 0.0]), vector([1.0, 0.5, 0.3]));
+    let start = Attitude::from_quaternion(0.3, -0.5, 0.7, 0.2)?;
+    let top = KovalevskayaTop::new([1.0, 1.0, 0.5], lever, omega, start)?;
     let times = [0.0, 0.5, 1.0, 4.0, 12.0];
     for (t, state) in times.into_iter().zip(top.states(times)) {
         let state = state?;

@@ -61,11 +61,8 @@ fn s8_2_along_a_motion() -> Result<()> {
         0.434_107_393_384_795_35,
         0.891_179_197_359_455,
     ];
-    let [a, b]: [[f64; 3]; 2] = [
-        later.omega.components().into(),
-        later.up.components().into(),
-    ];
-    for (x, y) in a.into_iter().chain(b).zip(expected) {
+    let found = [later.omega, later.up].map(|v| <[f64; 3]>::from(v.components()));
+    for (x, y) in found.into_iter().flatten().zip(expected) {
         // Observed: 5e-16.
         near!(x, y, 2e-15);
     }
@@ -99,26 +96,15 @@ fn s8_2_the_phase_falls_by_the_integral_of_spin() -> Result<()> {
     let k = |t: f64| -> Result<[f64; 2]> {
         let state = top.omega_and_up(t)?;
         let (o, z) = (state.omega, state.up);
-        Ok([
-            o.x() * o.x() - o.y() * o.y() - z.x(),
-            2.0 * o.x() * o.y() - z.y(),
-        ])
+        let real = o.x() * o.x() - o.y() * o.y() - z.x();
+        Ok([real, 2.0 * o.x() * o.y() - z.y()])
     };
     // Gauss's rule with five points on 50 stretches; the argument followed from stretch to stretch.
-    let nodes = [
-        (0.0, 128.0 / 225.0),
-        (0.538_469_310_105_683, 0.478_628_670_499_366_47),
-        (0.906_179_845_938_664, 0.236_926_885_056_189_08),
-    ];
     let (mut integral, mut turned) = (0.0, 0.0);
     for n in 0..50 {
         let (from, to) = (f64::from(n) / 10.0, f64::from(n + 1) / 10.0);
-        for (x, weight) in nodes {
-            for side in [-1.0, 1.0] {
-                let weight = if x == 0.0 { 0.5 * weight } else { weight };
-                let t = from + 0.05 * (1.0 + side * x);
-                integral += 0.05 * weight * top.omega_and_up(t)?.omega.z();
-            }
+        for (x, weight) in support::inertia::unit_gauss() {
+            integral += 0.1 * weight * top.omega_and_up(from + 0.1 * x)?.omega.z();
         }
         let ([a, b], [c, d]) = (k(from)?, k(to)?);
         turned += (a * d - b * c).atan2(a * c + b * d);

@@ -78,12 +78,8 @@ fn s8_1_energy_and_vertical_momentum_stay_and_l3_does_not() {
         assert_eq!(dot(l_change, z) + dot(l, up_change), ZERO, "dL_vert/dt");
         assert_eq!(dot(z, up_change), ZERO, "d|z|²/dt");
         // I₁ = I₂, C on axis 1: dL₃/dt = −MgC₁z₂.
-        let [change, _] = rates(
-            [moments[0], moments[0], moments[2]],
-            [c1, ZERO, ZERO],
-            omega,
-            z,
-        );
+        let symmetric = [moments[0], moments[0], moments[2]];
+        let [change, _] = rates(symmetric, [c1, ZERO, ZERO], omega, z);
         assert_eq!(moments[2] * change[2], -c1 * z2);
         lost += usize::from(change[2] != ZERO);
     }

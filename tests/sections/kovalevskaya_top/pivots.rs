@@ -40,12 +40,9 @@ fn s8_1_ellipsoids_that_are_her_top() -> Result<()> {
         close!(axis, expected, 3.0 * EPS);
     }
     assert!(ellipsoid(1.0, 1.0, 0.5_f64.sqrt()).is_err());
-    let top = KovalevskayaTop::with_up(
-        found,
-        vector([0.15_f64.sqrt(), 0.0, 0.0]),
-        vector([1.0, 0.5, 0.3]),
-        vector([2.0, -1.0, 2.0]),
-    )?;
+    let lever = vector([0.15_f64.sqrt(), 0.0, 0.0]);
+    let (omega, up) = (vector([1.0, 0.5, 0.3]), vector([2.0, -1.0, 2.0]));
+    let top = KovalevskayaTop::with_up(found, lever, omega, up)?;
     assert_eq!(top.method(), Method::Separation);
     Ok(())
 }
@@ -67,12 +64,8 @@ fn cubature(semi_axes: [f64; 3], distance: f64) -> [f64; 3] {
                 let x = x - distance;
                 let weight = radial * polar * r * r;
                 mass += weight;
-                for (sum, square) in
-                    sums.iter_mut()
-                        .zip([y * y + z * z, z * z + x * x, x * x + y * y])
-                {
-                    *sum += weight * square;
-                }
+                let squares = [y * y + z * z, z * z + x * x, x * x + y * y];
+                sums = [0, 1, 2].map(|i| sums[i] + weight * squares[i]);
             }
         }
     }

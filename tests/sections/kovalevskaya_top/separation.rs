@@ -8,17 +8,12 @@ fn s8_2_the_separation_variables_obey_her_equations() -> Result<()> {
     let top = register()?;
     let roots = top.roots();
     // s from the definition along the motion by power series, ds/dt by differences of order 8.
-    let reference = power_series::Top {
-        moments: MOMENTS,
-        lever: [1.0, 0.0, 0.0],
-    };
-    let start = REGISTER;
+    let (moments, lever) = (MOMENTS, [1.0, 0.0, 0.0]);
+    let reference = power_series::Top { moments, lever };
     let variables = |t: f64| {
-        let y = reference.after(start, t);
-        top.separation_variables(&TopState {
-            omega: vector([y[0], y[1], y[2]]),
-            up: vector([y[3], y[4], y[5]]),
-        })
+        let [o1, o2, o3, z1, z2, z3, ..] = reference.after(REGISTER, t);
+        let [omega, up] = [[o1, o2, o3], [z1, z2, z3]].map(vector);
+        top.separation_variables(&TopState { omega, up })
     };
     let weights = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
     for t in [0.4, 1.0, 2.3, 3.1] {
@@ -28,18 +23,12 @@ fn s8_2_the_separation_variables_obey_her_equations() -> Result<()> {
             // Observed: 2e-15 and 2e-14.
             observed!(relative(solved[i], here[i]), 1e-16..=5e-15);
             let h = 0.02;
-            let slope = weights
-                .iter()
-                .enumerate()
-                .map(|(n, weight)| {
-                    let step = h * (n + 1) as f64;
-                    weight * (variables(t + step)[i] - variables(t - step)[i]) / h
-                })
-                .sum::<f64>();
-            let product = roots
-                .iter()
-                .map(|e| here[i] - e)
-                .product::<nalgebra::Complex<f64>>();
+            let mut slope = 0.0;
+            for (n, weight) in (1..).zip(weights) {
+                let step = h * f64::from(n);
+                slope += weight * (variables(t + step)[i] - variables(t - step)[i]) / h;
+            }
+            let product: nalgebra::Complex<f64> = roots.iter().map(|e| here[i] - e).product();
             let left = ((here[0] - here[1]) * slope).powi(2);
             observed!(relative(left / (4.0 * product.re), -1.0), 4e-13..=2e-11);
         }
@@ -63,11 +52,8 @@ fn s8_2_roots_periods_and_frequencies() -> Result<()> {
     }
     assert!((roots[1].im.abs() - 0.074_512).abs() < 3e-6 && roots[1] == roots[2].conj());
     let periods = top.periods().expect("separated");
-    for (period, value) in
-        periods
-            .into_iter()
-            .zip([3.118_751_94, 2.265_750_91, 11.865_809_81, -5.663_377_63])
-    {
+    let values = [3.118_751_94, 2.265_750_91, 11.865_809_81, -5.663_377_63];
+    for (period, value) in periods.into_iter().zip(values) {
         near(period, value);
     }
     let [n1, n2] = top.frequencies().expect("separated");

@@ -17,14 +17,10 @@ fn s8_3_seventy_eight_years() {
     assert_eq!(top.kind(), Integrability::OnLevelZero(2));
     let omega = vector([0.7, 0.3, 0.5]);
     let level = |z: [f64; 3]| {
-        let state = TopState {
-            omega,
-            up: vector(z).direction("up").expect("a direction"),
-        };
-        (
-            top.vertical_angular_momentum(&state),
-            top.further_integral(&state).expect("hers"),
-        )
+        let up = vector(z).direction("up").expect("a direction");
+        let state = TopState { omega, up };
+        let integral = top.further_integral(&state).expect("hers");
+        (top.vertical_angular_momentum(&state), integral)
     };
     let (vertical, integral) = level([0.261225, -0.217688, -0.940411]);
     observed!(vertical.abs(), 4e-7..=3e-6);
@@ -51,11 +47,8 @@ fn s8_3_the_toda_lattice_keeps_its_eigenvalues() -> Result<()> {
     }
     // Three particles in a ring.
     let ring = Lattice::new(Ends::Periodic, &[0.2, -0.1, -0.1], &[0.6, -0.2, -0.4])?;
-    for (value, expected) in
-        ring.eigenvalues()?
-            .into_iter()
-            .zip([-0.663_507_44, -0.384_128_71, 1.047_636_16])
-    {
+    let known = [-0.663_507_44, -0.384_128_71, 1.047_636_16];
+    for (value, expected) in ring.eigenvalues()?.into_iter().zip(known) {
         observed!(relative(value, expected), 3e-9..=1e-7);
     }
     // What the eigenvalues are: let the open lattice fly apart, and the momenta come to 2λ, sorted.

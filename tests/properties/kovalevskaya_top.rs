@@ -8,7 +8,7 @@ use spinning_bodies::kovalevskaya_top::{KovalevskayaTop, Method, State};
 
 use support::double_double::Dd;
 use support::power_series::{Top, Whole};
-use support::{Uniform, samples, vector};
+use support::{Uniform, greatest, samples, vector};
 
 const MOMENTS: [f64; 3] = [2.0, 2.0, 1.0];
 const LEVER: [f64; 3] = [1.0, 0.0, 0.0];
@@ -41,18 +41,11 @@ fn whole(omega: [f64; 3], state: &State) -> Whole<Dd> {
 fn begun(omega: [f64; 3], up: [f64; 3], state: &State) -> Whole<Dd> {
     let q = state.attitude.quaternion();
     let unit = |parts: &[f64]| -> Vec<Dd> {
-        let square = parts
-            .iter()
-            .fold(Dd::ZERO, |sum, &x| sum + Dd::from(x) * Dd::from(x));
-        parts.iter().map(|&x| Dd::from(x) / square.sqrt()).collect()
+        let square: Dd = parts.iter().map(|&x| Dd::from(x) * x).sum();
+        parts.iter().map(|&x| x / square.sqrt()).collect()
     };
     let (up, turn) = (unit(&up), unit(&[q.w, q.i, q.j, q.k]));
-    let parts: Vec<Dd> = omega
-        .map(Dd::from)
-        .into_iter()
-        .chain(up)
-        .chain(turn)
-        .collect();
+    let parts = [omega.map(Dd::from).to_vec(), up, turn].concat();
     parts.try_into().expect("ten numbers")
 }
 
@@ -162,11 +155,8 @@ fn the_attitude_at_distant_times() {
     // One is too near a double root.
     assert!(by_series + 1 >= starts, "{by_series} of {starts}");
     // Observed: 7e-16, 2.4e-15, 4.7e-15 at t = 1; 2.5e-15, 6e-15, 1.6e-14 at t = 10; 2.1e-14, 5.5e-14, 6.2e-14 at t = 100.
-    for ([_, most, all], allowed) in
-        found
-            .into_iter()
-            .zip([[2e-14, 6e-14], [4e-14, 1e-13], [5e-13, 9e-13]])
-    {
+    let bounds = [[2e-14, 6e-14], [4e-14, 1e-13], [5e-13, 9e-13]];
+    for ([_, most, all], allowed) in found.into_iter().zip(bounds) {
         assert!(most < allowed[0] && all < allowed[1]);
     }
 }
@@ -247,10 +237,11 @@ fn start_number(n: u64) -> [[f64; 3]; 3] {
         _ => {}
     }
     // Every other one with C not on axis 1; rounding makes it another start nearby.
-    let (sine, cosine) = if (n / 20).is_multiple_of(2) {
-        (0.0, 1.0)
-    } else {
+    let turns = !(n / 20).is_multiple_of(2);
+    let (sine, cosine) = if turns {
         (6.0 * draw.next()).sin_cos()
+    } else {
+        (0.0, 1.0)
     };
     let turned = |[x, y, z]: [f64; 3]| [cosine * x - sine * y, cosine * y + sine * x, z];
     [turned([lever, 0.0, 0.0]), turned(omega), turned(up)]
@@ -262,12 +253,9 @@ fn start_number(n: u64) -> [[f64; 3]; 3] {
 fn judged(starts: impl IntoParallelIterator<Item = u64>) -> (usize, usize, f64, Vec<String>) {
     let judge = |n: u64| {
         let [lever, omega, up] = start_number(n);
-        let top = KovalevskayaTop::with_up(MOMENTS, vector(lever), vector(omega), vector(up))
-            .expect("a start");
-        let reference = Top {
-            moments: MOMENTS,
-            lever,
-        };
+        let [c, o, z] = [lever, omega, up].map(vector);
+        let top = KovalevskayaTop::with_up(MOMENTS, c, o, z).expect("a start");
+        let reference = Top { lever, ..PLAIN };
         let strength = lever[0].hypot(lever[1]);
         let fastest = omega.iter().fold(strength.sqrt(), |m, x| m.max(x.abs()));
         let unit = fastest.log2().floor().exp2();
@@ -276,11 +264,7 @@ fn judged(starts: impl IntoParallelIterator<Item = u64>) -> (usize, usize, f64, 
         let (mut kept, mut refused, mut worst, mut amiss) = (0, 0, 0.0_f64, Vec::new());
         let times = [1.0, 10.0, 30.0, 60.0, 100.0].map(|t| t / (0.5 * fastest).max(1.0));
         // On the double root nothing is refused, and by the last of these times the motion has left the reference less than the digits of an answer.
-        let known = if top.method() == Method::Elliptic {
-            4
-        } else {
-            5
-        };
+        let known = 5 - usize::from(top.method() == Method::Elliptic);
         let times = &times[..known];
         for (state, &t) in top.states(times.iter().copied()).zip(times) {
             match state {
@@ -289,44 +273,32 @@ fn judged(starts: impl IntoParallelIterator<Item = u64>) -> (usize, usize, f64, 
                     now = t;
                     let stated = top.stated_error(t);
                     let scaled = |k: usize| if k < 3 { 1.0 / unit } else { 1.0 };
-                    let found: [f64; 6] = {
-                        let (o, z) = (state.omega, state.up);
-                        [o.x(), o.y(), o.z(), z.x(), z.y(), z.z()]
-                    };
-                    let motion = (0..6)
-                        .map(|k| (found[k] - y[k].value()).abs() * scaled(k))
-                        .fold(0.0, f64::max);
+                    let found = [state.omega, state.up].map(|v| v.components());
+                    let off = |k: usize| (found[k / 3][k % 3] - y[k].value()).abs();
+                    let motion = greatest((0..6).map(|k| off(k) * scaled(k)));
                     let [_, attitude] = errors(&state, &y);
                     let share = motion.max(attitude) / stated;
                     worst = worst.max(share);
                     kept += 1;
                     if share.is_nan() || share > 1.0 {
-                        amiss.push(format!(
-                            "{n} at {t}: {motion:e} {attitude:e}, stated {stated:e}"
-                        ));
+                        let found = format!("{motion:e} {attitude:e}");
+                        amiss.push(format!("{n} at {t}: {found}, stated {stated:e}"));
                     }
                 }
                 Err(Error::Integration { time, .. }) if time <= t => {
                     refused += 1;
                     // Rounding happens all the way; beside an equilibrium, where most of the time is spent, it changes the energy least.
-                    let apart = (0..24).map(|place| {
+                    let apart = greatest((0..24).map(|place| {
                         let part = f64::from(place) / 24.0;
                         let from = reference.after(start, part * time);
-                        let beside = core::array::from_fn(|k| {
-                            let nudge = if k < 6 { 1e-28 } else { 0.0 };
-                            from[k] + Dd::from(nudge)
-                        });
-                        let [a, b] = [from, beside]
-                            .map(|y: Whole<Dd>| reference.after(y, time - part * time));
-                        (0..6)
-                            .map(|k| (a[k] - b[k]).value().abs())
-                            .fold(0.0, f64::max)
-                    });
-                    let apart = apart.fold(0.0, f64::max);
+                        let mut beside = from;
+                        beside[..6].iter_mut().for_each(|x| *x = *x + 1e-28);
+                        let [a, b] = [from, beside].map(|y| reference.after(y, time - part * time));
+                        greatest((0..6).map(|k| (a[k] - b[k]).value().abs()))
+                    }));
                     if apart < 1e-16 {
-                        amiss.push(format!(
-                            "{n} at {t}: refused, but {apart:e} apart at {time}"
-                        ));
+                        let told = format!("refused, but {apart:e} apart at {time}");
+                        amiss.push(format!("{n} at {t}: {told}"));
                     }
                 }
                 Err(error) => amiss.push(format!("{n} at {t}: {error}")),
@@ -335,13 +307,11 @@ fn judged(starts: impl IntoParallelIterator<Item = u64>) -> (usize, usize, f64, 
         (kept, refused, worst, amiss)
     };
     let nothing = || (0, 0, 0.0_f64, Vec::new());
-    starts
-        .into_par_iter()
-        .map(judge)
-        .reduce(nothing, |mut a, b| {
-            a.3.extend(b.3);
-            (a.0 + b.0, a.1 + b.1, a.2.max(b.2), a.3)
-        })
+    let judged = starts.into_par_iter().map(judge);
+    judged.reduce(nothing, |mut a, b| {
+        a.3.extend(b.3);
+        (a.0 + b.0, a.1 + b.1, a.2.max(b.2), a.3)
+    })
 }
 
 /// These of the two thousand: every answer keeps what is stated of it, or is refused, which is rare.

@@ -45,10 +45,7 @@ impl Known {
     fn attitude(&self) -> Attitude {
         let turn =
             |axis: BodyVector, angle| Attitude::about_axis(axis, angle).unwrap().quaternion();
-        let (x, z) = (
-            BodyVector::new(1.0, 0.0, 0.0),
-            BodyVector::new(0.0, 0.0, 1.0),
-        );
+        let [x, z] = [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]].map(vector);
         let [a, b, c] = self.angles;
         let q = turn(z, a) * turn(x, b) * turn(z, c);
         Attitude::from_quaternion(q.w, q.i, q.j, q.k).unwrap()
@@ -65,9 +62,9 @@ fn derivative(f: impl Fn(f64) -> Vector3<f64>, t: f64) -> Vector3<f64> {
 
 /// Some vector that moves relative to the body: its body components at time t and their rates.
 fn moving(t: f64) -> (BodyVector, BodyVector) {
-    let vector = BodyVector::new((2.0 * t).sin(), 1.0 + t * t, (-t).exp());
-    let rate = BodyVector::new(2.0 * (2.0 * t).cos(), 2.0 * t, -(-t).exp());
-    (vector, rate)
+    let place = vector([(2.0 * t).sin(), 1.0 + t * t, (-t).exp()]);
+    let rate = vector([2.0 * (2.0 * t).cos(), 2.0 * t, -(-t).exp()]);
+    (place, rate)
 }
 
 const T: f64 = 0.7;
@@ -75,12 +72,11 @@ const T: f64 = 0.7;
 #[test]
 fn an_attitude_turns_body_axes_into_space_axes() {
     // The quaternion of a quarter turn about z is (cos 45°, 0, 0, sin 45°), scalar first, whatever its length and sign.
-    let z = BodyVector::new(0.0, 0.0, 1.0);
+    let z = vector([0.0, 0.0, 1.0]);
     let quarter = Attitude::about_axis(z, FRAC_PI_2).unwrap();
     for scale in [1.0, -1.0, 1e-300, 1e300] {
-        let same =
-            Attitude::from_quaternion(scale * FRAC_1_SQRT_2, 0.0, 0.0, scale * FRAC_1_SQRT_2)
-                .unwrap();
+        let half = scale * FRAC_1_SQRT_2;
+        let same = Attitude::from_quaternion(half, 0.0, 0.0, half).unwrap();
         assert!(same.angle_to(&quarter) < 3e-16, "{scale}");
     }
     let q = quarter.quaternion();
@@ -99,7 +95,7 @@ fn an_attitude_turns_body_axes_into_space_axes() {
 
 #[test]
 fn angles_between_attitudes_keep_their_digits() {
-    let z = BodyVector::new(0.0, 0.0, 1.0);
+    let z = vector([0.0, 0.0, 1.0]);
     let attitude = |angle| Attitude::about_axis(z, angle).unwrap();
     for angle in [1e-15, 1e-9, 1e-3, 1.0, 3.0] {
         let measured = Attitude::identity().angle_to(&attitude(angle));
@@ -149,9 +145,8 @@ fn s5_1_transport_theorem_towards_the_body() {
     let rate = SpaceVector::new(1.0, -3.0 * (3.0 * T).sin(), 3.0 * T * T);
     let known = Known::at(T);
     let in_body = derivative(|t| Known::at(t).matrix().transpose() * in_space(t), T);
-    let expected = known
-        .attitude()
-        .to_space(BodyVector::from_components(in_body));
+    let expected = BodyVector::from_components(in_body);
+    let expected = known.attitude().to_space(expected);
     let vector = SpaceVector::from_components(in_space(T));
     let seen = rate_seen_from_body(rate, known.omega(), vector);
     assert!((seen - expected).norm() < 6e-10, "{seen:?} {expected:?}");
@@ -168,9 +163,8 @@ fn s5_1_no_difference_for_omega_itself() {
     let in_body = |t: f64| Known::at(t).matrix().transpose() * in_space(t);
     let (space, body) = (derivative(in_space, T), derivative(in_body, T));
     let attitude = Known::at(T).attitude();
-    let body = attitude
-        .to_space(BodyVector::from_components(body))
-        .components();
+    let body = attitude.to_space(BodyVector::from_components(body));
+    let body = body.components();
     assert!((space - body).norm() < 1e-10, "{space:?} {body:?}");
     assert!(space.norm() > 1.0);
     let omega = attitude.to_body(Known::at(T).omega());
@@ -180,12 +174,10 @@ fn s5_1_no_difference_for_omega_itself() {
 #[test]
 fn what_is_refused() {
     refused!(Attitude::from_quaternion(0.0, 0.0, 0.0, 0.0), ZeroVector);
-    refused!(
-        Attitude::from_quaternion(f64::NAN, 0.0, 0.0, 1.0),
-        NotFinite
-    );
+    let none = Attitude::from_quaternion(f64::NAN, 0.0, 0.0, 1.0);
+    refused!(none, NotFinite);
     refused!(Attitude::about_axis(BodyVector::zero(), 1.0), ZeroVector);
-    let z = BodyVector::new(0.0, 0.0, 1.0);
+    let z = vector([0.0, 0.0, 1.0]);
     refused!(Attitude::about_axis(z, f64::INFINITY), NotFinite);
 }
 
@@ -195,7 +187,7 @@ proptest! {
     #[test]
     fn there_and_back_again(q in [-1.0..1.0_f64, -1.0..1.0, -1.0..1.0, 0.1..1.0], a in [-5.0..5.0_f64, -5.0..5.0, -5.0..5.0]) {
         let attitude = Attitude::from_quaternion(q[3], q[0], q[1], q[2]).unwrap();
-        let vector = BodyVector::new(a[0], a[1], a[2]);
+        let vector = vector([a[0], a[1], a[2]]);
         let space = attitude.to_space(vector);
         prop_assert!((attitude.to_body(space) - vector).norm() < 2e-15 * vector.norm() + 1e-300);
         prop_assert!((space.norm() - vector.norm()).abs() < 1e-15 * vector.norm() + 1e-300);
@@ -211,7 +203,7 @@ proptest! {
         if let Ok(attitude) = Attitude::from_quaternion(n[0], n[1], n[2], n[3]) {
             prop_assert!((attitude.quaternion().norm() - 1.0).abs() < 1e-15);
         }
-        let vector = BodyVector::new(n[0], n[1], n[2]);
+        let vector = vector([n[0], n[1], n[2]]);
         let _ = Attitude::about_axis(vector, n[3]);
         if let Ok(unit) = vector.direction("a vector") {
             prop_assert!((unit.norm() - 1.0).abs() < 1e-15);

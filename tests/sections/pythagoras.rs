@@ -19,10 +19,7 @@ fn by_quadrature(from: [f64; 2], to: [f64; 2], hinge: [f64; 2], pieces: u32) -> 
     for piece in 0..pieces {
         for point in [0.5 - offset, 0.5 + offset] {
             let s = (f64::from(piece) + point) / f64::from(pieces);
-            let arm = [
-                from[0] + s * edge[0] - hinge[0],
-                from[1] + s * edge[1] - hinge[1],
-            ];
+            let arm = [0, 1].map(|k| from[k] + s * edge[k] - hinge[k]);
             torque += (arm[0] * normal[1] - arm[1] * normal[0]) * 0.5 / f64::from(pieces);
         }
     }
@@ -37,10 +34,8 @@ fn s9_1_lid_and_bottom() {
     let mut torque = SpaceVector::zero();
     for i in 0..cells {
         for j in 0..cells {
-            let (x, y) = (
-                4.0 * (f64::from(i) + 0.5) / 100.0,
-                3.0 * (f64::from(j) + 0.5) / 100.0,
-            );
+            let [x, y] = [i, j].map(|k| (f64::from(k) + 0.5) / 100.0);
+            let (x, y) = (4.0 * x, 3.0 * y);
             if y / 3.0 < x / 4.0 {
                 let upward = SpaceVector::new(0.0, 0.0, 4.0 * 3.0 / 1e4);
                 torque += SpaceVector::new(x, y, height).cross(&upward);
@@ -132,11 +127,8 @@ fn s9_1_no_torque_on_any_polygon() {
         }
     }
     // In whole numbers the sum is zero to the bit.
-    let torques = polygon_torques(
-        &[[0.0, 0.0], [6.0, 2.0], [4.0, 8.0], [-2.0, 4.0]],
-        [100.0, 7.0],
-    )
-    .unwrap();
+    let square = [[0.0, 0.0], [6.0, 2.0], [4.0, 8.0], [-2.0, 4.0]];
+    let torques = polygon_torques(&square, [100.0, 7.0]).unwrap();
     assert_eq!(torques.iter().sum::<f64>(), 0.0);
 }
 
@@ -168,10 +160,8 @@ fn s9_1_pythagoras_for_a_tetrahedron() {
         // Outward: each points away from the vertex opposite.
         for (j, area) in areas.iter().enumerate() {
             let on_face = vertices[(j + 1) % 4];
-            let outward: f64 = (0..3)
-                .map(|k| area[k] * (on_face[k] - vertices[j][k]))
-                .sum();
-            assert!(outward > 0.0);
+            let height = [0, 1, 2].map(|k| on_face[k] - vertices[j][k]);
+            assert!(dot(*area, height) > 0.0);
         }
     }
 }
@@ -208,12 +198,8 @@ fn s9_2_cosine_law() {
 // claim: C9.2-2
 #[test]
 fn s9_2_change_of_sense() {
-    let torque = |gamma| {
-        GasBox::from_sides(4.0, 3.0, gamma)
-            .unwrap()
-            .side_torques()
-            .rb
-    };
+    let gas = |gamma| GasBox::from_sides(4.0, 3.0, gamma).unwrap();
+    let torque = |gamma| gas(gamma).side_torques().rb;
     let off = relative(torque(0.5), 12.0 * 0.5_f64.cos() - 4.5);
     observed!(off, 0.0..=2e-15);
     assert!((torque(0.5) - 6.03).abs() < 1e-2 && torque(FRAC_PI_2) < 0.0);

@@ -128,7 +128,7 @@ impl Greatest {
 }
 
 /// Components along the body's axes.
-pub fn vector([x, y, z]: [f64; 3]) -> BodyVector {
+pub const fn vector([x, y, z]: [f64; 3]) -> BodyVector {
     BodyVector::new(x, y, z)
 }
 

@@ -11,22 +11,13 @@ fn made(lever: [f64; 3], omega: [f64; 3], up: [f64; 3]) -> Result<KovalevskayaTo
 
 #[test]
 fn other_moments_are_another_top() {
-    let with = |moments: [f64; 3]| {
-        KovalevskayaTop::new(
-            moments,
-            vector([1.0, 0.0, 0.0]),
-            vector([1.0, 0.5, 0.3]),
-            level(),
-        )
-    };
-    for moments in [
-        [1.9, 1.9, 1.0],
-        [2.0, 1.0, 1.0],
-        [2.0, 2.1, 1.0],
-        [2.0, 2.0, 2.0],
-        [1.0, 2.0, 2.0],
-    ] {
-        refused!(with(moments), Condition);
+    let (lever, omega) = (vector([1.0, 0.0, 0.0]), vector([1.0, 0.5, 0.3]));
+    let with = |moments: [f64; 3]| KovalevskayaTop::new(moments, lever, omega, level());
+    for [i1, i2] in [[1.9, 1.9], [2.0, 1.0], [2.0, 2.1]] {
+        refused!(with([i1, i2, 1.0]), Condition);
+    }
+    for i1 in [1.0, 2.0] {
+        refused!(with([i1, 2.0, 2.0]), Condition);
     }
     for k in 0..3 {
         let mut moments = MOMENTS;
@@ -39,13 +30,10 @@ fn other_moments_are_another_top() {
         refused!(with(bad), NotFinite);
     }
     for size in [1e300, 1e-300, f64::MIN_POSITIVE] {
-        let rescaled = with(MOMENTS.map(|i| i * size));
-        match rescaled {
+        match with(MOMENTS.map(|i| i * size)) {
             Ok(top) => assert!(top.at(0.0).is_ok_and(|s| s.omega.is_finite())),
-            Err(error) => assert!(matches!(
-                error,
-                Error::NotFinite { .. } | Error::OutOfRange { .. }
-            )),
+            Err(Error::NotFinite { .. } | Error::OutOfRange { .. }) => {}
+            Err(error) => panic!("{error}"),
         }
     }
 }
@@ -64,10 +52,8 @@ fn levers_off_the_plane_or_none() -> Result<()> {
         assert!(made([1.0, zero, zero], omega, up).is_ok());
     }
     // Gravity upwards, or C on the other side: the same top turned by half a turn.
-    let (plain, turned) = (
-        made([1.0, 0.0, 0.0], omega, up)?,
-        made([-1.0, 0.0, 0.0], [-1.0, -0.5, 0.3], [-0.6, 0.0, 0.8])?,
-    );
+    let plain = made([1.0, 0.0, 0.0], omega, up)?;
+    let turned = made([-1.0, 0.0, 0.0], [-1.0, -0.5, 0.3], [-0.6, 0.0, 0.8])?;
     for t in [0.0, 3.0, 50.0] {
         let (a, b) = (plain.omega_and_up(t)?, turned.omega_and_up(t)?);
         assert!((a.omega.x() + b.omega.x()).abs() < 1e-12);

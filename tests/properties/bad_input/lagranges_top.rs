@@ -5,10 +5,8 @@ use support::{near, refused};
 
 #[test]
 fn pivot_at_the_centre_of_mass_is_a_free_top() -> Result<()> {
-    let (omega, tilted) = (
-        vector([0.7, -0.4, 3.0]),
-        Attitude::from_quaternion(0.9, 0.3, 0.2, 0.1)?,
-    );
+    let omega = vector([0.7, -0.4, 3.0]);
+    let tilted = Attitude::from_quaternion(0.9, 0.3, 0.2, 0.1)?;
     for weightless in [0.0, -0.0] {
         let top = LagrangeTop::new(1.0, 0.5, weightless, omega, tilted)?;
         assert_eq!(top.roots().h3, f64::INFINITY);
@@ -43,10 +41,9 @@ fn tilt_of_exactly_nothing_or_a_half_turn() -> Result<()> {
     for (attitude, height) in [(upright(), 1.0), (hanging(), -1.0)] {
         for spin in [0.0, 1.0, -7.0] {
             let (kind, states) = lagrange(1.0, [0.0, 0.0, spin], attitude)?;
+            let stable = spin == -7.0;
             let expected = match height {
-                1.0 => Nutation::Sleeping {
-                    stable: spin == -7.0,
-                },
+                1.0 => Nutation::Sleeping { stable },
                 _ => Nutation::Hanging,
             };
             assert_eq!(kind, expected, "at rest or spinning, the axis stays");

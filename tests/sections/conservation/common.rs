@@ -47,8 +47,7 @@ impl Flight {
     /// Force and torque about `point` now: what makes the particles accelerate as they do.
     pub fn forces(&self, point: V) -> ForceAndTorque {
         let mut accelerations = self.start.iter().map(|&(_, _, a)| a);
-        self.at(0.0)
-            .force_and_torque(point, |p| p.mass * accelerations.next().unwrap())
-            .unwrap()
+        let force = |p: &Particle| p.mass * accelerations.next().unwrap();
+        self.at(0.0).force_and_torque(point, force).unwrap()
     }
 }

@@ -38,10 +38,8 @@ fn s3_2_angular_momentum_about_any_point() {
     // A velocity parallel to P costs nothing: the contact point of a body that rolls straight.
     let p = V::new(3.0, -6.0, 9.0);
     assert_eq!(angular_momentum_rate(V::zero(), p / 3.0, p), V::zero());
-    assert_ne!(
-        angular_momentum_rate(V::zero(), V::new(1.0, 0.0, 0.0), p),
-        V::zero()
-    );
+    let aside = angular_momentum_rate(V::zero(), V::new(1.0, 0.0, 0.0), p);
+    assert_ne!(aside, V::zero());
 }
 
 // claim: C3.2-4, C3.2-5
@@ -71,16 +69,12 @@ fn s3_2_uniform_gravity_acts_at_the_centre_of_mass() -> Result<()> {
             })
             .collect();
         let scaled = Particles::new(scaled)?;
-        let torque = scaled
-            .force_and_torque(b * o, |p| p.mass * (b * c * c) * g)?
-            .torque;
-        assert_eq!(torque, (a * b * b * c * c) * summed.torque);
+        let turned = scaled.force_and_torque(b * o, |p| p.mass * (b * c * c) * g)?;
+        let energy = a * b * b * c * c;
+        assert_eq!(turned.torque, energy * summed.torque);
         let [before, after] = [&body, &scaled].map(Particles::energy_split);
-        assert_eq!(
-            after.translational,
-            a * b * b * c * c * before.translational
-        );
-        assert_eq!(after.relative, a * b * b * c * c * before.relative);
+        assert_eq!(after.translational, energy * before.translational);
+        assert_eq!(after.relative, energy * before.relative);
     }
     // Not uniform: a field that grows with height does turn a body about C.
     let body = Flight::random(3).at(0.0);

@@ -52,31 +52,16 @@ fn jacobi_functions_are_right_to_the_last_places_everywhere() -> Result<()> {
 
 #[test]
 fn a_batch_gives_what_single_calls_give() -> Result<()> {
-    let arguments: Vec<f64> = jacobi_rows()
-        .map(|row| row.u)
-        .filter(|u| u.abs() < 1e15)
-        .collect();
-    let mut out = vec![[0.0; 3]; arguments.len()];
-    let (mut sn, mut cn, mut dn) = (
-        vec![0.0; out.len()],
-        vec![0.0; out.len()],
-        vec![0.0; out.len()],
-    );
+    let arguments = jacobi_rows().map(|row| row.u).filter(|u| u.abs() < 1e15);
+    let arguments: Vec<f64> = arguments.collect();
+    let [mut sn, mut cn, mut dn] = [0; 3].map(|_| vec![0.0; arguments.len()]);
     for row in jacobi_rows().step_by(37) {
         let modulus = row.modulus;
         modulus.jacobi_batch(&arguments, &mut sn, &mut cn, &mut dn)?;
-        for (out, &u) in out.iter_mut().zip(&arguments) {
-            let value = modulus.jacobi(u)?;
-            *out = [value.sn, value.cn, value.dn];
-        }
-        for (i, [s, c, d]) in out.iter().enumerate() {
-            assert_eq!(
-                [sn[i], cn[i], dn[i]],
-                [*s, *c, *d],
-                "{} at {}",
-                row.line,
-                arguments[i]
-            );
+        for (i, &u) in arguments.iter().enumerate() {
+            let alone = modulus.jacobi(u)?;
+            let batch = [sn[i], cn[i], dn[i]];
+            assert_eq!(batch, [alone.sn, alone.cn, alone.dn], "{} at {u}", row.line);
         }
     }
     Ok(())

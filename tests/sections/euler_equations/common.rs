@@ -11,12 +11,12 @@ pub fn moments([a, b, c]: [f64; 3]) -> AxisMoments {
 }
 
 pub fn heavy(i: [f64; 3], lever: [f64; 3]) -> HeavyTop {
-    HeavyTop::new(moments(i), BodyVector::new(lever[0], lever[1], lever[2])).unwrap()
+    HeavyTop::new(moments(i), vector([lever[0], lever[1], lever[2]])).unwrap()
 }
 
 pub const START: TopState = TopState {
-    omega: BodyVector::new(0.4, -0.9, 1.3),
-    up: BodyVector::new(0.48, 0.6, 0.64),
+    omega: vector([0.4, -0.9, 1.3]),
+    up: vector([0.48, 0.6, 0.64]),
 };
 
 /// Two waves that feed the others.

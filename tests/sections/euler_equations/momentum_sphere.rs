@@ -6,7 +6,7 @@ use spinning_bodies::euler_equations::{Nature, fastest_flow, separatrix_slope};
 #[test]
 fn s5_1_the_flow_on_the_momentum_sphere() {
     let body = moments([1.0, 2.0, 3.0]);
-    let l = BodyVector::new(0.3, -0.5, 0.8);
+    let l = vector([0.3, -0.5, 0.8]);
     let by_omega = l.cross(&body.angular_velocity(l));
     observed!((flow(&body, l) - by_omega).norm(), 0.0..=2e-16);
     let natures = equilibria(&body).map(|e| {
@@ -24,7 +24,7 @@ fn s5_1_the_flow_on_the_momentum_sphere() {
     let sorted = PrincipalMoments::new(1.0, 2.0, 3.0).unwrap();
     let slope = separatrix_slope(&sorted);
     observed!(relative(slope, 3.0_f64.sqrt()), 0.0..=3e-16);
-    let start = BodyVector::new(1.0, 0.0, slope) / 2.0;
+    let start = vector([1.0, 0.0, slope]) / 2.0;
     let path = streamline(&body, start, 0.01, 4000).unwrap();
     for p in &path[..1500] {
         // Observed 2e-11: a disturbance of the first step's error grows by e^(t/√12).
@@ -38,7 +38,7 @@ fn s5_1_the_flow_on_the_momentum_sphere() {
         for j in 0..400 {
             let (s, c) = (f64::from(i) * 0.0157).sin_cos();
             let (t, d) = (f64::from(j) * 0.0157).sin_cos();
-            fastest = fastest.max(flow(&body, BodyVector::new(s * d, s * t, c)).norm());
+            fastest = fastest.max(flow(&body, vector([s * d, s * t, c])).norm());
         }
     }
     let bound = fastest_flow(&sorted);

@@ -17,7 +17,7 @@ fn s5_what_is_refused() {
     let top = heavy([2.0, 2.0, 1.0], [1.0, 0.0, 0.0]);
     refused!(top.lyapunov_exponent(&START, 1.0, -1.0), NotPositive);
     refused!(top.lyapunov_exponent(&START, 1e300, 1e-9), OutOfRange);
-    assert!(HeavyTop::new(lamina, BodyVector::new(f64::NAN, 0.0, 0.0)).is_err());
+    assert!(HeavyTop::new(lamina, vector([f64::NAN, 0.0, 0.0])).is_err());
     let one = Complex::new(1.0, 0.0);
     refused!(TruncatedFluid::new(4, &[]), Condition);
     refused!(TruncatedFluid::new(1, &[]), OutOfRange);

@@ -143,7 +143,7 @@ fn s6_3_the_racket_and_its_axes() {
     // Head, strings and handle in the plane of x and y, the handle along x.
     let hoop_like = shapes::ellipse_lamina(0.25, [0.16, 0.13]).unwrap();
     let handle = shapes::rectangle_lamina(0.1, [0.35, 0.03]).unwrap();
-    let handle = handle.moved(BodyVector::new(-0.33, 0.0, 0.0)).unwrap();
+    let handle = handle.moved(vector([-0.33, 0.0, 0.0])).unwrap();
     let racket = MassProperties::compose(&[hoop_like, handle]).unwrap();
     let axes = racket.inertia().principal_axes();
     let [i1, i2, i3] = axes.moments;

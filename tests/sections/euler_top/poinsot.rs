@@ -95,7 +95,7 @@ fn s6_1_free_though_heavy() {
     }
     // The condition: gravity that falls off with the distance does torque a planet, 3μ/r³ e ∧ Ie with e the way up.
     let (mu, r) = (9.0, 1e3);
-    let attitude = Attitude::about_axis(BodyVector::new(1.0, -2.0, 0.5), 0.8).unwrap();
+    let attitude = Attitude::about_axis(vector([1.0, -2.0, 0.5]), 0.8).unwrap();
     let still = (attitude, BodyVector::zero());
     let planet = jack(still, V::new(r, 0.0, 0.0), V::zero());
     let field = |p: &Particle| p.position * (-mu * p.mass / p.position.norm().powi(3));

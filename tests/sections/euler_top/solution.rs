@@ -150,10 +150,11 @@ fn s6_6_sine_amplitude_inverts_the_integral() {
         let pieces = 64;
         let width = 0.5 / f64::from(pieces);
         let mut tau = 0.0;
-        for (n, (x, w)) in (0..pieces).flat_map(|n| gauss().into_iter().map(move |node| (n, node)))
-        {
-            let x = (f64::from(n) + 0.5 + 0.5 * x) * width;
-            tau += 0.5 * w * width / ((1.0 - x * x) * (1.0 - m * x * x)).sqrt();
+        for n in 0..pieces {
+            for (x, w) in gauss() {
+                let x = (f64::from(n) + 0.5 + 0.5 * x) * width;
+                tau += 0.5 * w * width / ((1.0 - x * x) * (1.0 - m * x * x)).sqrt();
+            }
         }
         observed!((jacobi(m, tau).sn - 0.5).abs(), 2e-16..=2e-15); // observed 4.4e-16
     }

@@ -17,7 +17,7 @@ fn integrated(i1: f64, i3: f64, omega0: BodyVector, t: f64, steps: u32) -> (Body
     let start = [omega0.x(), omega0.y(), omega0.z(), 1.0, 0.0, 0.0, 0.0];
     let y = runge_kutta(rate, start, (steps, t / f64::from(steps)), |_| ());
     let attitude = Attitude::from_quaternion(y[3], y[4], y[5], y[6]).unwrap();
-    (BodyVector::new(y[0], y[1], y[2]), attitude)
+    (vector([y[0], y[1], y[2]]), attitude)
 }
 
 fn azimuth(omega: BodyVector) -> f64 {
@@ -62,11 +62,7 @@ fn s6_5_period_does_not_depend_on_the_tilt() {
     let top = SymmetricTop::new(1.0, 1.5).unwrap();
     let period = top.wobble_period(2.0);
     assert_eq!(period, TAU);
-    for omega0 in [
-        OMEGA0,
-        BodyVector::new(1e-6, 0.0, 2.0),
-        BodyVector::new(-30.0, 40.0, 2.0),
-    ] {
+    for omega0 in [OMEGA0, vector([1e-6, 0.0, 2.0]), vector([-30.0, 40.0, 2.0])] {
         let (omega, _) = integrated(1.0, 1.5, omega0, period, 20_000);
         // Back where it was after one period, not after half; observed 1e-12 of the tilt.
         let tilt = omega0.x().hypot(omega0.y());
@@ -88,9 +84,9 @@ fn s6_5_precession_seen_from_space() {
     let top = SymmetricTop::new(1.0, 1.5).unwrap();
     let rate = top.axis_rate_in_space(OMEGA0);
     observed!(relative(rate, 3.041_381_265_149_11), 0.0..=2.3e-16);
-    let axis = BodyVector::new(0.0, 0.0, 1.0);
+    let axis = vector([0.0, 0.0, 1.0]);
     // L at t = 0, when body and space axes coincide: also its components in space, for ever.
-    let l = BodyVector::new(0.3, 0.4, 3.0);
+    let l = vector([0.3, 0.4, 3.0]);
     for i in 1..8 {
         let t = 0.9 * f64::from(i);
         let (_, attitude) = integrated(1.0, 1.5, OMEGA0, t, 20_000);
@@ -104,10 +100,10 @@ fn s6_5_precession_seen_from_space() {
     }
     // Disc, small tilt: the axis circles twice while the body turns once. Nearly round: once.
     let disc = SymmetricTop::new(1.0, 2.0).unwrap();
-    let ratio = disc.axis_rate_in_space(BodyVector::new(1e-9, 0.0, 3.0)) / 3.0;
+    let ratio = disc.axis_rate_in_space(vector([1e-9, 0.0, 3.0])) / 3.0;
     observed!(relative(ratio, 2.0), 0.0..=4.5e-16);
     let round = SymmetricTop::new(1.0, 301.0 / 300.0).unwrap();
-    let ratio = round.axis_rate_in_space(BodyVector::new(1e-9, 0.0, 3.0)) / 3.0;
+    let ratio = round.axis_rate_in_space(vector([1e-9, 0.0, 3.0])) / 3.0;
     observed!(relative(ratio, 301.0 / 300.0), 0.0..=4.5e-16);
 }
 
@@ -170,14 +166,14 @@ fn s6_5_cones() {
             observed!(relative(omega.x().hypot(omega.y()), 0.5), 0.0..=4.5e-16);
             // In space Ω stays at the angle of the space cone from L: by the integrated attitude.
             let (omega, attitude) = integrated(1.0, i3, OMEGA0, t, 10_000);
-            let l = BodyVector::new(0.3, 0.4, 2.0 * i3).components();
+            let l = vector([0.3, 0.4, 2.0 * i3]).components();
             let angle = attitude.to_space(omega).components().angle(&l);
             near!(angle, cones.space, 1e-12);
         }
     }
     // A body one unit in the last place from round still has its space cone, in full accuracy.
     let top = SymmetricTop::new(1.0, 1.0f64.next_up()).unwrap();
-    let space = top.cones(BodyVector::new(1.0, 0.0, 1.0)).unwrap().space;
+    let space = top.cones(vector([1.0, 0.0, 1.0])).unwrap().space;
     observed!(relative(space, f64::EPSILON / 2.0), 0.0..=1e-15);
 }
 
@@ -186,7 +182,7 @@ fn s6_5_cones() {
 fn s6_5_long_times() {
     // Rate 1 rad/s exactly: at time t the phase is t, and the platform's sine of a large double is the reference.
     let top = SymmetricTop::new(1.0, 1.5).unwrap();
-    let start = BodyVector::new(1.0, 0.0, 2.0);
+    let start = vector([1.0, 0.0, 2.0]);
     for exponent in 0..13 {
         let t = 1.234_567 * 10f64.powi(exponent);
         let omega = top.omega_at(start, t);
@@ -195,7 +191,7 @@ fn s6_5_long_times() {
     }
     // Where the rate is not a double: cos and sin of (1/3 of the double 0.7) · 1e12 by 60-digit arithmetic.
     let top = SymmetricTop::new(3.0, 4.0).unwrap();
-    let omega = top.omega_at(BodyVector::new(1.0, 0.0, 0.7), 1e12);
+    let omega = top.omega_at(vector([1.0, 0.0, 0.7]), 1e12);
     near!(omega.x(), 0.774_863_333_502_428_8, 2.3e-16);
     near!(omega.y(), 0.632_128_795_731_932_9, 2.3e-16);
     let plain = (4.0_f64 / 3.0 - 1.0) * 0.7 * 1e12;
@@ -222,7 +218,7 @@ proptest! {
     fn euler_top_never_panics(
         i1 in any::<f64>(), i3 in any::<f64>(), o in any::<[f64; 3]>(), t in any::<f64>(),
     ) {
-        let omega = BodyVector::new(o[0], o[1], o[2]);
+        let omega = vector([o[0], o[1], o[2]]);
         for top in [SymmetricTop::new(i1, i3), SymmetricTop::new(1.0, 1.5)].into_iter().flatten() {
             let _ = (top.wobble_rate(t), top.wobble_period(t), top.omega_at(omega, t));
             let _ = (top.attitude_at(omega, t), top.axis_rate_in_space(omega), top.cones(omega));
@@ -235,7 +231,7 @@ proptest! {
         i3 in 0.0..2.0f64, o in prop::array::uniform3(-5.0..5.0f64), t in -100.0..100.0f64, power in -60i32..60,
     ) {
         let top = SymmetricTop::new(1.0, i3).unwrap();
-        let omega0 = BodyVector::new(o[0], o[1], o[2]);
+        let omega0 = vector([o[0], o[1], o[2]]);
         let omega = top.omega_at(omega0, t);
         prop_assert!((top.omega_at(omega, -t) - omega0).norm() < 1e-14);
         // Units scaled by a power of two: the same bits.
@@ -244,7 +240,7 @@ proptest! {
         prop_assert_eq!(scaled.omega_at(omega0, t), omega);
         prop_assert_eq!(top.omega_at(omega0 * scale, t / scale), omega * scale);
         // L keeps its place in space.
-        let l = |omega: BodyVector| BodyVector::new(omega.x(), omega.y(), i3 * omega.z());
+        let l = |omega: BodyVector| vector([omega.x(), omega.y(), i3 * omega.z()]);
         let in_space = top.attitude_at(omega0, t).unwrap().to_space(l(omega)).components();
         prop_assert!((in_space - l(omega0).components()).norm() < 3e-14);
     }

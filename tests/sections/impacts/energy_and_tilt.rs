@@ -12,10 +12,8 @@ fn s4_2_energy_lost() {
     // By subtraction of kinetic energies, before 2.625 + 0.2.
     let kinetic = |planet: V, omega: V, meteorite: V| {
         let parts = [(M, planet), (MOMENT, omega), (SMALL, meteorite)];
-        parts
-            .map(|(mass, v)| 0.5 * mass * v.dot(&v))
-            .iter()
-            .sum::<f64>()
+        let energies = parts.map(|(mass, v)| 0.5 * mass * v.dot(&v));
+        energies.iter().sum::<f64>()
     };
     let before = kinetic(V::zero(), V::new(0.0, 0.0, 1.0), v());
     observed!(relative(before, 2.825), 0.0..=2e-16);

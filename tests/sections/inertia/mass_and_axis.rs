@@ -9,7 +9,7 @@ fn s2_1_mass_as_a_coefficient() -> Result<()> {
     let energy = |v: f64| -> Result<(f64, f64)> {
         let motion = RigidMotion {
             base: BodyVector::zero(),
-            velocity: BodyVector::new(v, 0.0, 0.0),
+            velocity: vector([v, 0.0, 0.0]),
             omega: BodyVector::zero(),
         };
         let energy = motion.energy(&particle)?.of_motion;

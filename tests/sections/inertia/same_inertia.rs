@@ -65,7 +65,7 @@ fn s2_5_only_the_ellipsoid_is_seen() -> Result<()> {
         }
     }
     // The condition: in the cubic field f = −x³ẑ, at a tilt of 0.4 about y, they part.
-    let tilt = Attitude::about_axis(BodyVector::new(0.0, 1.0, 0.0), 0.4)?;
+    let tilt = Attitude::about_axis(vector([0.0, 1.0, 0.0]), 0.4)?;
     let cubic = |list: &Masses| -> f64 {
         let places = list.iter().map(|(m, x)| (m, tilt.to_space(vector(*x)).x()));
         // N_y = z f_x − x f_z with f = (0, 0, −x³).

@@ -31,11 +31,11 @@ fn random_tops(count: usize) -> impl Iterator<Item = (Body, LagrangeTop)> {
 #[test]
 fn s7_1_lagranges_top() {
     let moments = AxisMoments::new(1.0, 1.0, AXIAL).unwrap();
-    let lever = BodyVector::new(0.0, 0.0, 1.0);
+    let lever = vector([0.0, 0.0, 1.0]);
     let top = HeavyTop::new(moments, lever).unwrap();
     assert_eq!(top.kind(), Integrability::Lagrange(2));
     // Off the axis it is not Lagrange's; with C = O it is Euler's.
-    let off = HeavyTop::new(moments, BodyVector::new(0.1, 0.0, 1.0)).unwrap();
+    let off = HeavyTop::new(moments, vector([0.1, 0.0, 1.0])).unwrap();
     assert_eq!(off.kind(), Integrability::None);
     let free = HeavyTop::new(moments, BodyVector::zero()).unwrap();
     assert_eq!(free.kind(), Integrability::Euler);
@@ -109,7 +109,7 @@ fn s7_2_no_torque_about_the_axis_or_the_vertical() {
         let l = |t: f64| {
             let state = at(&top, t);
             let [x, y, z]: [f64; 3] = state.omega.components().into();
-            let l = BodyVector::new(body.transverse * x, body.transverse * y, body.axial * z);
+            let l = vector([body.transverse * x, body.transverse * y, body.axial * z]);
             state.attitude.to_space(l)
         };
         let h = 2_f64.powi(-9);

@@ -10,7 +10,7 @@ pub const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 
 /// x₃ tilted by θ, x₁ horizontal: the vertical is (0, sin θ, cos θ) in the body.
 pub fn tilted(theta: f64) -> Attitude {
-    Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), theta).unwrap()
+    Attitude::about_axis(vector([1.0, 0.0, 0.0]), theta).unwrap()
 }
 
 /// The unit top from its Ω and attitude.
@@ -84,7 +84,7 @@ pub fn band(top: &LagrangeTop) -> f64 {
 
 /// The axis x₃ in space.
 pub fn axis(state: &State) -> [f64; 3] {
-    let axis = BodyVector::new(0.0, 0.0, 1.0);
+    let axis = vector([0.0, 0.0, 1.0]);
     state.attitude.to_space(axis).components().into()
 }
 

@@ -87,7 +87,7 @@ fn s7_6_spherical_pendulum() {
 #[test]
 fn s7_6_i3_to_zero() {
     let with = |axial: f64, omega3: f64| {
-        let omega = BodyVector::new(0.3, 0.4, omega3);
+        let omega = vector([0.3, 0.4, omega3]);
         LagrangeTop::new(1.0, axial, 1.0, omega, tilted(2.0)).unwrap()
     };
     let limit = roots(&with(AXIAL, 0.0));

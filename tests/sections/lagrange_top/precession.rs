@@ -12,7 +12,7 @@ fn rates(h: f64, l3: f64) -> [f64; 2] {
 
 /// Steady precession w at cos θ = 3/5 of exact numbers: z = (0, 4/5, 3/5), Ω = (0, 4w/5, 2L₃), Mgl = L₃w − 3w²/5.
 fn exactly(w: f64, l3: f64, weight: f64) -> LagrangeTop {
-    leaning(weight, BodyVector::new(0.0, 0.8 * w, l3 / AXIAL))
+    leaning(weight, vector([0.0, 0.8 * w, l3 / AXIAL]))
 }
 
 /// A start at cos θ = 3/5, exactly.
@@ -64,7 +64,7 @@ fn s7_3_pure_precession_is_a_double_root() {
     }
     // The other double root, h₂ = h₃ = 1, is no precession: the sleeping top, or one that wakes.
     assert!(!is(&kicked(1.5, 0.0), Nutation::PurePrecession));
-    let climbing = leaning(31.25, BodyVector::new(-3.0, 4.0, 16.0));
+    let climbing = leaning(31.25, vector([-3.0, 4.0, 16.0]));
     assert!(is(&climbing, Nutation::Waking));
 }
 
@@ -195,7 +195,7 @@ fn s7_3_fast_precession_is_the_free_one() {
     for (theta, l3) in [(0.4, 3.0), (1.2, -2.0), (2.5, 1.0_f64)] {
         // No gravity, L along the vertical: |L| cos θ = L₃, rate |L|/I₁ about it.
         let size = l3 / f64::cos(theta);
-        let omega = BodyVector::new(0.0, size * theta.sin(), l3 / AXIAL);
+        let omega = vector([0.0, size * theta.sin(), l3 / AXIAL]);
         let free = LagrangeTop::new(1.0, AXIAL, 0.0, omega, tilted(theta)).unwrap();
         let symmetric = SymmetricTop::new(1.0, AXIAL).unwrap();
         let error = (symmetric.axis_rate_in_space(omega) / size.abs() - 1.0).abs();

@@ -95,7 +95,7 @@ fn s7_5_at_equality_it_is_stable() {
         let weight = l3 * l3 / (4.0 * transverse);
         let threshold = 4.0 * transverse * weight / (axial * axial);
         let [displayed, sharp] = [omega3 * omega3 > threshold, omega3 * omega3 >= threshold];
-        let omega = BodyVector::new(0.0, 0.0, omega3);
+        let omega = vector([0.0, 0.0, omega3]);
         let top = LagrangeTop::new(transverse, axial, weight, omega, tilted(0.0)).unwrap();
         let stable = is(&top, Nutation::Sleeping { stable: true });
         assert_eq!([stable, sharp, displayed], [true, true, false]);
@@ -117,7 +117,7 @@ fn s7_5_at_equality_it_is_stable() {
     for _ in 0..200 {
         let size = 1e-6;
         let (kick, tilt) = (numbers.vector() * size, size * numbers.next());
-        let omega = BodyVector::new(kick.x(), kick.y(), 4.0 + kick.z());
+        let omega = vector([kick.x(), kick.y(), 4.0 + kick.z()]);
         let top = LagrangeTop::new(1.0, AXIAL, 1.0, omega, tilted(tilt)).unwrap();
         largest = largest.max((1.0 - roots(&top)[0]).max(0.0).sqrt() * 2.0_f64.sqrt());
     }
@@ -235,7 +235,7 @@ fn s7_5_friction_of_a_rounded_peg_puts_it_to_sleep() {
     }
     // A fixed pivot cannot do it: released, the start is the least tilt of all, in closed form.
     for spin in [150.0, 60.0] {
-        let omega = BodyVector::new(0.0, 0.0, spin);
+        let omega = vector([0.0, 0.0, spin]);
         let top = LagrangeTop::new(5.0 + 3.2 * 3.2, 3.0, 981.0 * 3.2, omega, tilted(0.5)).unwrap();
         observed!((roots(&top)[1] - 0.5_f64.cos()).abs(), 0.0..=3e-16);
         for k in 0..50 {

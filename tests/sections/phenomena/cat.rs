@@ -80,7 +80,7 @@ fn turned_over(cat: Cat, forward: f64, back: f64, duration: f64) -> (f64, BodyVe
     let [exact, followed] = [request, general].map(|r| scene.simulate(&r).unwrap().rows[0].1);
     // Closed form, and L = 0 solved and integrated without any symmetry. Observed: 9e-13 rad, 1e-11 asked.
     let apart = exact.attitude.angle_to(&followed.attitude);
-    observed!(apart, 1e-15..=4e-12, "{apart:e}");
+    observed!(apart, 1e-15..=4e-12);
     let axis = BodyVector::from_components(followed.attitude.quaternion().imag());
     let turn = followed.attitude.angle_to(&Attitude::identity());
     (turn, axis.direction("the axis of the turn").unwrap())

@@ -42,7 +42,7 @@ fn s4_6_drift_over_ten_million_bounces() {
     assert!((4e-10..6e-10).contains(&matrix), "{matrix:e}");
     assert!((1e-11..4e-11).contains(&sevenths), "{sevenths:e}");
     assert!((1e-9..2e-9).contains(&generic), "{generic:e}");
-    observed!(closed, 0.0..=5e-16, "{closed:e}");
+    observed!(closed, 0.0..=5e-16);
     // The drift is linear: a tenth of the bounces, a tenth of the loss.
     let tenth = (increments(count / 10).energy(BALL) - 1.0).abs();
     observed!(relative(generic / tenth, 10.0), 7e-5..=0.1);

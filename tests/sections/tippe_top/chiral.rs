@@ -88,7 +88,7 @@ fn s4_7_beads_that_build_it() {
     observed!((compare(printed, 1e-4) - 0.984).abs(), 1e-4..=5e-4);
     let own = beads(0.02, body.inertia(), &Attitude::identity()).unwrap();
     compare(own, 1e-14);
-    let turn = Attitude::about_axis(BodyVector::new(1.0, 2.0, 3.0), 0.2).unwrap();
+    let turn = Attitude::about_axis(vector([1.0, 2.0, 3.0]), 0.2).unwrap();
     compare(beads(0.02, body.inertia(), &turn).unwrap(), 1e-14);
 }
 

@@ -17,7 +17,7 @@ fn of(name: &str, times: &[f64]) -> Vec<(f64, State)> {
     let c1 = bodies::celt_ended_top(0.288, [0.351, 0.550, 0.505], f64::acos(half), 0.144).unwrap();
     let scene = match name {
         "tippe top viscous" => {
-            let start = Start::spinning(spun(0.05, 0.0).attitude, BodyVector::new(0.0, 0.0, 155.0));
+            let start = Start::spinning(spun(0.05, 0.0).attitude, vector([0.0, 0.0, 155.0]));
             on_a_table(
                 bodies::tippe_top().unwrap(),
                 start.unwrap(),
@@ -41,7 +41,7 @@ fn of(name: &str, times: &[f64]) -> Vec<(f64, State)> {
         "frictionless ellipsoid" => heavy(c1, spun(0.25, 20.0)).unwrap(),
         "rattleback rolling" => {
             let attitude = Attitude::from_quaternion(1.0, 0.004, 0.004, 0.0).unwrap();
-            let start = Start::spinning(attitude, BodyVector::new(0.0, 0.0, -5.0)).unwrap();
+            let start = Start::spinning(attitude, vector([0.0, 0.0, -5.0])).unwrap();
             on_a_table(bodies::rattleback().unwrap(), start, G, NoSlip)
         }
         other => panic!("no case {other}"),

@@ -177,10 +177,10 @@ fn s4_7_pivoting_and_rolling_die_apart() {
     };
     let weight = mass * G;
     for t in [0.2, 1.0] {
-        let spins = after(BodyVector::new(0.0, 0.0, 30.0), t);
+        let spins = after(vector([0.0, 0.0, 30.0]), t);
         let pivots = 30.0 * (-pivoting * weight * t / moment).exp();
         observed!(relative(spins.spin(), pivots), 0.0..=1e-9);
-        let rolls = after(BodyVector::new(0.0, 30.0, 0.0), t);
+        let rolls = after(vector([0.0, 30.0, 0.0]), t);
         let whole = moment + mass * radius * radius;
         let rate = 30.0 * (-rolling * weight * t / whole).exp();
         observed!(relative(rolls.omega.norm(), rate), 0.0..=1e-9);

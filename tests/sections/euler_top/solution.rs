@@ -276,10 +276,9 @@ fn s6_6_other_sector() {
     let off = relative(top.period(), 7.470_389_337_573_354_766_3);
     observed!(off, 0.0..=4.5e-16);
     // The modulus is 3/4, exactly.
-    assert_eq!(
-        rational((3 - 2) * (13 - 7), (1 - 2) * (13 - 21)),
-        rational(3, 4)
-    );
+    let [i1, i2, i3, e, l2] = [1, 2, 3, 7, 13].map(whole);
+    let k2 = (i3 - i2) * (l2 - e * i1) / ((i1 - i2) * (l2 - e * i3));
+    assert_eq!(k2, rational(3, 4));
 }
 
 // claim: C6.6-11

@@ -265,7 +265,9 @@ fn s6_7_same_rate_as_the_separatrix() {
         assert_eq!(of_sech, printed * o * o);
         assert_eq!(of_sech == printed, o * o == ONE);
     }
-    assert_eq!(rational((3 - 2) * (16 - 8), 6), rational(4, 3));
+    let [i1, i2, i3, l2, e] = [1, 2, 3, 16, 8].map(whole);
+    let of_sech = (i3 - i2) * (l2 - e * i1) / (i1 * i2 * i3);
+    assert_eq!(of_sech, rational(4, 3));
     let rate = saddle(&moments(MOMENTS), 2.0).unwrap().rate;
     observed!(relative(rate, 2.0 / 3f64.sqrt()), 0.0..=4.5e-16);
     // In the motion of C6.6-12: Ω₂ = 2 tanh rt. With 1/√3 it would not be.

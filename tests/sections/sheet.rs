@@ -254,9 +254,8 @@ fn in_space(
         let spin = omega.cross(&arm);
         let f = rubbing([vx + spin.x() - ground[0], vy + spin.y() - ground[1]]);
         let turn = kappa * radius * radius;
-        let [x, y, z]: [f64; 3] = (arm.cross(&V::new(f[0], f[1], 0.0)) / turn)
-            .components()
-            .into();
+        let torque = arm.cross(&V::new(f[0], f[1], 0.0));
+        let [x, y, z]: [f64; 3] = (torque / turn).components().into();
         [f[0], f[1], x, y, z]
     };
     let mut y = start;

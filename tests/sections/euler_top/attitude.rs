@@ -69,10 +69,8 @@ fn turn_by_quadrature(top: &EulerTop, k: usize) -> f64 {
     period
         * mean(600, |s| {
             let state = at(top, s * period);
-            let (l, o) = (
-                state.angular_momentum.components(),
-                state.omega.components(),
-            );
+            let l = state.angular_momentum.components();
+            let o = state.omega.components();
             let squares = (0..3).filter(|j| *j != k).map(|j| l[j].powi(2));
             size * (twice_energy - l[k] * o[k]) / squares.sum::<f64>()
         })

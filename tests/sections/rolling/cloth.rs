@@ -68,10 +68,8 @@ fn s4_3_draw_shots_turn_round() {
 #[test]
 fn s4_3_resistance_brings_it_to_rest() {
     let (mu, arm) = (0.2, 0.01);
-    let (law, resistance) = (
-        Coulomb::new(mu).unwrap(),
-        RollingResistance::new(arm).unwrap(),
-    );
+    let law = Coulomb::new(mu).unwrap();
+    let resistance = RollingResistance::new(arm).unwrap();
     let effects = (Some(law), Some(resistance), None);
     for height in [0.0, 0.3, 0.7, 1.0, 1.2, 1.4, 1.6, 2.0] {
         let start = shot(height, 2.0);

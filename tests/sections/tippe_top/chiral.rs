@@ -136,12 +136,8 @@ fn s4_7_controls_tip_alike_both_ways() -> Result<()> {
         let inertia = Matrix3::new(0.48, a, b, a, 0.42, 0.0, b, 0.0, 0.53);
         let body = bodies::eccentric_ball(0.02, 0.02, 0.19, inertia)?;
         let rows_of = |start| {
-            run(
-                &on_a_table(body, start, G, regularised(0.3)),
-                4.0,
-                800,
-                1e-6,
-            )
+            let scene = on_a_table(body, start, G, regularised(0.3));
+            run(&scene, 4.0, 800, 1e-6)
         };
         let start = leaning(0.3, SPIN);
         let rows = rows_of(start);

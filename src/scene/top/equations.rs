@@ -122,7 +122,7 @@ impl Turning {
         trace.samples.iter().map(state).collect()
     }
 
-    /// Ω̇ along the body's axes, rad/s², at this attitude and Ω. A spin that dry friction has stopped is exactly 0.
+    /// Ω̇ along the body's axes, rad/s², at this attitude and Ω, as long as the spin lasts: what dry friction does about axis 3 moves no C on it.
     pub fn acceleration(&self, attitude: &Attitude, omega: BodyVector) -> BodyVector {
         let (q, omega) = (attitude.quaternion(), omega.components());
         let y: [f64; 8] = core::array::from_fn(|n| match n {
@@ -131,12 +131,7 @@ impl Turning {
             4..7 => q.imag()[n - 4],
             _ => 0.0,
         });
-        let spin = if y[2] == 0.0 {
-            Spin::Stopped
-        } else {
-            Spin::Spinning
-        };
-        let [n1, n2, n3, ..] = Flow::<8>::rate(self, spin, 0.0, &y);
+        let [n1, n2, n3, ..] = Flow::<8>::rate(self, Spin::Spinning, 0.0, &y);
         let [j1, j2, j3] = self.inverse;
         BodyVector::new(j1 * n1, j2 * n2, j3 * n3)
     }

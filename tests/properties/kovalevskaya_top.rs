@@ -118,7 +118,7 @@ fn an_upright_start_that_passes_its_double_root() {
             now = time;
             let [motion, attitude] = errors(&top.at(time).expect("a state"), &y);
             assert!(
-                motion < 1e-11 && attitude < 1e-11,
+                motion < 3e-14 && attitude < 1e-13,
                 "{time}: {motion:e} {attitude:e}"
             );
         }

@@ -101,50 +101,50 @@ fn turning(sights: &[Sight; 3], solid: usize, apart: f64) -> Vector3<f64> {
 fn a_body_is_drawn_with_the_inertia_that_it_has() {
     let pivoted = "pivot = [0.1, -0.2, 0.05]";
     let bodies = [
-        ("shape = \"ball\"\nradius = 0.3", pivoted, 1e-14),
+        ("shape = \"ball\"\nradius = 0.3", pivoted, 4e-15),
         (
             "shape = \"cylinder\"\nradius = 0.3\nheight = 0.5",
             pivoted,
-            1e-14,
+            4e-15,
         ),
         (
             "shape = \"cone\"\nradius = 0.3\nheight = 0.5",
             "pivot = [0.0, 0.0, 0.0]",
-            1e-14,
+            4e-15,
         ),
         (
             "shape = \"cone\"\nradius = 0.3\nheight = 0.5",
             pivoted,
-            1e-14,
+            4e-15,
         ),
         (
             "shape = \"cuboid\"\nedges = [0.1, 0.2, 0.4]",
             pivoted,
-            1e-14,
+            4e-15,
         ),
         (
             "shape = \"ellipsoid\"\nsemi_axes = [0.1, 0.2, 0.4]",
             pivoted,
-            1e-14,
+            4e-15,
         ),
-        ("shape = \"egg\"\nlong = 0.3\nshort = 0.2", pivoted, 1e-14),
+        ("shape = \"egg\"\nlong = 0.3\nshort = 0.2", pivoted, 4e-15),
         // Drawn with sixteen levels.
         (
             "shape = \"ball-without-cap\"\nradius = 0.3\ncut = 0.1",
             pivoted,
-            0.02,
+            0.004,
         ),
-        ("moments = [0.3, 0.4, 0.5]", "", 1e-14),
+        ("moments = [0.3, 0.4, 0.5]", "", 4e-15),
         (
             "moments = [0.3, 0.4, 0.5]",
             "center_of_mass = [0.1, -0.05, 0.02]",
-            1e-14,
+            4e-15,
         ),
-        ("inertia = [0.3, 0.4, 0.5, 0.01, -0.02, 0.03]", "", 1e-14),
+        ("inertia = [0.3, 0.4, 0.5, 0.01, -0.02, 0.03]", "", 4e-15),
         (
             "inertia = [0.3, 0.4, 0.5, 0.01, -0.02, 0.03]",
             "center_of_mass = [0.1, -0.05, 0.02]",
-            1e-14,
+            4e-15,
         ),
     ];
     for (body, held, tolerance) in bodies {
@@ -225,7 +225,7 @@ fn everything_turns_as_omega_says() {
             let told = sights[1].omega;
             let off = (turning(&sights, solid, apart) - told).norm();
             assert!(
-                sights[1].turned && off <= 1e-3 * told.norm(),
+                sights[1].turned && off <= 4e-5 * told.norm(),
                 "{name} at {t}: {off}"
             );
         }
@@ -251,7 +251,7 @@ fn what_is_on_a_floor_touches_it() {
         for (t, sight) in times.iter().zip(&sights) {
             let low = lowest_of_all(sight);
             assert!(
-                sight.around == Around::Floor && low.abs() < 1e-12,
+                sight.around == Around::Floor && low.abs() < 2e-16,
                 "{name} at {t}: {low}"
             );
         }

@@ -122,6 +122,9 @@ fn s4_6_a_contact_that_holds_better_at_rest() {
     let bounced = |v: f64| gripping_bounce(moving(v, 0.0), Surface::Floor, 1.0, 1.0, law, 2.0);
     assert_eq!(bounced(1.0), bounce(moving(1.0, 0.0), Surface::Floor, 1.0));
     assert_eq!(bounced(1.5), moving(1.0, 0.5));
+    // A ball of another κ slips: friction takes 0.5 m/s of its speed, and gives the rim 1/κ times that.
+    let slipping = gripping_bounce(moving(5.0, 0.0), Surface::Floor, 0.4, 1.0, law, 2.0);
+    assert_eq!(slipping, moving(4.5, 1.25));
 }
 
 fn thrown(height: f64, climb: f64, velocity: f64, rim_speed: f64) -> InFlight {

@@ -1,15 +1,11 @@
 //! What a throw keeps (tutorial 3.2, 3.3): L of a brick in the air, and Ω that wanders about it.
 
+use crate::prelude::*;
 use nalgebra::UnitQuaternion;
-use spinning_bodies::Result;
 use spinning_bodies::conservation::uniform_gravity;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use spinning_bodies::inertia::{PlatonicSolid, shapes};
-
-use crate::solid::{Vector, View, polyhedron};
-use crate::style::*;
-use crate::{Entry, Figure, Parameter, Values, of};
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[of("thrown-brick", THROWN_BRICK, thrown_brick)];
@@ -35,7 +31,7 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
     let (off, turns) = (values.of(&OFF), values.of(&TURNS));
     let body = shapes::cuboid(MASS, EDGES)?;
     let (sin, cos) = off.to_radians().sin_cos();
-    let omega = BodyVector::new(sin, cos, 0.0) * (core::f64::consts::TAU * turns);
+    let omega = BodyVector::new(sin, cos, 0.0) * (TAU * turns);
     let l = body.inertia().angular_momentum(omega);
     // L upwards, the long edge to the right as far as that goes.
     let upright = UnitQuaternion::rotation_between(&l.components(), &Vector::z());
@@ -153,7 +149,7 @@ mod tests {
     #[test]
     fn eight_masses_keep_what_the_brick_keeps() {
         let (s, c) = 20_f64.to_radians().sin_cos();
-        let omega = Vector::new(s, c, 0.0) * 1.5 * core::f64::consts::TAU;
+        let omega = Vector::new(s, c, 0.0) * 1.5 * TAU;
         let half = Vector::from(EDGES) / 12_f64.sqrt();
         let l: Vector = (0..8)
             .map(|k| Vector::from_fn(|i, _| f64::from((k >> i & 1) * 2 - 1) * half[i]))

@@ -2,18 +2,12 @@
 
 mod triangle;
 
-use core::f64::consts::PI;
-
-use spinning_bodies::Result;
+use crate::prelude::*;
 use spinning_bodies::euler_equations::{
     AxisMoments, Equilibrium, Nature, equilibria, fastest_flow, separatrix_slope, streamline,
 };
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::PrincipalMoments;
-
-use crate::solid::{Vector, View, ellipsoid_hides, segment};
-use crate::style::*;
-use crate::{Entry, Figure, Parameter, Values, of};
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[

@@ -1,15 +1,11 @@
 //! The gyroscope (tutorial 4.8): torque, the change of L, and the precession that it makes.
 
-use core::f64::consts::{FRAC_PI_6, TAU};
+use core::f64::consts::FRAC_PI_6;
 
-use spinning_bodies::Result;
+use crate::prelude::*;
 use spinning_bodies::conservation::uniform_gravity;
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use spinning_bodies::lagrange_top::{LagrangeTop, PurePrecession, pure_precession};
-
-use crate::solid::{Vector, View, ellipse, segment};
-use crate::style::*;
-use crate::{Entry, Figure, Parameter, Values, of};
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[of("gyroscope", GYROSCOPE, gyroscope)];

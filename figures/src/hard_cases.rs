@@ -1,17 +1,13 @@
 //! Hard cases (chapter "Hard cases"): the error of the textbook's formula beside the error of ours.
 
+use crate::prelude::*;
 use lab::hard_cases::{Comparison, Family, families};
-use spinning_bodies::Result;
-
-use crate::plot::{Axis, Frame, beaded, powers};
-use crate::style::*;
-use crate::{Entry, Figure, constant};
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
-    constant("hard-cases", overview),
-    constant("hard-cases-tops", tops),
-    constant("hard-cases-bodies", bodies),
+    of("hard-cases", &[], overview),
+    of("hard-cases-tops", &[], tops),
+    of("hard-cases-bodies", &[], bodies),
 ];
 
 /// Whose error.
@@ -25,7 +21,7 @@ const SHOWN: [f64; 2] = [1e-17, 1.0];
 const CLOSE: f64 = 1e-6;
 
 /// Twelve formulas a millionth away from trouble.
-pub fn overview() -> Result<Figure> {
+pub fn overview(_: &Values) -> Result<Figure> {
     let all = families();
     let rows = all
         .iter()
@@ -68,7 +64,7 @@ pub fn overview() -> Result<Figure> {
 }
 
 /// Tops: the walk to the separatrix, the axis, the sphere, and so on.
-pub fn tops() -> Result<Figure> {
+pub fn tops(_: &Values) -> Result<Figure> {
     let words = words!(
         "The textbook walks uphill, the library on a floor.",
         "Six walks of a top to a place where its formula loses digits: relative error against the distance that is left (for the fast top and the slow \
@@ -91,7 +87,7 @@ pub fn tops() -> Result<Figure> {
 }
 
 /// The rest.
-pub fn bodies() -> Result<Figure> {
+pub fn bodies(_: &Values) -> Result<Figure> {
     let words = words!(
         "It is not only tops.",
         "Six more walks: relative error against the distance that is left. For the long time and the bounces that is 1 over the time or their number, \

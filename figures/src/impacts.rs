@@ -1,12 +1,8 @@
 //! A meteorite tilts a planet (tutorial 4.2, picture c).
 
-use spinning_bodies::Result;
+use crate::prelude::*;
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::impacts::{Meteorite, Planet, strike};
-
-use crate::solid::{View, latitude};
-use crate::style::*;
-use crate::{Entry, Figure, Parameter, Values, of};
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[of("meteorite", METEORITE, meteorite)];
@@ -200,7 +196,7 @@ fn glass(pen: &mut Pen, exact: Point, rough: Point) {
         let half = [20.0, 8.0 * lines.len() as f64];
         let places = (0..24).flat_map(|k| {
             [30.0, 38.0, 46.0].map(|far| {
-                let [x, y] = polar([0.0; 2], far, core::f64::consts::TAU * f64::from(k) / 24.0);
+                let [x, y] = polar([0.0; 2], far, TAU * f64::from(k) / 24.0);
                 [tip[0] + x, tip[1] + 0.8 * y]
             })
         });

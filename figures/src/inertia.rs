@@ -1,25 +1,17 @@
 //! The ellipsoid of inertia (tutorial 2.4) and the cube quiz (2.6).
 
-use core::f64::consts::{FRAC_PI_2, TAU};
-
-use spinning_bodies::Result;
+use crate::prelude::*;
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::{InertiaMatrix, PlatonicSolid, ellipsoid_of_inertia, shapes};
-
-use crate::solid::{
-    HIDDEN, Vector, View, box_hides, ellipse, ellipsoid_hides, hull, polyhedron, rim, segment,
-};
-use crate::style::*;
-use crate::{Entry, Figure, Parameter, Values, constant, of};
 
 mod leaning;
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
-    constant("cube-quiz", quiz),
+    of("cube-quiz", &[], quiz),
     of("leaning", leaning::LEANING, leaning::leaning),
     of("ellipsoid-of-inertia", ELLIPSOID, ellipsoid),
-    constant("cube-rosettes", rosettes),
+    of("cube-rosettes", &[], rosettes),
 ];
 
 parameters! {
@@ -184,7 +176,7 @@ const MOMENT_SCALE: f64 = 426.0;
 const BODY_SCALE: f64 = 48.0;
 
 /// The moment about every axis of a plane, for a cube and for a brick; the five regular solids below. A table of seven given bodies: nothing to choose.
-pub fn rosettes() -> Result<Figure> {
+pub fn rosettes(_: &Values) -> Result<Figure> {
     let cube = shapes::cuboid(1.0, [1.0, 1.0, 1.0])?.inertia();
     let brick = shapes::cuboid(1.0, [1.0, 1.0, 2.0])?.inertia();
     let cube = Rosette::new(&cube, [1.0, 1.0, 1.0])?;
@@ -313,7 +305,7 @@ impl Rosette {
 }
 
 /// The three axes of the quiz, without an answer. Constant: a cube is a cube.
-pub fn quiz() -> Result<Figure> {
+pub fn quiz(_: &Values) -> Result<Figure> {
     let cube = PlatonicSolid::Cube;
     let corners = cube.vertices(1.0)?.len();
     let faces = cube.faces().len();

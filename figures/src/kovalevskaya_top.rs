@@ -1,14 +1,9 @@
 //! Kovalevskaya's scribble, her circle, and the two bands of her polynomial (tutorial 8.2).
 
-use spinning_bodies::Result;
+use crate::prelude::*;
 use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, TopState};
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::kovalevskaya_top::{Diagram, KovalevskayaTop};
-
-use crate::plot::apart;
-use crate::style::*;
-
-use crate::{Entry, Figure, Parameter, Values, of};
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
@@ -92,7 +87,7 @@ pub fn circle(values: &Values) -> Result<Figure> {
     // The widest gap in what K has seen of its circle, rad.
     let mut angles: Vec<f64> = hers.iter().map(|p| p[1][1].atan2(p[1][0])).collect();
     angles.sort_by(f64::total_cmp);
-    let round = angles[0] + core::f64::consts::TAU - angles[angles.len() - 1];
+    let round = angles[0] + TAU - angles[angles.len() - 1];
     let open = angles.windows(2).map(|pair| pair[1] - pair[0]);
     let open = open.fold(round, f64::max);
     let named = short(ratio, 2);
@@ -269,7 +264,7 @@ pub fn classes(values: &Values) -> Result<Figure> {
         let spread = |k: f64| (f64::from(n) * k).fract();
         let [p, q, r] =
             [0.618_033_988_7, 0.414_213_562_4, 0.732_050_807_6].map(|k| 4.4 * spread(k) - 2.2);
-        let (sine, cosine) = (core::f64::consts::TAU * spread(0.236_067_977_5)).sin_cos();
+        let (sine, cosine) = (TAU * spread(0.236_067_977_5)).sin_cos();
         let zeta = [p * p - q * q - size * cosine, 2.0 * p * q - size * sine];
         let rest = 1.0 - zeta[0] * zeta[0] - zeta[1] * zeta[1];
         if rest > 0.0 {

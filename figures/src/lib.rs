@@ -46,6 +46,16 @@ pub use compare::compare;
 pub use finish::{Look, Theme};
 pub use parameter::{Parameter, Spacing, Values};
 
+/// What every figure draws with: a figure names only what it takes from the library.
+mod prelude {
+    pub(crate) use crate::plot::*;
+    pub(crate) use crate::solid::*;
+    pub(crate) use crate::style::*;
+    pub(crate) use crate::{Entry, Figure, Parameter, Values, of};
+    pub(crate) use core::f64::consts::{FRAC_PI_2, PI, TAU};
+    pub(crate) use spinning_bodies::Result;
+}
+
 /// A finished figure. Alt text and caption are part of the type: there is no figure without them.
 #[derive(Debug, Clone)]
 pub struct Figure {
@@ -160,14 +170,7 @@ pub struct Entry {
     pub chapter: &'static str,
     /// What may be chosen, in the order of the sliders; nothing for most drawings of a table.
     pub parameters: &'static [Parameter],
-    draw: Draw,
-}
-
-/// The function of a figure: of its values, if it has any parameters.
-#[derive(Debug, Clone, Copy)]
-enum Draw {
-    Constant(fn() -> Result<Figure>),
-    Of(fn(&Values) -> Result<Figure>),
+    draw: fn(&Values) -> Result<Figure>,
 }
 
 impl Entry {
@@ -176,10 +179,7 @@ impl Entry {
     /// # Errors
     /// What the library refuses.
     pub fn draw(&self, values: &Values) -> Result<Figure> {
-        match self.draw {
-            Draw::Constant(draw) => draw(),
-            Draw::Of(draw) => draw(values),
-        }
+        (self.draw)(values)
     }
 
     /// The parameter of a name.
@@ -199,37 +199,29 @@ impl Entry {
     }
 }
 
-const fn constant(name: &'static str, draw: fn() -> Result<Figure>) -> Entry {
-    // On a page nothing of it can be moved: what runs there leaves it out, with its tables, and is half as large.
-    let draw = match cfg!(target_family = "wasm") {
+/// The figure of this name, drawn of the values of these parameters.
+const fn of(
+    name: &'static str,
+    parameters: &'static [Parameter],
+    draw: fn(&Values) -> Result<Figure>,
+) -> Entry {
+    // Where nothing can be moved, a page needs no code: what runs there leaves it out, with its tables, and is half as large.
+    let draw = match cfg!(target_family = "wasm") && parameters.is_empty() {
         true => drawn_by_the_press,
         false => draw,
     };
     Entry {
         name,
         chapter: "",
-        parameters: &[],
-        draw: Draw::Constant(draw),
+        parameters,
+        draw,
     }
 }
 
-fn drawn_by_the_press() -> Result<Figure> {
+fn drawn_by_the_press(_: &Values) -> Result<Figure> {
     Err(Error::Empty {
         quantity: "the list of numbers to choose of a figure that is drawn on a page",
     })
-}
-
-const fn of(
-    name: &'static str,
-    parameters: &'static [Parameter],
-    draw: fn(&Values) -> Result<Figure>,
-) -> Entry {
-    Entry {
-        name,
-        chapter: "",
-        parameters,
-        draw: Draw::Of(draw),
-    }
 }
 
 /// All figures, in the order of the book.

@@ -1,12 +1,7 @@
 //! The box of gas that proves Pythagoras (tutorial 9.1).
 
-use core::f64::consts::PI;
-
-use spinning_bodies::Result;
+use crate::prelude::*;
 use spinning_bodies::pythagoras::GasBox;
-
-use crate::style::*;
-use crate::{Entry, Figure, Parameter, Values, of};
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[of("gas-box", GAS_BOX, gas_box)];

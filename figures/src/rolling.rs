@@ -2,14 +2,8 @@
 
 mod slide;
 
-use core::f64::consts::FRAC_PI_2;
-
-use spinning_bodies::Result;
+use crate::prelude::*;
 use spinning_bodies::rolling::RoundBody;
-
-use crate::plot::Axis;
-use crate::style::*;
-use crate::{Entry, Figure, Parameter, Values, of};
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[

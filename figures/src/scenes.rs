@@ -1,12 +1,9 @@
 //! Every kind of scene with every effect that it can have, and what each costs (page "Scenes").
 
-use spinning_bodies::Result;
-
-use crate::style::*;
-use crate::{Entry, Figure, constant};
+use crate::prelude::*;
 
 /// The figures of the chapter, in its order.
-pub const FIGURES: &[Entry] = &[constant("scene-prices", prices)];
+pub const FIGURES: &[Entry] = &[of("scene-prices", &[], prices)];
 
 /// Counted by the benches, checked by the tests of the book.
 const PRICES: &str = include_str!("../../book/src/tables/scene-prices.csv");
@@ -55,7 +52,7 @@ fn cells() -> Vec<Cell> {
 }
 
 /// What each effect does to the price of its scene.
-pub fn prices() -> Result<Figure> {
+pub fn prices(_: &Values) -> Result<Figure> {
     let cells = cells();
     let kinds = cells.chunk_by(|a, b| a.kind == b.kind).count();
     let stays = cells.iter().filter(|cell| cell.evaluations == 0).count();

@@ -1,16 +1,14 @@
 //! The ball on a withdrawn sheet (tutorial 4.5).
 
-use spinning_bodies::Result;
 use spinning_bodies::rolling::{Coulomb, Course, Happening, Load, Moment, Sheet, SheetSpeeds};
 
-use crate::plot::Axis;
-use crate::style::*;
-use crate::{Entry, Figure, Parameter, Values, constant, finish, of, rolling};
+use crate::prelude::*;
+use crate::{finish, rolling};
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
     of("withdrawn-sheet", SPEEDS, speeds),
-    constant("sheet-animated", animated),
+    of("sheet-animated", &[], animated),
 ];
 
 parameters! {
@@ -182,7 +180,7 @@ const METRE: f64 = 44.0 / 0.02;
 const FIRST: f64 = 352.0;
 
 /// The same in motion; of the book's numbers, for its film is made of them.
-pub fn animated() -> Result<Figure> {
+pub fn animated(_: &Values) -> Result<Figure> {
     let course = withdrawn(&Values::default(), 0.4)?;
     let place = course.at(LASTS).position;
     let millimetres = number(1e3 * place, 1);

@@ -1,12 +1,7 @@
 //! Which way a spool rolls (tutorial 4.4, pictures e to g).
 
-use core::f64::consts::PI;
-
-use spinning_bodies::Result;
+use crate::prelude::*;
 use spinning_bodies::rolling::{RoundBody, Spool, Tug, Way};
-
-use crate::style::*;
-use crate::{Entry, Figure, Parameter, Values, of};
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[

@@ -2,14 +2,11 @@
 
 mod bounces;
 
-use core::f64::consts::FRAC_PI_2;
-
 use num_rational::Ratio;
-use spinning_bodies::Result;
 use spinning_bodies::superball::{Motion, Surface, UnderTable, bounce_with};
 
-use crate::style::*;
-use crate::{Entry, Figure, Parameter, Values, of, rolling};
+use crate::prelude::*;
+use crate::rolling;
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[

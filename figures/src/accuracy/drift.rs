@@ -2,7 +2,6 @@
 
 use lab::follow::Follow;
 use lab::general::GeneralMethod;
-use spinning_bodies::Result;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::integrators::geometric::{
     FreeSplitting, Integrator, MoserVeselov, Order, Phase, VeselovOrder,
@@ -10,9 +9,7 @@ use spinning_bodies::integrators::geometric::{
 use spinning_bodies::integrators::{Effort, Method};
 
 use super::{named_line, problem};
-use crate::Figure;
-use crate::plot::{Frame, powers};
-use crate::style::*;
+use crate::prelude::*;
 
 /// A sixteenth of a second, about a thirtieth of a turn.
 const STEP: f64 = 0.0625;
@@ -39,7 +36,7 @@ fn followed(
 }
 
 /// Relative error of the energy, largest so far, over 10⁷ steps of three methods.
-pub fn energy_drift() -> Result<Figure> {
+pub fn energy_drift(_: &Values) -> Result<Figure> {
     let problem = problem("free-top/1")?;
     let moments = problem.moments();
     let start = problem.start();

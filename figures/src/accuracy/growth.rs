@@ -1,15 +1,12 @@
 //! How an error grows with the number of turns.
 
 use lab::accuracy::{Candidate, candidates, measure, named};
-use spinning_bodies::Result;
 use spinning_bodies::integrators::Effort;
 use spinning_bodies::integrators::geometric::Phase;
 
 use super::{named_line, problem};
-use crate::Figure;
-use crate::plot::{Frame, beaded, marks, powers};
-use crate::style::*;
 
+use crate::prelude::*;
 use Hardness::{StepsATurn, Tolerance};
 
 /// How hard a method works.
@@ -74,7 +71,7 @@ fn apart(a: &Phase, b: &Phase) -> Result<f64> {
 }
 
 /// Error after 1, 10, … a million turns, at the same effort throughout.
-pub fn growth() -> Result<Figure> {
+pub fn growth(_: &Values) -> Result<Figure> {
     let frame = Frame::log([0.8, 2e6], [1e-17, 10.0], [64.0, 584.0, 372.0, 32.0]);
     let all = candidates(&problem("free-top/1")?)?;
     let by_name = |name: &str| all.iter().find(|candidate| candidate.name() == name);

@@ -1,10 +1,7 @@
 //! Which method gets there first: digits asked by turns followed.
 
+use crate::prelude::*;
 use lab::accuracy::measured::{EXACT, MOTIONS, SWEEP, TARGETS, crossover, ranking, rows};
-use spinning_bodies::Result;
-
-use crate::Figure;
-use crate::style::*;
 
 /// A field, units.
 const FIELD: Point = [86.0, 38.0];
@@ -12,7 +9,7 @@ const FIELD: Point = [86.0, 38.0];
 const NINE: f64 = 1e-9;
 
 /// Eight maps of twelve fields, the winner's name in each.
-pub fn map() -> Result<Figure> {
+pub fn map(_: &Values) -> Result<Figure> {
     let rows = rows(SWEEP);
     let winners = MOTIONS.map(|(motion, name, lengths)| {
         let first = |turns: u32, target: f64| {

@@ -9,21 +9,17 @@ mod numbers;
 mod orders;
 mod seconds;
 
+use crate::prelude::*;
 use lab::accuracy::{Measurement, Problem, Status, Trial, candidates, measure, named};
-use spinning_bodies::Result;
-
-use crate::style::*;
-
-use crate::{Entry, constant};
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
-    constant("accuracy-map", map::map),
-    constant("accuracy-seconds", seconds::seconds),
-    constant("accuracy-orders", orders::orders),
-    constant("accuracy-numbers", numbers::three_numbers),
-    constant("accuracy-growth", growth::growth),
-    constant("accuracy-drift", drift::energy_drift),
+    of("accuracy-map", &[], map::map),
+    of("accuracy-seconds", &[], seconds::seconds),
+    of("accuracy-orders", &[], orders::orders),
+    of("accuracy-numbers", &[], numbers::three_numbers),
+    of("accuracy-growth", &[], growth::growth),
+    of("accuracy-drift", &[], drift::energy_drift),
 ];
 
 /// One problem over one length.

@@ -1,15 +1,12 @@
 //! The same method in three kinds of numbers.
 
 use lab::accuracy::Problem;
-use spinning_bodies::Result;
 use spinning_bodies::integrators::geometric::{
     DoubleDouble, Integrator, MoserVeselov, Real, VeselovOrder,
 };
 
 use super::{named_line, problem};
-use crate::Figure;
-use crate::plot::{Frame, beaded, marks, powers};
-use crate::style::*;
+use crate::prelude::*;
 
 /// Errors after ten turns against steps a turn.
 fn line<T: Real>(
@@ -34,7 +31,7 @@ fn line<T: Real>(
 }
 
 /// Single, double and two doubles.
-pub fn three_numbers() -> Result<Figure> {
+pub fn three_numbers(_: &Values) -> Result<Figure> {
     let problem = problem("free-top/10")?;
     let method = MoserVeselov::new(problem.moments(), VeselovOrder::Ten)?;
     let counts = || (3..=9).map(|k| 1 << k);

@@ -1,12 +1,9 @@
 //! Orders, measured.
 
 use lab::accuracy::measured_order;
-use spinning_bodies::Result;
 
 use super::{named_line, points, problem, swept};
-use crate::Figure;
-use crate::plot::{Frame, beaded, marks, powers};
-use crate::style::*;
+use crate::prelude::*;
 
 const GENTLE: Stroke = inked(DATA);
 const DISCRETE: Stroke = inked(DATA).dashed();
@@ -29,7 +26,7 @@ const METHODS: [(&str, Stroke, &str, f64, [f64; 2]); 6] = [
 ];
 
 /// Error of a turn against the number of steps, the slope of each line at its name.
-pub fn orders() -> Result<Figure> {
+pub fn orders(_: &Values) -> Result<Figure> {
     let turn = problem("free-top/1")?;
     let frame = Frame::log([1.0, 4000.0], [1e-16, 10.0], [64.0, 584.0, 372.0, 32.0]);
     let mut lines: Vec<(Vec<Point>, String)> = Vec::new();

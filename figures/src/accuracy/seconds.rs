@@ -1,11 +1,7 @@
 //! Error against time, as measured on one machine.
 
+use crate::prelude::*;
 use lab::accuracy::measured::{EXACT, MOTIONS, Row, SWEEP, rows};
-use spinning_bodies::Result;
-
-use crate::Figure;
-use crate::plot::Frame;
-use crate::style::*;
 
 const X: [f64; 2] = [3e-7, 1.0];
 const TIMES: [(f64, &str); 3] = [(1e-6, "1 µs"), (1e-3, "1 ms"), (1.0, "1 s")];
@@ -39,7 +35,7 @@ fn best(rows: &[Row<'_>], problem: &str, method: &str) -> Vec<Point> {
 }
 
 /// Small multiples: what the longest run of each top costs on a clock.
-pub fn seconds() -> Result<Figure> {
+pub fn seconds(_: &Values) -> Result<Figure> {
     let rows = rows(SWEEP);
     let machine = SWEEP
         .lines()

@@ -1,15 +1,9 @@
 //! The map of all tops: principal moments as a point of a triangle (tutorial 2.4, 5.3).
 
-use core::f64::consts::FRAC_PI_2;
-
-use spinning_bodies::Result;
+use crate::prelude::*;
 use spinning_bodies::euler_top::earth;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::inertia::{MassProperties, shapes};
-
-use crate::style::*;
-
-use crate::{Figure, Parameter, Values};
 
 parameters! {
     LENGTH: "length", "a", "mm", "length of the brick", [20.0, 400.0], 240.0;

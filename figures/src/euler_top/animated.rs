@@ -5,15 +5,12 @@
 
 use core::fmt::Write as _;
 
-use spinning_bodies::Result;
 use spinning_bodies::frame::Attitude;
 
 use super::racket::{Face, Flat, Parts, Throw, draw, face, parts, view};
-use crate::Figure;
 use crate::finish::{self, short};
-use crate::solid::{self, View};
-use crate::style::SCALE as CANVAS;
-use crate::style::*;
+use crate::prelude::*;
+use crate::solid;
 
 const NAME: &str = "racket-flip-animated";
 const CENTER: Point = [300.0, 166.0];
@@ -28,7 +25,7 @@ const STILL: usize = 75;
 const GRAPH: [f64; 4] = [70.0, 530.0, 372.0, 30.0];
 
 /// One racket, thrown and caught for ever. Constant: only this throw closes its loop.
-pub fn animated() -> Result<Figure> {
+pub fn animated(_: &Values) -> Result<Figure> {
     let throw = Throw::aimed()?;
     let period = throw.top.period();
     let states = throw
@@ -146,8 +143,8 @@ fn moving(attitudes: &[Attitude], dots: &[Point]) -> String {
     let _ = writeln!(
         svg,
         "<g transform=\"translate({:.0} {:.0})\"><g class=\"fig-{NAME}-turn\" transform=\"{}\" stroke=\"currentColor\">",
-        CENTER[0] * CANVAS,
-        CENTER[1] * CANVAS,
+        CENTER[0] * SCALE,
+        CENTER[1] * SCALE,
         matrices[STILL]
     );
     racket(&mut svg, faces[STILL]);
@@ -173,7 +170,7 @@ fn racket(svg: &mut String, back: &str) {
     let path = |line: &Flat| {
         let mut d = String::new();
         for (k, [along, across]) in line.iter().enumerate() {
-            let (x, y) = (along * SIZE * CANVAS, across * SIZE * CANVAS);
+            let (x, y) = (along * SIZE * SCALE, across * SIZE * SCALE);
             let _ = write!(d, "{}{x:.0} {y:.0}", if k == 0 { "M" } else { "L" });
         }
         d
@@ -212,5 +209,5 @@ fn matrix(attitude: &Attitude) -> String {
 }
 
 fn translation(at: &Point) -> String {
-    format!("translate({:.0}px,{:.0}px)", at[0] * CANVAS, at[1] * CANVAS)
+    format!("translate({:.0}px,{:.0}px)", at[0] * SCALE, at[1] * SCALE)
 }

@@ -1,16 +1,10 @@
 //! Toutatis on its sky (tutorial 6.8): a motion of two periods that never repeats.
 
-use core::f64::consts::TAU;
-
+use crate::prelude::*;
 use nalgebra::Rotation3;
-use spinning_bodies::Result;
 use spinning_bodies::euler_top::toutatis;
 use spinning_bodies::euler_top::{EulerTop, State};
 use spinning_bodies::frame::{Attitude, BodyVector};
-
-use crate::solid::{Vector, View, rim, segment};
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
 
 /// A day, s.
 const DAY: f64 = 86_400.0;

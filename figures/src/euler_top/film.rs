@@ -1,12 +1,10 @@
 //! The racket's flip as a film strip (tutorial 6.3).
 
-use spinning_bodies::Result;
 use spinning_bodies::euler_top::State;
 
 use super::racket::{Face, MOMENTS, TURNS, Throw, draw, face, view};
 use super::triple;
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 /// Pictures, the first and the last included.
 const FRAMES: usize = 9;

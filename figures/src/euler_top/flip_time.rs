@@ -1,12 +1,9 @@
 //! How long a racket waits before it flips, over sixteen decades of the distance from the separatrix (tutorial 6.3, 6.7).
 
-use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
 
 use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, top_of, triple};
-use crate::plot::{Frame, powers};
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 /// What well-known libraries answer: measured, with the scripts, in the folder of the table.
 const PEERS: &str = include_str!("../../../tests/reference/peers/flip_time.csv");
@@ -147,7 +144,7 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
     let (line, spin) = (&course.line, course.spin);
     // So far out the line is straight to the last digit printed: 2 ln 10/√λ.
     let decade = line[DECADES as usize][1] - line[DECADES as usize - 1][1];
-    let turns = |t: f64| t * spin / core::f64::consts::TAU;
+    let turns = |t: f64| t * spin / TAU;
     let near = line[DECADES as usize][1];
     // The answers of others were measured for one body at one speed.
     let measured = [SMALLEST, MIDDLE, LARGEST, SPIN]

@@ -1,11 +1,8 @@
 //! Euler's top (tutorial 6): the rolling ellipsoid, the polhodes, the racket, and the wandering pole.
 
-use spinning_bodies::Result;
+use crate::prelude::*;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
-
-use crate::style::brief;
-use crate::{Entry, Values, constant, of};
 
 mod animated;
 mod asteroid;
@@ -22,7 +19,7 @@ pub const FIGURES: &[Entry] = &[
     of("poinsot-ellipsoid", poinsot::POINSOT, poinsot::rolling),
     of("polhodes", polhodes::POLHODES, polhodes::polhodes),
     of("racket-flip", film::FILM, film::film),
-    constant("racket-flip-animated", animated::animated),
+    of("racket-flip-animated", &[], animated::animated),
     of("flip-time", flip_time::FLIP_TIME, flip_time::flip_time),
     of("polar-circles", wobble::CIRCLES, wobble::polar_circles),
     of("precession-cones", wobble::CONES, wobble::precession_cones),

@@ -1,15 +1,10 @@
 //! Poinsot's ellipsoid on its plane (tutorial 6.2).
 
-use core::f64::consts::TAU;
-
-use spinning_bodies::Result;
 use spinning_bodies::euler_top::{Poinsot, Sector};
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 
 use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, top_of, triple};
-use crate::solid::{Vector, View, ellipse, ellipsoid_hides, latitude, rim, segment, turned};
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 parameters! {
     FIRST: "first", r"\Omega_1", "rad/s", "angular velocity about the axis of the smallest moment", [0.1, 2.0], 1.3;

@@ -1,15 +1,10 @@
 //! The polhodes, with the pace the picture does not tell (tutorial 6.3).
 
-use core::f64::consts::TAU;
-
-use spinning_bodies::Result;
 use spinning_bodies::euler_top::{EulerTop, Poinsot, Sector};
 use spinning_bodies::frame::{Attitude, BodyVector};
 
 use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, triple};
-use crate::solid::{Vector, View, ellipse, ellipsoid_hides, rim};
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 /// Where polhodes cross the plane of x₁ and x₃: shares of the way from x₁, and from x₃, to the separatrix, in the circle that
 /// the ellipse is stretched from.

@@ -1,14 +1,10 @@
 //! The tennis racket, thrown almost about its middle axis (tutorial 6.3, 6.7): the throw, and what the racket looks like.
 
-use core::f64::consts::TAU;
-
-use spinning_bodies::Result;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
 
 use super::top_of;
-use crate::solid::{Vector, View, turned};
-use crate::style::*;
+use crate::prelude::*;
 
 /// Principal moments of a racket, kg m²: about the handle, across the handle in the plane of the strings, across the strings
 /// (Ashbaugh, Chicone, Cushman 1991).

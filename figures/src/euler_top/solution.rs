@@ -1,13 +1,10 @@
 //! The three components of Ω against time, close to the separatrix (tutorial 6.6).
 
-use spinning_bodies::Result;
 use spinning_bodies::euler_top::Regime;
 use spinning_bodies::frame::{Attitude, BodyVector};
 
 use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, top_of, triple};
-use crate::plot::Axis;
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 parameters! {
     FIRST: "first", r"\Omega_1(0)", "rad/s", "angular velocity about the axis of the smallest moment at the start", [1e-4, 2.0], 0.01, logarithmic;

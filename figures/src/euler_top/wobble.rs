@@ -1,14 +1,8 @@
 //! The wandering pole of the Earth (tutorial 6.5).
 
-use core::f64::consts::TAU;
-
-use spinning_bodies::Result;
+use crate::prelude::*;
 use spinning_bodies::euler_top::{Cones, Shape, SymmetricTop};
 use spinning_bodies::frame::BodyVector;
-
-use crate::solid::{Vector, View, ellipse, hull};
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
 
 const CENTER: Point = [206.0, 208.0];
 /// Days between two dots.
@@ -70,7 +64,7 @@ impl Lane {
 }
 
 /// Where the race starts: at the top.
-const START: f64 = core::f64::consts::FRAC_PI_2;
+const START: f64 = FRAC_PI_2;
 
 /// Two poles race until that of a rigid Earth is home; that of the real one is not.
 pub fn polar_circles(values: &Values) -> Result<Figure> {
@@ -268,7 +262,7 @@ pub fn precession_cones(values: &Values) -> Result<Figure> {
 }
 
 /// From where the cones are seen: azimuth and elevation.
-const DIRECTION: [f64; 2] = [-core::f64::consts::FRAC_PI_2, 0.3];
+const DIRECTION: [f64; 2] = [-FRAC_PI_2, 0.3];
 
 /// Both cones of a body.
 struct Pair<'a> {

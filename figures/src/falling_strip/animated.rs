@@ -2,12 +2,10 @@
 
 use core::fmt::Write as _;
 
-use spinning_bodies::Result;
 use spinning_bodies::falling_strip::{Coefficients, Fall, Sheet, Start};
 
-use crate::style::SCALE as CANVAS;
-use crate::style::*;
-use crate::{Figure, finish};
+use crate::finish;
+use crate::prelude::*;
 
 const NAME: &str = "strip-animated";
 /// Widths, cm, and where the paths begin; half widths drawn, units.
@@ -79,7 +77,7 @@ fn film(index: usize) -> Result<Film> {
 }
 
 /// A wide strip and a narrow one.
-pub fn animated() -> Result<Figure> {
+pub fn animated(_: &Values) -> Result<Figure> {
     let films = [film(0)?, film(1)?];
     let slow = |film: &Film| SECONDS / (film.time * film.sheet.time());
     let (wide, narrow) = (number(slow(&films[0]), 1), number(slow(&films[1]), 0));
@@ -117,7 +115,7 @@ pub fn animated() -> Result<Figure> {
             .iter()
             .enumerate()
             .map(|(k, ([x, y], angle))| {
-                let (x, y) = (x * CANVAS, y * CANVAS);
+                let (x, y) = (x * SCALE, y * SCALE);
                 let moved = format!("translate({x:.0}px,{y:.0}px) rotate({angle:.3}rad)");
                 (format!("{:.2}", 100.0 * k as f64 / PICTURES as f64), moved)
             });
@@ -125,7 +123,7 @@ pub fn animated() -> Result<Figure> {
         style += &format!(".{name}{{animation:{name} {SECONDS}s linear infinite}}");
         let _ = write!(all, "{}.{name}", if all.is_empty() { "" } else { "," });
         let ([x, y], angle) = film.pictures[PICTURES / 2];
-        let (x, y, half) = (x * CANVAS, y * CANVAS, film.half * CANVAS);
+        let (x, y, half) = (x * SCALE, y * SCALE, film.half * SCALE);
         let degrees = angle.to_degrees();
         let _ = writeln!(
             groups,

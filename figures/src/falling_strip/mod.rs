@@ -3,19 +3,15 @@
 mod animated;
 mod regimes;
 
-use spinning_bodies::Result;
+use crate::prelude::*;
 use spinning_bodies::falling_strip::{Coefficients, Fall, LongRun, Regime, Sheet, Start};
-
-use crate::plot::{Frame, marks};
-use crate::style::*;
-use crate::{Entry, Figure, constant};
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
-    constant("strip-animated", animated::animated),
-    constant("strip-paths", paths),
-    constant("strip-regimes", regimes::regimes),
-    constant("strip-rate", rate),
+    of("strip-animated", &[], animated::animated),
+    of("strip-paths", &[], paths),
+    of("strip-regimes", &[], regimes::regimes),
+    of("strip-rate", &[], rate),
 ];
 
 /// Long runs of all these mass ratios.
@@ -39,7 +35,7 @@ const PANELS: [(f64, &str, Point, f64, f64); 6] = [
 const UNIT: f64 = 9.5;
 
 /// Six ways to fall: mass ratios and moments chosen by hand, for each panel has its own room.
-pub fn paths() -> Result<Figure> {
+pub fn paths(_: &Values) -> Result<Figure> {
     let drawn: Vec<(Vec<[f64; 7]>, LongRun)> = PANELS
         .iter()
         .map(|&(ratio, _, _, from, lasts)| {
@@ -94,7 +90,7 @@ pub fn paths() -> Result<Figure> {
 }
 
 /// Rotation rate of strips of paper against their width. Fifty long runs: it stays as the book has it.
-pub fn rate() -> Result<Figure> {
+pub fn rate(_: &Values) -> Result<Figure> {
     let widths = (0..48).map(|k| 0.5 * 36_f64.powf(f64::from(k) / 47.0));
     let widths: Vec<f64> = widths.collect();
     let sheets = widths.iter().map(|w| Sheet::of_paper(w / 100.0));
@@ -102,7 +98,7 @@ pub fn rate() -> Result<Figure> {
     let ratios: Vec<f64> = sheets.iter().map(Sheet::mass_ratio).collect();
     let runs = scan(&ratios, Coefficients::PAPER)?;
     let frame = Frame::log([0.4, 24.0], [0.4, 40.0], [76.0, 570.0, 330.0, 40.0]);
-    let hertz = |k: usize| runs[k].rotation.abs() / sheets[k].time() / core::f64::consts::TAU;
+    let hertz = |k: usize| runs[k].rotation.abs() / sheets[k].time() / TAU;
     let curve: Vec<Point> = (0..runs.len())
         .filter(|&k| runs[k].regime == Regime::Tumble)
         .map(|k| frame.at(widths[k], hertz(k)))

@@ -2,13 +2,10 @@
 
 use core::f64::consts::FRAC_PI_4;
 
-use spinning_bodies::Result;
 use spinning_bodies::falling_strip::{Coefficients, MEASURED_FROUDE, Regime, Sheet, transition};
 
 use super::scan;
-use crate::Figure;
-use crate::plot::Axis;
-use crate::style::*;
+use crate::prelude::*;
 
 const LINE: Axis = Axis::log([0.25, 12.0], [40.0, 580.0]);
 /// Widths of the strips that are drawn, cm, and units to a centimetre.
@@ -16,7 +13,7 @@ const STRIPS: [f64; 4] = [30.0, 15.0, 5.0, 1.0];
 const CENTIMETRE: f64 = 3.0;
 
 /// Regimes against the mass ratio, for both sets of coefficients and for paper. Three hundred long runs: it stays as the book has it.
-pub fn regimes() -> Result<Figure> {
+pub fn regimes(_: &Values) -> Result<Figure> {
     let ratios = (0..=150).map(|k| 0.25 * 48_f64.powf(f64::from(k) / 150.0));
     let ratios: Vec<f64> = ratios.collect();
     let sets = [Coefficients::PAPER, Coefficients::PUBLISHED];

@@ -1,14 +1,10 @@
 //! L leans away from Ω (tutorial 2.2): a box spun about an axis between two of its own.
 
-use core::f64::consts::FRAC_PI_2;
-
-use spinning_bodies::Result;
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::shapes;
 
 use super::{LONG, MIDDLE, SHORT};
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 parameters! {
     DIRECTION: "direction", r"\varphi", "°", "direction of Ω, from the long edge to the short one", [0.0, 90.0], 20.0, dragged(|values| polar(CENTER, OMEGA, values.of(&DIRECTION).to_radians()));

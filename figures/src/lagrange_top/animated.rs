@@ -3,19 +3,14 @@
 //! Seen from far away a flywheel is an affine image of a disc and its axle a line: six numbers each for every picture. Every top
 //! closes its path after one turn about the vertical, so that it can go on for ever.
 
-use core::f64::consts::{PI, TAU};
 use core::fmt::Write as _;
 
-use spinning_bodies::Result;
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::lagrange_top::LagrangeTop;
 
 use super::{launch, launch_body, nose, pure_rates};
-use crate::Figure;
 use crate::finish::{self, short};
-use crate::solid::{View, axes, latitude};
-use crate::style::SCALE as CANVAS;
-use crate::style::*;
+use crate::prelude::*;
 
 const NAME: &str = "top-animated";
 /// cos θ of every start: 60 degrees.
@@ -131,7 +126,7 @@ impl Loop {
                 .attitude;
             let [e1, e2, e3] = axes(&attitude).map(|e| view.project(&e));
             frames[0].push(matrix(e3, [-e3[1], e3[0]], [0.0, 0.0]));
-            frames[1].push(matrix(e1, e2, e3.map(|c| c * SEAT * RADIUS * CANVAS)));
+            frames[1].push(matrix(e1, e2, e3.map(|c| c * SEAT * RADIUS * SCALE)));
         }
         Ok(frames)
     }
@@ -164,7 +159,7 @@ fn tops() -> Result<[Loop; 4]> {
 }
 
 /// Waves, cusps, loops, and none of them. Constant: the spins are those that close the loops.
-pub fn top_animated() -> Result<Figure> {
+pub fn top_animated(_: &Values) -> Result<Figure> {
     let tops = tops()?;
     let [waves, cusps, loops, pure] = &tops;
     let seconds = number(10.0 * SLOWNESS, 0);
@@ -202,8 +197,8 @@ fn moving(tops: &[Loop]) -> Result<String> {
         let _ = writeln!(
             groups,
             "<g transform=\"translate({:.0} {:.0})\" stroke=\"currentColor\">",
-            top.center[0] * CANVAS,
-            top.center[1] * CANVAS
+            top.center[0] * SCALE,
+            top.center[1] * SCALE
         );
         // The axle over the wheel, so that it is seen from below as well.
         for (k, (part, paths)) in [("wheel", wheel()), ("axle", axle())]
@@ -241,12 +236,12 @@ fn path(d: &str, width: f64, rest: &str) -> String {
 }
 
 fn axle() -> String {
-    let end = RADIUS * CANVAS;
+    let end = RADIUS * SCALE;
     path(&format!("M0 0L{end:.0} 0"), 2.6, "") + &path(&format!("M{end:.0} 0L{end:.0} 0"), 8.0, "")
 }
 
 fn wheel() -> String {
-    let r = WHEEL * RADIUS * CANVAS;
+    let r = WHEEL * RADIUS * SCALE;
     let rim = format!("M{r:.0} 0A{r:.0} {r:.0} 0 1 1 -{r:.0} 0A{r:.0} {r:.0} 0 1 1 {r:.0} 0Z");
     let spokes: String = (0..SPOKES)
         .map(|k| (TAU * k as f64 / SPOKES as f64 + 0.5 * PI).sin_cos())

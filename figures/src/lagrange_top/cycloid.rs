@@ -1,13 +1,9 @@
 //! The nose of a top released from rest, beside the cycloid (tutorial 7.4).
 
-use core::f64::consts::TAU;
-
-use spinning_bodies::Result;
 use spinning_bodies::lagrange_top::{Cycloid, dip};
 
 use super::{launch, nose};
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 parameters! {
     TILT: "tilt", r"\theta_0", "°", "tilt at the release", [5.0, 175.0], 60.0;

@@ -2,7 +2,7 @@
 //!
 //! Units of all figures: I₁ = 1 and Mgl = 1; I₃ = 1 as well, unless said, so that L₃ is Ω₃. The motion of the axis depends on I₃ through L₃ only.
 
-use spinning_bodies::Result;
+use crate::prelude::*;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::lagrange_top::{LagrangeTop, PurePrecession, pure_precession};
 
@@ -14,15 +14,12 @@ mod sleeping;
 mod waking;
 mod wooden;
 
-use crate::solid::Vector;
-use crate::{Entry, constant, of};
-
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
     of("wooden-top", wooden::WOODEN, wooden::wooden_top),
     of("wooden-top-let-go", wooden::WOODEN, wooden::let_go),
     of("nutations", nutations::NUTATIONS, nutations::nutations),
-    constant("top-animated", animated::top_animated),
+    of("top-animated", &[], animated::top_animated),
     of(
         "sleeping-threshold",
         sleeping::SLEEPING,

@@ -1,12 +1,9 @@
 //! Traces of the nose, each at its place in the plane of L_vert and L₃ (tutorial 7.2, pictures k, l, m, n).
 
-use spinning_bodies::Result;
 use spinning_bodies::lagrange_top::{LagrangeTop, Nutation};
 
 use super::{launch, nose, pure_rates};
-use crate::solid::{Vector, View, latitude};
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 /// cos θ of every start: 60 degrees.
 const HEIGHT: f64 = 0.5;
@@ -80,7 +77,7 @@ impl Globe {
         let roots = top.roots();
         let circle = self.cycles == 1.0 || top.kind() == Nutation::PurePrecession;
         let time = match circle {
-            true => core::f64::consts::TAU / self.pace().abs(),
+            true => TAU / self.pace().abs(),
             false => self.cycles * top.period(),
         };
         // A top that falls from the upright position takes for ever.

@@ -1,13 +1,10 @@
 //! Slow and fast rates of pure precession against the tilt, and where they cease (tutorial 7.3).
 
-use core::f64::consts::PI;
-
+use spinning_bodies::Error;
 use spinning_bodies::lagrange_top::Nutation;
-use spinning_bodies::{Error, Result};
 
 use super::{launch, pure_rates};
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 // L₃ of the curves; each has its handle where its fast branch ends, for a hanging axis.
 parameters! {

@@ -1,12 +1,9 @@
 //! f(h) and its roots while the spin of a sleeping top falls through the threshold (tutorial 7.5).
 
-use spinning_bodies::Result;
 use spinning_bodies::lagrange_top::{Roots, tilt_after_kick};
 
 use super::launch;
-use crate::plot::Axis;
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 parameters! {
     ABOVE: "above", "L_3", "", "axial momentum of the fastest top", [2.05, 3.0], 2.4;

@@ -1,21 +1,17 @@
 //! Tilt against spin while dry friction takes a sleeping top through the threshold (tutorial 7.5).
 
-use spinning_bodies::Result;
+use crate::prelude::*;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::lagrange_top::{sleeping_threshold, tilt_after_kick};
 use spinning_bodies::scene::top::{Body, Gravity, Start, TipFriction, Top};
 use spinning_bodies::scene::{Request, Scene};
-
-use crate::plot::{Frame, marks};
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
 
 const MOMENTS: [f64; 3] = [2.0e-4, 2.0e-4, 7.0e-5];
 const WEIGHT_MOMENT: f64 = 0.1 * 9.81 * 0.04;
 /// A tilt that shows, degrees.
 const AWAKE: f64 = 1.0;
 /// 12.9 turns a second at the start, and where the picture ends, rad/s.
-const SPIN: f64 = 12.9 * core::f64::consts::TAU;
+const SPIN: f64 = 12.9 * TAU;
 const LAST: f64 = 77.5;
 const SAMPLES: u32 = 1001;
 /// The greatest tilt shown, degrees.

@@ -1,13 +1,10 @@
 //! The wooden top of the chapter's puzzle (tutorial 7.4): tilted, spun, held still; and let go.
 
-use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::lagrange_top::LagrangeTop;
 
 use super::nose;
-use crate::solid::{Vector, View, ellipse, latitude};
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 /// Moments, kg m², mass, kg, and the height of C above the tip, m.
 const ACROSS: f64 = 2e-4;
@@ -37,7 +34,7 @@ fn view() -> View {
 fn launched(values: &Values) -> Result<LagrangeTop> {
     let (tilt, turns) = (values.of(&TILT).to_radians(), values.of(&TURNS));
     let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), tilt)?;
-    let spin = BodyVector::new(0.0, 0.0, core::f64::consts::TAU * turns);
+    let spin = BodyVector::new(0.0, 0.0, TAU * turns);
     LagrangeTop::new(ACROSS, ALONG, MASS * GRAVITY * ARM, spin, tilted)
 }
 
@@ -147,7 +144,7 @@ mod tests {
         let weight = 0.1 * 9.81 * 0.04;
         let (sin, cos) = 30_f64.to_radians().sin_cos();
         let mut e = Vector::new(0.0, -sin, cos);
-        let mut l = e * 7e-5 * 60.0 * core::f64::consts::PI;
+        let mut l = e * 7e-5 * 60.0 * PI;
         let rate = |e: Vector, l: Vector| (l.cross(&e) / 2e-4, Vector::z().cross(&e) * weight);
         let steps = 50;
         let step = 0.5 / 1000.0 / f64::from(steps);

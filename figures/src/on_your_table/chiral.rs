@@ -1,17 +1,13 @@
 //! A chiral top to print: a ball of plastic with a hollow that stands askew in it.
 
+use crate::prelude::*;
 use nalgebra::Matrix3;
-use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::inertia::{MassProperties, Mesh, icosphere, mesh_mass_properties};
 use spinning_bodies::scene::contact::{State, TableTop, passage};
 use spinning_bodies::scene::effects::{Gravity, Regularised};
 use spinning_bodies::scene::{Request, Scene};
 use spinning_bodies::tippe_top::{ConvexBody, Start, Surface};
-
-use crate::Figure;
-use crate::solid::Vector;
-use crate::style::*;
 
 /// Radius of the ball, m.
 const RADIUS: f64 = 0.03;
@@ -100,7 +96,7 @@ fn run(spin: f64) -> Result<Vec<(f64, State)>> {
 }
 
 /// The printed top, cut open along its axis in two planes.
-pub fn section() -> Result<Figure> {
+pub fn section(_: &Values) -> Result<Figure> {
     let map = hollow()?;
     let (vertices, _) = mesh()?;
     let inner = &vertices[vertices.len() / 2..];
@@ -113,7 +109,7 @@ pub fn section() -> Result<Figure> {
     let side = passage(&clockwise, degrees, 90.0).unwrap_or(f64::INFINITY);
     let last = clockwise.last().map_or(0.0, |row| degrees(&row.1));
     let most = other.iter().map(|row| degrees(&row.1)).fold(0.0, f64::max);
-    let turns = number(SPIN / core::f64::consts::TAU, 0);
+    let turns = number(SPIN / TAU, 0);
     let [radius, mass] = numbers([1e3 * RADIUS, 1e3 * properties.mass()], 0);
     let lean = number(TILT.to_degrees(), 0);
     let words = words!(
@@ -129,7 +125,7 @@ pub fn section() -> Result<Figure> {
             let scale = 122.0;
             let along = |angle: f64| angle.cos() * across + angle.sin() * Vector::z();
             let outline: Vec<Point> = (0..120)
-                .map(|n| core::f64::consts::TAU * f64::from(n) / 120.0)
+                .map(|n| TAU * f64::from(n) / 120.0)
                 .filter_map(|angle| {
                     let way = along(angle);
                     let reach = scale / (way.dot(&(inverse? * way))).sqrt();

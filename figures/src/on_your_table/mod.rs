@@ -1,14 +1,12 @@
 //! Things to cut out and to print (page "On your table"): sheets at true size and a top, with the numbers to expect of just them.
 
+use crate::prelude::*;
+
 mod chiral;
 mod paper;
 
-use spinning_bodies::Result;
-
-use crate::{Entry, constant};
-
 /// The figures of the chapter.
-pub(crate) const FIGURES: &[Entry] = &[constant("printed-top", chiral::section)];
+pub(crate) const FIGURES: &[Entry] = &[of("printed-top", &[], chiral::section)];
 
 /// A size of paper.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,9 +1,7 @@
 //! Strips and a cat of paper, at true size. Lengths in millimetres where they are drawn.
 
-use core::f64::consts::{PI, TAU};
 use std::fmt::Write as _;
 
-use spinning_bodies::Result;
 use spinning_bodies::falling_strip::{Coefficients, Fall, LongRun, Regime, Sheet, Start};
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::{MassProperties, shapes};
@@ -12,7 +10,7 @@ use spinning_bodies::scene::effects::{Air, Gravity};
 use spinning_bodies::scene::shape;
 
 use super::Paper;
-use crate::style::{Point, number, wrapped};
+use crate::prelude::*;
 
 /// Mass of office paper, kg/m².
 const OFFICE: f64 = 0.08;

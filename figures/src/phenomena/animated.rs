@@ -2,15 +2,12 @@
 
 use core::fmt::Write as _;
 
-use spinning_bodies::Result;
 use spinning_bodies::scene::shape::CatState;
 
 use super::body::{FORWARD, RATIO, back, cat, pieces, turned, turnover};
 use super::film::{AZIMUTH, ELEVATION};
-use crate::Figure;
-use crate::solid::View;
+use crate::prelude::*;
 use crate::style::SCALE as CANVAS;
-use crate::style::*;
 
 const NAME: &str = "cat-animated";
 const SCALE: f64 = 540.0;
@@ -24,7 +21,7 @@ const STILL: usize = 22;
 const LOOP: f64 = 4.2;
 
 /// A cat that falls and falls.
-pub fn cat_animated() -> Result<Figure> {
+pub fn cat_animated(_: &Values) -> Result<Figure> {
     let fractions = (0..PICTURES).map(|k| k as f64 / (PICTURES - 1) as f64);
     let fractions: Vec<f64> = fractions.collect();
     let states = turnover(&fractions)?;
@@ -145,7 +142,7 @@ mod tests {
         let states = turnover(&[0.0, 1.0]).expect("two states");
         assert_eq!(states[1].bend.angle, 0.0);
         // Observed: 3e-15.
-        assert!((turned(&states[1]) - core::f64::consts::PI).abs() < 1e-13);
+        assert!((turned(&states[1]) - PI).abs() < 1e-13);
         for state in &states {
             assert!(state.angular_momentum.norm() < 1e-15);
         }

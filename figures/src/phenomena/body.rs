@@ -1,16 +1,11 @@
 //! A cat of round pieces: two halves, head, legs, tail; nearer pieces hide what is behind them.
 
-use core::f64::consts::{FRAC_PI_2, TAU};
-
-use spinning_bodies::Result;
+use crate::prelude::*;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::phenomena::{Cat, EqualHalves, Half};
 use spinning_bodies::scene::effects::{Pace, Turnover};
 use spinning_bodies::scene::shape::{self, CatState};
 use spinning_bodies::scene::{Request, Scene};
-
-use crate::solid::{Vector, View, hull};
-use crate::style::*;
 
 /// I/J of a half.
 pub const RATIO: f64 = 4.0;

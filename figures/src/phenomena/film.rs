@@ -1,13 +1,9 @@
 //! The falling cat in eight pictures, and how far back it must bend (tutorial 1.1).
 
-use spinning_bodies::Result;
 use spinning_bodies::phenomena::EqualHalves;
 
 use super::body::{DURATION, FORWARD, RATIO, back, cat, draw, pieces, turned, turnover};
-use crate::plot::Axis;
-use crate::solid::View;
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 parameters! {
     HALVES: "ratio", "I/J", "", "moment of a half across its spine over that about it", [1.5, 12.0], RATIO, logarithmic;
@@ -24,7 +20,7 @@ pub const AZIMUTH: f64 = -1.92;
 pub const ELEVATION: f64 = 0.16;
 
 /// On its back, bent, carried round, and on its feet: eight moments of one cat, chosen by hand.
-pub fn cat_film() -> Result<Figure> {
+pub fn cat_film(_: &Values) -> Result<Figure> {
     let fractions: [f64; FRAMES] = [0.0, 0.2, 0.36, 0.45, 0.53, 0.63, 0.8, 1.0];
     let states = turnover(&fractions)?;
     let back_bend = back()?;

@@ -1,6 +1,5 @@
 //! On the ice (tutorial 1.1, picture a), and on rougher ground.
 
-use spinning_bodies::Result;
 use spinning_bodies::integrators::{Effort, Kept, order_eight};
 use spinning_bodies::phenomena::{Crawler, PARTS, Part, Strokes, Wriggler, feet};
 use spinning_bodies::scene::effects::{Coulomb, Gravity};
@@ -8,10 +7,7 @@ use spinning_bodies::scene::shape::{self, CrawlerState};
 use spinning_bodies::scene::{Request, Scene};
 
 use super::body::circle;
-use crate::plot::{Axis, Frame};
-use crate::solid::hull;
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 parameters! {
     LEAN: "lean", "s", "m", "how far the shoulders go out to the right; nine tenths of it to the left", [0.1, 0.45], 0.4;

@@ -1,15 +1,10 @@
 //! Turning as an area of the shape plane: the swivel's and the cat's (tutorial 1.1).
 
-use core::f64::consts::{FRAC_PI_2, PI, TAU};
-
-use spinning_bodies::Result;
 use spinning_bodies::phenomena::{EqualHalves, Hub, ShapePlane, Step, Swivel, Waist, turn_within};
 
 use super::body::RATIO;
 use super::swivel::{IN, LOWER, OUT};
-use crate::plot::Frame;
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 parameters! {
     BEND: "forward", r"\gamma", "°", "bend of the cat forward", [70.0, 115.0], 90.0, dragged(|values| cat_at(values.of(&BEND).to_radians(), 0.0));

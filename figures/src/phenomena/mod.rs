@@ -1,5 +1,7 @@
 //! Figures of the chapter on strange rotational phenomena (tutorial 1.1).
 
+use crate::prelude::*;
+
 mod animated;
 mod body;
 mod film;
@@ -8,15 +10,13 @@ mod loops;
 mod paper;
 mod swivel;
 
-use crate::{Entry, constant, of};
-
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
-    constant("cat-animated", cat_animated),
+    of("cat-animated", &[], cat_animated),
     of("ice", ICE, ice),
     of("crawler", CRAWLER, crawler),
     of("swivel", SWIVEL, swivel),
-    constant("cat-film", cat_film),
+    of("cat-film", &[], cat_film),
     of("shape-loops", SHAPE_LOOPS, shape_loops),
     of("back-bend", BACK_BEND, back_bend),
     of("paper-cat", PAPER_CAT, paper_cat),

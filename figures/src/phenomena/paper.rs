@@ -1,16 +1,13 @@
 //! The paper cat (tutorial 1.1): the forces on it, and what the first degree costs.
 
-use core::f64::consts::{LN_10, PI};
+use core::f64::consts::LN_10;
 
-use spinning_bodies::Result;
 use spinning_bodies::phenomena::PaperCat;
 use spinning_bodies::scene::effects::{Air, Gravity};
 use spinning_bodies::scene::shape;
 use spinning_bodies::scene::{Request, Scene};
 
-use crate::plot::{self, Axis, Frame};
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 parameters! {
     LEVER: "lever", "d", "mm", "height of the point at which the air pushes over the centre of mass", [2.0, 12.0], 6.0;
@@ -149,8 +146,8 @@ pub fn paper_cat_fall(values: &Values) -> Result<Figure> {
             Ok([degrees, fall(degrees)?])
         })
         .collect::<Result<Vec<_>>>()?;
-    let marks = [30.0, 10.0, 5.0, 1.0];
-    let falls = marks.map(fall).into_iter().collect::<Result<Vec<_>>>()?;
+    let errors = [30.0, 10.0, 5.0, 1.0];
+    let falls = errors.map(fall).into_iter().collect::<Result<Vec<_>>>()?;
     let cat = cat(values);
     let decade = cat.fall_per_decade(values.of(&THICK), GRAVITY);
     let [a, b, c, d] = [0, 1, 2, 3].map(|k: usize| number(falls[k], 3));
@@ -170,12 +167,12 @@ pub fn paper_cat_fall(values: &Values) -> Result<Figure> {
     };
     let place = |[degrees, fall]: Point| frame.at(degrees, fall);
     let made = figure("paper-cat-fall", 344.0, words, |pen| {
-        let degrees = plot::marks(&[10.0, 1.0, 0.1, 0.01, 0.001], "°");
+        let degrees = marks(&[10.0, 1.0, 0.1, 0.01, 0.001], "°");
         let names = ["short of upside down by", "fall, m"];
         frame.draw(pen, &degrees, &frame.y.ticks(50.0), names);
         let points = curve.iter().map(|point| place(*point));
         pen.line(points, inked(DATA));
-        for (k, (&degrees, &fall)) in marks.iter().zip(&falls).enumerate() {
+        for (k, (&degrees, &fall)) in errors.iter().zip(&falls).enumerate() {
             let at = place([degrees, fall]);
             pen.dot(at, 4.0);
             // Above and below the curve in turn: the marks are close together.

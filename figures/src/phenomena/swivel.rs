@@ -1,14 +1,9 @@
 //! The swivel in four pictures, seen from above (tutorial 1.1, picture b).
 
-use core::f64::consts::{FRAC_PI_2, TAU};
-
-use spinning_bodies::Result;
+use crate::prelude::*;
 use spinning_bodies::scene::effects::{FourPhases, Pace};
 use spinning_bodies::scene::shape::{self, SwivelState};
 use spinning_bodies::scene::{Request, Scene};
-
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
 
 parameters! {
     pub OUT: "arms_out", r"A_\mathrm{out}", "kg m²", "moment of the upper body with the arms out", [1.1, 2.4], 2.0;

@@ -1,12 +1,9 @@
 //! From sliding to rolling (tutorial 4.3): velocity and rim speed against time.
 
-use spinning_bodies::Result;
 use spinning_bodies::rolling::{Coulomb, Course, Load, Moment, RoundBody};
 
 use super::KAPPA;
-use crate::plot::Axis;
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 parameters! {
     FRICTION: "friction", r"\mu", "", "coefficient of friction", [0.05, 0.6], 0.2, logarithmic;

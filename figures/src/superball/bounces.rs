@@ -1,12 +1,9 @@
 //! Bounces as reflections, and paths under the table for three balls (tutorial 4.6).
 
-use core::f64::consts::PI;
-
-use spinning_bodies::Result;
 use spinning_bodies::superball::{BounceRotation, Motion, UnderTable, return_threshold};
 
-use crate::style::*;
-use crate::{Figure, Parameter, Values, rolling};
+use crate::prelude::*;
+use crate::rolling;
 
 const THROWN: Motion<f64> = Motion {
     velocity: 1.0,

@@ -1,15 +1,11 @@
 //! A tippe top that turns itself over, seen by a camera that goes round with its axis.
 
-use spinning_bodies::Result;
 use spinning_bodies::scene::contact::State;
 
 use super::ball::{cap_outline, table};
 use super::{ALPHA, GAMMA, SPIN, VISCOUS, degrees, run, tilts, tippe, tippe_scene};
-use crate::Figure;
 use crate::finish::{self, short};
-use crate::plot::{Frame, marks};
-use crate::style::SCALE as CANVAS;
-use crate::style::*;
+use crate::prelude::*;
 
 const NAME: &str = "tippe-top-animated";
 /// Seconds of the run, and its pictures.
@@ -24,7 +20,7 @@ const RADIUS: f64 = 104.0;
 const FRAME: Frame = Frame::linear([0.0, END], [0.0, 180.0], [340.0, 574.0, 282.0, 34.0]);
 
 /// The whole puzzle in eight seconds.
-pub fn turning_over() -> Result<Figure> {
+pub fn turning_over(_: &Values) -> Result<Figure> {
     let scene = tippe_scene(
         &tippe(ALPHA.default, GAMMA.default)?,
         SPIN.default,
@@ -75,7 +71,7 @@ fn moving(rows: &[(f64, State)]) -> String {
     let turn = |s: &State| format!("rotate({}deg)", short(degrees(s), 2));
     let shift = |t: f64, s: &State| {
         let [x, y] = FRAME.at(t, degrees(s));
-        format!("translate({:.0}px,{:.0}px)", x * CANVAS, y * CANVAS)
+        format!("translate({:.0}px,{:.0}px)", x * SCALE, y * SCALE)
     };
     let shares = || (0..rows.len()).map(percent);
     let turns = rows.iter().map(|(_, s)| turn(s));
@@ -92,11 +88,11 @@ fn moving(rows: &[(f64, State)]) -> String {
         0 => format!("M{x:.0} {y:.0}"),
         _ => format!("L{x:.0} {y:.0}"),
     };
-    let cap = cap_outline(RADIUS * CANVAS, 0.0);
+    let cap = cap_outline(RADIUS * SCALE, 0.0);
     let cap: String = cap.iter().enumerate().map(step).collect();
-    let [x, y] = CENTER.map(|c| c * CANVAS);
-    let (r, c) = (RADIUS * CANVAS, ALPHA.default * RADIUS * CANVAS);
-    let [dx, dy] = FRAME.at(*time, degrees(state)).map(|c| c * CANVAS);
+    let [x, y] = CENTER.map(|c| c * SCALE);
+    let (r, c) = (RADIUS * SCALE, ALPHA.default * RADIUS * SCALE);
+    let [dx, dy] = FRAME.at(*time, degrees(state)).map(|c| c * SCALE);
     format!(
         "{style}<g transform=\"translate({x:.0} {y:.0})\"><circle r=\"{r:.0}\" stroke=\"currentColor\" stroke-width=\"12\"/>\n\
          <g class=\"fig-{NAME}-ball\" transform=\"rotate({})\">\

@@ -1,9 +1,7 @@
 //! A ball with a dark cap opposite to its centre of mass.
 
+use crate::prelude::*;
 use spinning_bodies::frame::Attitude;
-
-use crate::solid::{Vector, View, axes, ellipse};
-use crate::style::*;
 
 /// Half the angle of the cap, rad.
 const CAP: f64 = 0.72;

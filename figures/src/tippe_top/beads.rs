@@ -1,12 +1,8 @@
 //! Six beads in a ball: a chiral top to build.
 
-use spinning_bodies::Result;
+use crate::prelude::*;
 use spinning_bodies::frame::Attitude;
 use spinning_bodies::tippe_top::{ConvexBody, beads as places, bodies};
-
-use crate::Figure;
-use crate::solid::{Vector, View, latitude};
-use crate::style::*;
 
 const RADIUS: f64 = 122.0;
 
@@ -19,7 +15,7 @@ pub fn inside(body: &ConvexBody) -> Result<[[Vector; 2]; 3]> {
 }
 
 /// Three rods, six beads, one ball.
-pub fn beads() -> Result<Figure> {
+pub fn beads(_: &Values) -> Result<Figure> {
     let body = bodies::chiral_top()?;
     let pairs = places(body.mass(), body.inertia(), &Attitude::identity())?;
     let beads = inside(&body)?;
@@ -36,12 +32,7 @@ pub fn beads() -> Result<Figure> {
     );
     Ok(figure("chiral-beads", 300.0, words, |pen| {
         view(pen, ([150.0, 136.0], RADIUS), 0.95, &beads);
-        view(
-            pen,
-            ([450.0, 136.0], RADIUS),
-            0.95 + core::f64::consts::FRAC_PI_2,
-            &beads,
-        );
+        view(pen, ([450.0, 136.0], RADIUS), 0.95 + FRAC_PI_2, &beads);
         pen.label([150.0, 288.0], Middle, "from the front");
         pen.label([450.0, 288.0], Middle, "from the side");
     }))

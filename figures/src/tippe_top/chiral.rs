@@ -1,12 +1,9 @@
 //! The chiral top spun both ways.
 
-use spinning_bodies::Result;
 use spinning_bodies::scene::contact::passage;
 
 use super::{FRICTION, SPIN, chiral_scene, degrees, greatest_tilt, run, tilt_against_time, tilts};
-use crate::plot::Frame;
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 parameters! {
     RELEASE: "tilt", r"\theta_0", "°", "tilt at the release", [1.0, 30.0], 3.0;

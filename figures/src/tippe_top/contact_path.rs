@@ -1,12 +1,9 @@
 //! The path of the contact point on the ball.
 
-use spinning_bodies::Result;
 use spinning_bodies::scene::contact::Support;
 
 use super::{ALPHA, FRICTION, SPIN, degrees, run, toy_scene};
-use crate::solid::{Vector, View, latitude};
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 /// What may be chosen; in the book slow enough to be followed with the eye.
 pub const PATH: &[Parameter] = &[
@@ -30,12 +27,11 @@ pub fn path(values: &Values) -> Result<Figure> {
         .map(|pair| {
             let angle = |p: &Vector| p.y.atan2(p.x);
             let step = angle(&pair[1]) - angle(&pair[0]);
-            (step + core::f64::consts::PI).rem_euclid(core::f64::consts::TAU)
-                - core::f64::consts::PI
+            (step + PI).rem_euclid(TAU) - PI
         })
         .sum::<f64>()
         .abs()
-        / core::f64::consts::TAU;
+        / TAU;
     let tilt = degrees(&rows[rows.len() - 1].1);
     let claim = if tilt > 150.0 {
         "On the ball, the point of contact walks from the heavy pole to the light one.".to_owned()

@@ -1,14 +1,9 @@
 //! Energy against Jellett's integral: friction moves a tippe top straight down.
 
-use core::f64::consts::PI;
-
-use spinning_bodies::Result;
 use spinning_bodies::tippe_top::{Inversion, TippeTop};
 
 use super::{ALPHA, GAMMA, SPIN, degrees, run, tippe, tippe_scene};
-use crate::plot::Frame;
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 /// Spins of the other runs drawn, rad/s, and of the fastest top in the picture.
 const SPINS: [f64; 2] = [50.0, 100.0];

@@ -1,15 +1,10 @@
 //! The boiled egg: picture h, and how far a sluggish egg gets.
 
-use core::f64::consts::FRAC_PI_2;
-
-use spinning_bodies::Result;
 use spinning_bodies::scene::contact::passage;
 
 use super::ball::table;
 use super::{FRICTION, TURNS, egg_scene, run};
-use crate::plot::{Frame, marks};
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 /// Half length and half thickness in the film, units.
 const HALF: [f64; 2] = [51.0, 34.0];
@@ -29,7 +24,7 @@ fn slope(tilt: f64) -> f64 {
 /// The outline of an egg lying with its long axis at `tilt` from the vertical, about its centre, and the height of that.
 fn outline(tilt: f64) -> (Vec<Point>, f64) {
     let (s, c) = tilt.sin_cos();
-    let points: Vec<Point> = spaced([0.0, core::f64::consts::TAU], 90)
+    let points: Vec<Point> = spaced([0.0, TAU], 90)
         .map(|a| [HALF[0] * a.cos(), HALF[1] * a.sin()])
         .map(|[u, v]| [u * s + v * c, v * s - u * c])
         .collect();
@@ -106,7 +101,7 @@ fn one(pen: &mut Pen, foot: Point, time: f64, tilt: f64) {
 }
 
 /// A sluggish egg rises part of the way, then rolls. Seven runs of eight seconds: a constant figure.
-pub fn how_far_eggs_rise() -> Result<Figure> {
+pub fn how_far_eggs_rise(_: &Values) -> Result<Figure> {
     let one = |turns: f64| -> Result<f64> {
         let rows = run(&egg_scene(turns, 0.1)?, 8.0, 8, 1e-2)?;
         Ok(slope(rows[8].1.tilt()))

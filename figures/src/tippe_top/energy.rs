@@ -1,12 +1,9 @@
 //! The tippe top raises its centre of mass while its energy falls.
 
-use spinning_bodies::Result;
 use spinning_bodies::scene::contact::{State, passage};
 
 use super::{ALPHA, GAMMA, SPIN, VISCOUS, degrees, run, tippe, tippe_scene};
-use crate::plot::{Frame, apart};
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 /// What may be chosen.
 pub const ENERGY: &[Parameter] = &[SPIN, VISCOUS, ALPHA.between([0.1, 0.5], 0.3)];

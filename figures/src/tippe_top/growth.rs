@@ -1,13 +1,10 @@
 //! Growth rates of the chiral top's slow swing against friction.
 
-use spinning_bodies::Result;
 use spinning_bodies::tippe_top::bodies::{chiral_top, eccentric_ball};
 use spinning_bodies::tippe_top::{Regularised, quasi_steady};
 
 use super::{ALPHA, G};
-use crate::plot::{Frame, beaded, marks, powers};
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 parameters! {
     RATE_OF_SPIN: "spin", r"\Omega\sqrt{R/g}", "", "spin in units of the natural rate", [4.0, 12.0], 6.0;

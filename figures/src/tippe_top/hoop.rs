@@ -1,14 +1,10 @@
 //! Pictures i and j: why the clay goes up.
 
-use core::f64::consts::{FRAC_PI_2, PI, TAU};
-
-use spinning_bodies::Result;
 use spinning_bodies::frame::SpaceVector;
 use spinning_bodies::tippe_top::HoopWithClay;
 
 use super::{ALPHA, TURNS, toy};
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 const OFFSET: Parameter = ALPHA.between([0.25, 0.7], 0.42);
 parameters! {

@@ -1,12 +1,7 @@
 //! Which releases turn the chiral top over: tilt and azimuth, both spins.
 
-use core::f64::consts::TAU;
-
-use spinning_bodies::Result;
-
 use super::{CHIRAL_SPIN, chiral_scene, run};
-use crate::Figure;
-use crate::style::*;
+use crate::prelude::*;
 
 /// Tilts of the release, degrees, and azimuths a ring.
 const TILTS: [f64; 6] = [2.0, 5.0, 10.0, 15.0, 20.0, 30.0];
@@ -18,7 +13,7 @@ const END: f64 = 2.5;
 fn over(sense: f64, tilt: f64, azimuth: f64) -> Result<bool> {
     let scene = chiral_scene(sense * CHIRAL_SPIN, tilt.to_radians(), azimuth, 0.3)?;
     let rows = run(&scene, END, 1, 0.1)?;
-    Ok(rows[1].1.tilt() > core::f64::consts::FRAC_PI_2)
+    Ok(rows[1].1.tilt() > FRAC_PI_2)
 }
 
 fn rings(sense: f64) -> Result<Vec<Vec<bool>>> {
@@ -31,7 +26,7 @@ fn rings(sense: f64) -> Result<Vec<Vec<bool>>> {
 }
 
 /// How carelessly it may be released. Ninety-six runs: a constant figure.
-pub fn outcomes() -> Result<Figure> {
+pub fn outcomes(_: &Values) -> Result<Figure> {
     let (plus, minus) = (rings(1.0)?, rings(-1.0)?);
     let count = |rings: &[Vec<bool>]| rings.iter().flatten().filter(|x| **x).count();
     let total = TILTS.len() * AZIMUTHS as usize;

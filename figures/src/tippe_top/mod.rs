@@ -2,18 +2,12 @@
 //!
 //! Every run is a scene of the library; accuracies are chosen so that no line moves by a tenth of a unit.
 
-use core::f64::consts::TAU;
-
-use spinning_bodies::Result;
+use crate::prelude::*;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::scene::contact::{State, TableTop};
 use spinning_bodies::scene::effects::{Gravity, NoSlip, Regularised, Viscous};
 use spinning_bodies::scene::{Request, Scene};
 use spinning_bodies::tippe_top::{ConvexBody, HoopWithClay, Start, TippeTop, bodies};
-
-use crate::plot::{Frame, marks};
-use crate::style::{Pen, Point, spaced};
-use crate::{Entry, constant, of};
 
 mod animated;
 mod ball;
@@ -37,7 +31,7 @@ pub use chiral::BOTH_SPINS;
 
 /// The figures of the chapter on the tippe top, in its order.
 pub const TIPPE_TOP: &[Entry] = &[
-    constant("tippe-top-animated", animated::turning_over),
+    of("tippe-top-animated", &[], animated::turning_over),
     of("egg-film", egg::FILM, egg::egg_film),
     of("hoop-with-clay", hoop::HOOP, hoop::hoop_with_clay),
     of("tip-over", tip_over::TIP_OVER, tip_over::tip_over),
@@ -49,7 +43,7 @@ pub const TIPPE_TOP: &[Entry] = &[
         potential::effective,
     ),
     of("tippe-diagram", diagram::DIAGRAM, diagram::energies),
-    constant("egg-angle", egg::how_far_eggs_rise),
+    of("egg-angle", &[], egg::how_far_eggs_rise),
 ];
 
 /// Those of the chapter on the chiral top, in its order.
@@ -57,9 +51,9 @@ pub const CHIRAL_TOP: &[Entry] = &[
     of("chiral-top", chiral::BOTH_SPINS, chiral::both_spins),
     of("chiral-twins", twins::TWINS, twins::twins),
     of("chiral-strobe", strobe::STROBED, strobe::strobed),
-    constant("chiral-map", map::outcomes),
+    of("chiral-map", &[], map::outcomes),
     of("chiral-growth", growth::GROWTH, growth::growth_rates),
-    constant("chiral-beads", beads::beads),
+    of("chiral-beads", &[], beads::beads),
 ];
 
 /// Those of the chapter on the rattleback, in its order.

@@ -1,14 +1,9 @@
 //! The effective potential of the tippe top, deformed by spin.
 
-use core::f64::consts::PI;
-
-use spinning_bodies::Result;
 use spinning_bodies::tippe_top::{Inversion, TippeTop};
 
 use super::{ALPHA, G_TIPPE, GAMMA, SPIN, TILTS, tippe};
-use crate::plot::{Frame, apart, marks};
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 /// Spins of the other curves, rad/s: the first and the last set the scale.
 const SPINS: [f64; 4] = [20.0, 40.0, 50.0, 90.0];

@@ -1,12 +1,10 @@
 //! The rattleback's two reversals.
 
+use spinning_bodies::Error;
 use spinning_bodies::scene::contact::{State, passage};
-use spinning_bodies::{Error, Result};
 
 use super::{Rows, SPIN, run, stone_scene};
-use crate::plot::Frame;
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 parameters! {
     OFF_LEVEL: "tilt", r"\theta_0", "°", "angle off level at the release", [0.1, 5.0], 0.5, logarithmic;

@@ -1,16 +1,12 @@
 //! The rattleback from above: the axes of its belly, and those of its inertia, which are out of line with them.
 
-use core::f64::consts::{FRAC_PI_2, PI, TAU};
-
 use nalgebra::Matrix3;
-use spinning_bodies::Result;
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::InertiaMatrix;
 use spinning_bodies::tippe_top::{ConvexBody, Surface, rolling_growth_rates};
 
 use super::{G, SPIN};
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 parameters! {
     PRODUCT: "product", "I_{12}/M", "cm²", "product of inertia over the mass", [-2.0, 2.0], -0.2;

@@ -1,12 +1,10 @@
 //! Strobed pictures of the chiral top, both ways.
 
-use spinning_bodies::Result;
 use spinning_bodies::scene::contact::State;
 
 use super::ball::{ball, table};
 use super::{BOTH_SPINS, chiral_scene, degrees, run, tilts};
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 parameters! {
     STEP: "step", r"\Delta t", "s", "time between two pictures", [0.1, 0.5], 0.3;

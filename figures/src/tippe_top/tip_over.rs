@@ -1,14 +1,9 @@
 //! The tilt of the hoop with clay against the tutorial's straight line.
 
-use core::f64::consts::{PI, TAU};
-
-use spinning_bodies::Result;
 use spinning_bodies::scene::contact::passage;
 
 use super::{ALPHA, FRICTION, TURNS, degrees, run, tilt_against_time, tilts, toy, toy_scene};
-use crate::plot::Frame;
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 const LIGHT: Parameter = Parameter {
     key: "light",
@@ -128,7 +123,7 @@ pub fn tip_over(values: &Values) -> Result<Figure> {
         ] {
             let side = if anchor == End { 6.0 } else { -6.0 };
             let from = [place[0] + side, place[1] - 5.0];
-            pen.line([from, between(on, from, 0.04)], muted(crate::style::HAIR));
+            pen.line([from, between(on, from, 0.04)], muted(HAIR));
             pen.text(place, anchor, &text, lettering);
         }
     });

@@ -1,14 +1,12 @@
 //! The chiral top beside its mirror image, both spun clockwise.
 
-use spinning_bodies::Result;
 use spinning_bodies::scene::contact::passage;
 use spinning_bodies::tippe_top::bodies;
 
 use super::ball::{ball, table};
 use super::beads::{inside, view};
 use super::{BOTH_SPINS, body_scene, degrees, greatest_tilt, run, tilts};
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 /// What may be chosen: the release of the figure with both spins.
 pub const TWINS: &[Parameter] = BOTH_SPINS;

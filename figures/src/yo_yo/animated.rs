@@ -2,16 +2,13 @@
 
 use core::fmt::Write as _;
 
-use spinning_bodies::Result;
 use spinning_bodies::scene::effects::{AxleFriction, Gravity, Sleep};
 use spinning_bodies::scene::{Phase, Play, Request, Scene, YoYoState};
 use spinning_bodies::yo_yo::YoYo;
 
 use super::GRAVITY;
-use crate::plot::{Frame, marks};
-use crate::style::SCALE as CANVAS;
-use crate::style::*;
-use crate::{Figure, finish};
+use crate::finish;
+use crate::prelude::*;
 
 const NAME: &str = "yo-yo-animated";
 /// String, radius of the discs and of the axle, m: short, to be drawn to scale.
@@ -69,7 +66,7 @@ fn film() -> Result<(f64, Vec<Picture>)> {
 }
 
 /// Down, asleep, awake, and up.
-pub fn animated() -> Result<Figure> {
+pub fn animated(_: &Values) -> Result<Figure> {
     let (duration, pictures) = film()?;
     let fastest = pictures.iter().map(|p| p.1.omega).fold(0.0, f64::max);
     let time = [0.0, duration];
@@ -131,23 +128,23 @@ fn moving(
     let mut slept = false;
     for (t, state, angle) in pictures {
         slept |= state.phase == Phase::Asleep;
-        let x = CANVAS * (HAND[0] + METRE * AXLE * aside(state, slept));
-        let y = CANVAS * (HAND[1] + METRE * state.depth);
+        let x = SCALE * (HAND[0] + METRE * AXLE * aside(state, slept));
+        let y = SCALE * (HAND[1] + METRE * state.depth);
         frames[0].push(format!(
             "translate({x:.0}px,{y:.0}px) rotate({angle:.2}rad)"
         ));
         // A string of 1000 canvas units, stretched; it ends level with the axle, or at its top in the turn.
-        let end = METRE * state.depth.min(LENGTH) * CANVAS / 1000.0;
+        let end = METRE * state.depth.min(LENGTH) * SCALE / 1000.0;
         frames[1].push(format!("scale(1,{end:.4})"));
         for (slot, point) in [
             (2, depth.at(*t, state.depth)),
             (3, spin.at(*t, state.omega)),
         ] {
-            let [x, y] = point.map(|c| c * CANVAS);
+            let [x, y] = point.map(|c| c * SCALE);
             frames[slot].push(format!("translate({x:.0}px,{y:.0}px)"));
         }
     }
-    let (big, axle) = (METRE * RADIUS * CANVAS, METRE * AXLE * CANVAS);
+    let (big, axle) = (METRE * RADIUS * SCALE, METRE * AXLE * SCALE);
     let yo_yo = format!(
         "<circle r=\"{big:.0}\" fill=\"currentColor\" fill-opacity=\"0.16\" stroke=\"currentColor\" stroke-width=\"16\"/>\
          <path d=\"M0 0L{big:.0} 0\" stroke=\"var(--omega, #0b6bcb)\" stroke-width=\"30\"/>\
@@ -178,7 +175,7 @@ fn moving(
         let rest = rest.split(" rotate").next().unwrap_or_default();
         let moved = format!("<g class=\"{name}\" transform=\"{rest}\">{drawing}</g>");
         if part == "string" {
-            let [x, y] = HAND.map(|c| c * CANVAS);
+            let [x, y] = HAND.map(|c| c * SCALE);
             let _ = writeln!(
                 groups,
                 "<g transform=\"translate({x:.0} {y:.0})\">{moved}</g>"

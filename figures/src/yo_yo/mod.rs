@@ -3,18 +3,14 @@
 mod animated;
 mod turn;
 
-use spinning_bodies::Result;
+use crate::prelude::*;
 use spinning_bodies::scene::effects::{Gravity, TurnLoss};
 use spinning_bodies::scene::{Play, Request, Scene};
 use spinning_bodies::yo_yo::{Turn, Unwinding, YoYo};
 
-use crate::plot::{Frame, marks};
-use crate::style::*;
-use crate::{Entry, Figure, Parameter, Values, constant, of};
-
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
-    constant("yo-yo-animated", animated::animated),
+    of("yo-yo-animated", &[], animated::animated),
     of("yo-yo-speed", SPEED, speed),
     of("yo-yo-turn", turn::TURN, turn::turn),
     of("yo-yo-string", STRING, string),

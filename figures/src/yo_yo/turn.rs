@@ -1,11 +1,9 @@
 //! The yo-yo's turn at the end of its string (tutorial 4.9), in five pictures.
 
-use spinning_bodies::Result;
 use spinning_bodies::yo_yo::{Turn, TurnState, Unwinding};
 
 use super::{AXLE, GRAVITY, LENGTH, MASS, toy};
-use crate::style::*;
-use crate::{Figure, Parameter, Values};
+use crate::prelude::*;
 
 /// What may be chosen.
 pub const TURN: &[Parameter] = &[AXLE, LENGTH];
@@ -63,7 +61,7 @@ pub fn turn(values: &Values) -> Result<Figure> {
             let around = [0.9, -0.7].map(|turned| turned - state.angle);
             let style = stroke(Omega, DATA);
             pen.arc_arrow(center, 0.8 * radius, around[0], around[1], style);
-            let row = |pen: &mut crate::style::Pen, y: f64, text: &str, role| {
+            let row = |pen: &mut Pen, y: f64, text: &str, role| {
                 let at: Point = [64.0 + 118.0 * k as f64, y];
                 pen.text(at, Middle, text, small(role));
             };

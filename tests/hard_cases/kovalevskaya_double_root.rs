@@ -4,8 +4,10 @@
 
 use spinning_bodies::kovalevskaya_top::Method;
 use support::observed;
+use support::table::lines;
 
-use super::kovalevskaya::{errors, row};
+use super::kovalevskaya::row;
+use support::kovalevskaya::errors;
 
 #[test]
 fn on_a_double_root_and_beside_it() {
@@ -13,8 +15,8 @@ fn on_a_double_root_and_beside_it() {
     let mut worst = [[0.0_f64; 2]; 4];
     let mut seen = [0; 4];
     let mut separated = 0;
-    for line in table.lines().skip(1) {
-        let (kind, top, t, expected) = row(line);
+    for cells in lines(table) {
+        let (kind, top, t, expected) = row(&cells);
         let group = match kind {
             "beside it" => 0,
             "on it" => 1,
@@ -22,7 +24,7 @@ fn on_a_double_root_and_beside_it() {
             _ => 2,
         };
         if group % 2 == 1 {
-            assert_eq!(top.method(), Method::Elliptic, "{line}");
+            assert_eq!(top.method(), Method::Elliptic, "{kind} {t}");
         }
         let found = errors(&top.at(t).expect("a state"), &expected);
         println!("{kind} {t} {:?}: {found:?}", top.method());

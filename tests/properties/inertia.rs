@@ -9,7 +9,8 @@ use spinning_bodies::inertia::{
     InertiaMatrix, MassProperties, PlatonicSolid, PrincipalMoments, RigidMotion,
     ellipsoid_of_inertia, icosphere, mesh_mass_properties, principal_axes_of, routh, shapes,
 };
-use support::{any, vector};
+use support::inertia::particles;
+use support::{ORDERS, any, vector};
 
 const EPS: f64 = f64::EPSILON;
 
@@ -19,14 +20,6 @@ fn point() -> impl Strategy<Value = [f64; 3]> {
 
 fn masses() -> impl Strategy<Value = Vec<(f64, [f64; 3])>> {
     prop::collection::vec((0.1..2.0, point()), 1..8)
-}
-
-fn body(masses: &[(f64, [f64; 3])]) -> Result<MassProperties> {
-    let parts: Vec<_> = masses
-        .iter()
-        .map(|(m, x)| MassProperties::particle(*m, vector(*x)))
-        .collect::<Result<_>>()?;
-    MassProperties::compose(&parts)
 }
 
 /// Largest difference of the matrices, which for a body of size 1 is in units of mass.
@@ -138,14 +131,14 @@ proptest! {
 
     #[test]
     fn turning_the_parts_turns_the_whole(list in masses(), turn in turn()) {
-        let whole = body(&list).expect("ordinary numbers").turned(&turn);
+        let whole = particles(&list).expect("ordinary numbers").turned(&turn);
         let parts: Vec<_> = list.iter().map(|(m, x)| {
             MassProperties::particle(*m, vector(*x)).map(|p| p.turned(&turn))
         }).collect::<Result<_>>().expect("ordinary numbers");
         let parts = MassProperties::compose(&parts).expect("ordinary numbers");
         prop_assert!(difference(&whole, &parts) <= 16.0 * EPS * whole.mass());
         let moments = whole.inertia().principal_axes().moments;
-        let before = body(&list).expect("ordinary numbers").inertia().principal_axes().moments;
+        let before = particles(&list).expect("ordinary numbers").inertia().principal_axes().moments;
         for (a, b) in moments.into_iter().zip(before) {
             prop_assert!((a - b).abs() <= 16.0 * EPS * whole.mass());
         }
@@ -153,19 +146,19 @@ proptest! {
 
     #[test]
     fn composing_in_groups_is_composing_at_once(list in masses(), more in masses()) {
-        let groups = [body(&list), body(&more)].map(|b| b.expect("ordinary numbers"));
+        let groups = [particles(&list), particles(&more)].map(|b| b.expect("ordinary numbers"));
         let grouped = MassProperties::compose(&groups).expect("ordinary numbers");
         let all: Vec<_> = list.iter().chain(&more).copied().collect();
-        let at_once = body(&all).expect("ordinary numbers");
+        let at_once = particles(&all).expect("ordinary numbers");
         prop_assert!(difference(&grouped, &at_once) <= 16.0 * EPS * at_once.mass());
         // The order does not matter either.
         let reversed: Vec<_> = all.iter().rev().copied().collect();
-        prop_assert!(difference(&body(&reversed).expect("ordinary numbers"), &at_once) <= 16.0 * EPS * at_once.mass());
+        prop_assert!(difference(&particles(&reversed).expect("ordinary numbers"), &at_once) <= 16.0 * EPS * at_once.mass());
     }
 
     #[test]
     fn parallel_axes_are_moving(list in masses(), d in point()) {
-        let whole = body(&list).expect("ordinary numbers");
+        let whole = particles(&list).expect("ordinary numbers");
         let about = whole.about(vector(d)).expect("ordinary numbers").matrix();
         let moved = whole.moved(-vector(d)).expect("ordinary numbers").about(BodyVector::zero()).expect("ordinary numbers").matrix();
         prop_assert!((about - moved).amax() <= 16.0 * EPS * whole.mass());
@@ -179,7 +172,7 @@ proptest! {
     fn permuting_moments_permutes_nothing(a in 0.1..1.0_f64, b in 0.1..1.0_f64, c in 0.1..1.0_f64) {
         let moments = [b + c, c + a, a + b];
         let expected = PrincipalMoments::new(moments[0], moments[1], moments[2]).expect("realisable");
-        for [i, j, k] in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
+        for [i, j, k] in ORDERS {
             let again = PrincipalMoments::new(moments[i], moments[j], moments[k]).expect("realisable");
             prop_assert_eq!(again, expected);
             let axes = InertiaMatrix::diagonal(moments[i], moments[j], moments[k]).expect("realisable").principal_axes();
@@ -200,7 +193,7 @@ proptest! {
         let middle = [0, 1, 2].map(|i| (p[0][i] + p[1][i] + p[2][i] + p[3][i]) / 4.0);
         let mut weights: Vec<_> = p.iter().map(|x| (volume.abs() / 20.0, *x)).collect();
         weights.push((0.8 * volume.abs(), middle));
-        let weighed = body(&weights).expect("ordinary numbers");
+        let weighed = particles(&weights).expect("ordinary numbers");
         prop_assert!((mesh.mass() - volume.abs()).abs() <= 16.0 * EPS);
         prop_assert!(difference(&mesh, &weighed) <= 1e-13, "{}", difference(&mesh, &weighed));
     }

@@ -3,25 +3,12 @@
 use proptest::prelude::*;
 use rayon::prelude::*;
 use spinning_bodies::Error;
-use spinning_bodies::frame::Attitude;
 use spinning_bodies::kovalevskaya_top::{KovalevskayaTop, Method, State};
 
 use support::double_double::Dd;
+use support::kovalevskaya::{LEVER, MOMENTS, SERIES, errors, top as begun_with};
 use support::power_series::{Top, Whole};
 use support::{Uniform, greatest, samples, vector};
-
-const MOMENTS: [f64; 3] = [2.0, 2.0, 1.0];
-const LEVER: [f64; 3] = [1.0, 0.0, 0.0];
-
-/// The same top by power series.
-const PLAIN: Top = Top {
-    moments: MOMENTS,
-    lever: LEVER,
-};
-
-fn begun_with(omega: [f64; 3], up: [f64; 3]) -> KovalevskayaTop {
-    KovalevskayaTop::with_up(MOMENTS, vector(LEVER), vector(omega), vector(up)).expect("a start")
-}
 
 /// Ω in a cube of half width `spin`, z evenly over the sphere.
 fn start(draw: &mut Uniform, spin: f64) -> [[f64; 3]; 2] {
@@ -49,56 +36,55 @@ fn begun(omega: [f64; 3], up: [f64; 3], state: &State) -> Whole<Dd> {
     parts.try_into().expect("ten numbers")
 }
 
-/// Largest difference of a component of Ω and z, and the angle between the attitudes.
-fn errors(state: &State, expected: &Whole<Dd>) -> [f64; 2] {
-    let y = expected.map(Dd::value);
-    let found = [state.omega, state.up].map(|v| <[f64; 3]>::from(v.components()));
-    let largest = (0..6).fold(0.0_f64, |m, k| m.max((found[k / 3][k % 3] - y[k]).abs()));
-    let attitude = Attitude::from_quaternion(y[6], y[7], y[8], y[9]).expect("a quaternion");
-    [largest, attitude.angle_to(&state.attitude)]
-}
+/// Errors of Ω and z and of the attitude.
+type Errors = [f64; 2];
 
-/// Some starts at three times each, against 24 digits: errors of Ω and z and of the attitude in ascending order, and how many were separated.
-fn several(starts: u32, seed: u64, spin: f64) -> ([Vec<f64>; 2], usize) {
-    let mut draw = Uniform(seed);
-    let mut worst = [Vec::new(), Vec::new()];
-    let mut separated = 0;
-    for _ in 0..starts {
+/// Some starts against 24 digits: the errors at these times, and how many were separated.
+fn several<const N: usize>(
+    starts: u32,
+    (seed, spin): (u64, f64),
+    times: [f64; N],
+) -> (Vec<[Errors; N]>, u32) {
+    let (mut draw, mut separated) = (Uniform(seed), 0);
+    let all = (0..starts).map(|_| {
         let [omega, up] = start(&mut draw, spin);
         let top = begun_with(omega, up);
-        separated += usize::from(top.method() == Method::Separation);
-        let start = top.at(0.0).expect("the start");
-        let (mut y, mut t, mut largest) = (whole(omega, &start), 0.0_f64, [0.0_f64; 2]);
-        for state in top.states([1.3, 4.7, 10.0]).zip([1.3, 4.7, 10.0]) {
-            let (state, time) = (state.0.expect("a state"), state.1);
-            y = PLAIN.after(y, time - t);
-            t = time;
-            let found = errors(&state, &y);
-            largest = [0, 1].map(|i| largest[i].max(found[i]));
-        }
-        for (list, error) in worst.iter_mut().zip(largest) {
-            list.push(error);
-        }
-    }
-    for list in &mut worst {
-        list.sort_by(f64::total_cmp);
-    }
-    (worst, separated)
+        separated += u32::from(top.method() == Method::Separation);
+        let (mut y, mut now) = (whole(omega, &top.at(0.0).expect("the start")), 0.0);
+        times.map(|t| {
+            y = SERIES.after(y, t - now);
+            now = t;
+            errors(&top.at(t).expect("a state"), &y)
+        })
+    });
+    (all.collect(), separated)
 }
 
 /// Median, 95 per cent, and worst.
-fn spread(sorted: &[f64]) -> [f64; 3] {
+fn spread(numbers: impl Iterator<Item = f64>) -> [f64; 3] {
+    let mut sorted: Vec<f64> = numbers.collect();
+    sorted.sort_by(f64::total_cmp);
     let n = sorted.len();
     [sorted[n / 2], sorted[n * 95 / 100], sorted[n - 1]]
+}
+
+/// Those of the greatest errors of each start, at three times.
+fn three_times(starts: u32, of: (u64, f64)) -> ([[f64; 3]; 2], u32) {
+    let (all, separated) = several(starts, of, [1.3, 4.7, 10.0]);
+    let greatest = |i: usize| {
+        all.iter()
+            .map(move |at| greatest(at.map(|errors| errors[i])))
+    };
+    let found = [0, 1].map(|i| spread(greatest(i)));
+    println!("separated {separated}; motion, attitude {found:?}");
+    (found, separated)
 }
 
 #[test]
 fn four_hundred_random_starts() {
     let starts = samples(100, 400);
-    let ([motion, attitude], separated) = several(starts, 1889, 1.5);
-    let (motion, attitude) = (spread(&motion), spread(&attitude));
-    println!("separated {separated}; motion {motion:?}; attitude {attitude:?}");
-    assert_eq!(separated, starts as usize);
+    let ([motion, attitude], separated) = three_times(starts, (1889, 1.5));
+    assert_eq!(separated, starts);
     // Observed: 1.1e-15, 2.4e-15, 7.6e-15 for Ω and z, 1.7e-15, 3.8e-15, 8.5e-15 rad for the attitude.
     assert!(motion[0] < 3e-15 && motion[1] < 1e-14 && motion[2] < 8e-14);
     assert!(attitude[0] < 4e-15 && attitude[1] < 1e-14 && attitude[2] < 8e-14);
@@ -114,7 +100,7 @@ fn an_upright_start_that_passes_its_double_root() {
     for sense in [1.0, -1.0] {
         let (mut y, mut now) = (start, 0.0);
         for time in [100.0, 208.0, 260.0].map(|t| sense * t) {
-            y = PLAIN.after(y, time - now);
+            y = SERIES.after(y, time - now);
             now = time;
             let [motion, attitude] = errors(&top.at(time).expect("a state"), &y);
             assert!(
@@ -128,32 +114,12 @@ fn an_upright_start_that_passes_its_double_root() {
 /// The attitude by theta functions, up to time 100, against 24 digits.
 #[test]
 fn the_attitude_at_distant_times() {
-    let mut draw = Uniform(1889);
-    let times = [1.0, 10.0, 100.0];
-    let mut worst = times.map(|_| Vec::new());
-    let (mut by_series, starts) = (0, samples(20, 60));
-    for _ in 0..starts {
-        let [omega, up] = start(&mut draw, 1.5);
-        let top = begun_with(omega, up);
-        if top.method() != Method::Separation {
-            continue;
-        }
-        by_series += 1;
-        let (mut y, mut now) = (whole(omega, &top.at(0.0).expect("the start")), 0.0);
-        for (list, t) in worst.iter_mut().zip(times) {
-            y = PLAIN.after(y, t - now);
-            now = t;
-            let [_, attitude] = errors(&top.at(t).expect("a state"), &y);
-            list.push(attitude);
-        }
-    }
-    for list in &mut worst {
-        list.sort_by(f64::total_cmp);
-    }
-    let found = worst.each_ref().map(|list| spread(list));
-    println!("{by_series}: {found:?}");
+    let (starts, times) = (samples(20, 60), [1.0, 10.0, 100.0]);
+    let (all, separated) = several(starts, (1889, 1.5), times);
+    let found = [0, 1, 2].map(|n| spread(all.iter().map(|at| at[n][1])));
+    println!("{separated}: {found:?}");
     // One is too near a double root.
-    assert!(by_series + 1 >= starts, "{by_series} of {starts}");
+    assert!(separated + 1 >= starts, "{separated} of {starts}");
     // Observed: 7e-16, 2.4e-15, 4.7e-15 at t = 1; 2.5e-15, 6e-15, 1.6e-14 at t = 10; 2.1e-14, 5.5e-14, 6.2e-14 at t = 100.
     let bounds = [[2e-14, 6e-14], [4e-14, 1e-13], [5e-13, 9e-13]];
     for ([_, most, all], allowed) in found.into_iter().zip(bounds) {
@@ -165,10 +131,8 @@ fn the_attitude_at_distant_times() {
 fn fast_and_slow_starts() {
     let starts = samples(50, 150);
     for (seed, spin, most) in [(1888, 6.0, 2e-12), (1893, 0.2, 2e-13)] {
-        let ([motion, attitude], separated) = several(starts, seed, spin);
-        let (motion, attitude) = (spread(&motion), spread(&attitude));
-        println!("spin {spin}: separated {separated}; motion {motion:?}; attitude {attitude:?}");
-        assert!(30 * separated >= 29 * starts as usize, "{separated}");
+        let ([motion, attitude], separated) = three_times(starts, (seed, spin));
+        assert!(30 * separated >= 29 * starts, "{separated}");
         assert!(motion[2] < most && attitude[2] < most);
     }
 }
@@ -191,7 +155,7 @@ fn a_narrow_passage() {
     let mut worst = [0.0_f64; 2];
     let times: Vec<f64> = (1..=300).map(|n| f64::from(n) / 64.0).collect();
     for state in top.states(times) {
-        y = PLAIN.after(y, 1.0 / 64.0);
+        y = SERIES.after(y, 1.0 / 64.0);
         let [motion, attitude] = errors(&state.expect("a state"), &y);
         worst = [worst[0].max(motion), worst[1].max(attitude)];
     }
@@ -255,7 +219,7 @@ fn judged(starts: impl IntoParallelIterator<Item = u64>) -> (usize, usize, f64, 
         let [lever, omega, up] = start_number(n);
         let [c, o, z] = [lever, omega, up].map(vector);
         let top = KovalevskayaTop::with_up(MOMENTS, c, o, z).expect("a start");
-        let reference = Top { lever, ..PLAIN };
+        let reference = Top { lever, ..SERIES };
         let strength = lever[0].hypot(lever[1]);
         let fastest = omega.iter().fold(strength.sqrt(), |m, x| m.max(x.abs()));
         let unit = fastest.log2().floor().exp2();

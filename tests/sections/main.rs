@@ -41,9 +41,11 @@ use std::f64::consts::{
     FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6, FRAC_PI_8, PI, SQRT_2, TAU,
 };
 use support::double_double::Dd;
+use support::inertia::{gauss, integral, unit_gauss};
 use support::{
-    ONE, R, TWO, Uniform, ZERO, close, cross, dot, exact, greatest, near, observed, ration,
-    rational, refused, relative, runge_kutta, turned, vector, whole, within, wrapped,
+    ONE, R, TWO, Uniform, ZERO, close, cross, derivative, dot, euler, exact, exact_slope, greatest,
+    heavy_rates, mean, near, observed, ration, rational, refused, relative, runge_kutta, turned,
+    vector, whole, within, wrapped,
 };
 
 /// The same asked of one of the general methods.

@@ -92,6 +92,15 @@ pub fn cubature(rules: [Rule; 3], map: impl Fn([f64; 3]) -> ([f64; 3], f64)) -> 
     [yy + zz, zz + xx, xx + yy, -xy, -xz, -yz]
 }
 
+/// The same of an ellipsoid with these half axes, the origin so far along the first of them; with a fixed radius of a shell.
+pub fn ellipsoid(radius: Rule, axes: [f64; 3], along: f64) -> [f64; 6] {
+    cubature([radius, gauss(), circle()], |[r, u, phi]| {
+        let across = r * (1.0 - u * u).sqrt();
+        let [x, y, z] = [across * phi.cos(), across * phi.sin(), r * u];
+        ([axes[0] * x - along, axes[1] * y, axes[2] * z], r * r)
+    })
+}
+
 /// Fails unless the body's inertia matrix is `mass` times the six entries, to 16 eps of the largest.
 pub fn assert_inertia(body: &MassProperties, entries: [f64; 6]) {
     let matrix = body.inertia().matrix() / body.mass();

@@ -10,6 +10,7 @@ pub mod decimal;
 pub mod double_double;
 pub mod free_top;
 pub mod inertia;
+pub mod kovalevskaya;
 pub mod power_series;
 mod random;
 mod rationals;
@@ -20,7 +21,7 @@ pub use rationals::{ONE, R, TWO, ZERO, exact, rational, whole};
 
 use core::f64::consts::TAU;
 use core::fmt::Arguments;
-use core::ops::{Add, Mul, RangeInclusive, Sub};
+use core::ops::{Add, Div, Mul, RangeInclusive, Sub};
 use power_series::Number;
 use spinning_bodies::frame::BodyVector;
 use std::fs;
@@ -152,23 +153,75 @@ pub fn wrapped(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }
 
-/// a∧b in numbers of any kind.
-pub fn cross<T>(a: [T; 3], b: [T; 3]) -> [T; 3]
-where
-    T: Copy + Mul<Output = T> + Sub<Output = T>,
+/// Numbers of any kind, with the four operations.
+pub trait Field:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
+}
+
+impl<T> Field for T where
+    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Div<Output = T>
+{
+}
+
+/// a∧b.
+pub fn cross<T: Field>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [0, 1, 2].map(|i| {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
         a[j] * b[k] - a[k] * b[j]
     })
 }
 
-/// a·b in numbers of any kind.
-pub fn dot<T>(a: [T; 3], b: [T; 3]) -> T
-where
-    T: Copy + Mul<Output = T> + Add<Output = T>,
-{
+/// a·b.
+pub fn dot<T: Field>(a: [T; 3], b: [T; 3]) -> T {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// Euler's equations without torque: ∂Ω/∂t.
+pub fn euler<T: Field>(moments: [T; 3], omega: [T; 3]) -> [T; 3] {
+    [0, 1, 2].map(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        (moments[j] - moments[k]) * omega[j] * omega[k] / moments[i]
+    })
+}
+
+/// Under the weight, with the lever MgC: I ∂Ω/∂t = IΩ∧Ω + z∧MgC and dz/dt = z∧Ω (5.1, 8.1).
+pub fn heavy_rates<T: Field>(
+    moments: [T; 3],
+    lever: [T; 3],
+    omega: [T; 3],
+    up: [T; 3],
+) -> [[T; 3]; 2] {
+    let (free, torque) = (euler(moments, omega), cross(up, lever));
+    let change = [0, 1, 2].map(|i| free[i] + torque[i] / moments[i]);
+    [change, cross(up, omega)]
+}
+
+/// The slope at 0 of a polynomial of degree 4 at most, exactly.
+pub fn exact_slope(f: impl Fn(R) -> R) -> R {
+    let pair = |n: i128| f(whole(n)) - f(whole(-n));
+    (whole(8) * pair(1) - pair(2)) / whole(12)
+}
+
+/// The derivative of f at n·h by central differences of order 18: the error is 1e-6 h¹⁸f⁽¹⁹⁾, and rounding over h.
+pub fn derivative<const N: usize>(f: impl Fn(f64) -> [f64; N], n: i32, h: f64) -> [f64; N] {
+    let mut total = [0.0; N];
+    // (−1)^{k+1} p!²/(k (p−k)! (p+k)!) with p = 9.
+    let mut binomial = -1.0;
+    for k in 1..10 {
+        binomial *= -f64::from(10 - k) / f64::from(9 + k);
+        let (ahead, behind) = (f(f64::from(n + k) * h), f(f64::from(n - k) * h));
+        for (sum, (a, b)) in total.iter_mut().zip(ahead.into_iter().zip(behind)) {
+            *sum += binomial / f64::from(k) * (a - b) / h;
+        }
+    }
+    total
+}
+
+/// The mean of a periodic function over one period, 0…1, by equal ordinates: the error falls like a geometric series.
+pub fn mean(count: u32, f: impl Fn(f64) -> f64) -> f64 {
+    let terms = (0..count).map(|k| f(f64::from(k) / f64::from(count)));
+    terms.sum::<f64>() / f64::from(count)
 }
 
 /// The product of two quaternions (w, x, y, z) in numbers of any kind.

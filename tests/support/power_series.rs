@@ -4,8 +4,7 @@
 //! In doubles, or in double-doubles for 30 digits.
 
 use crate::double_double::Dd;
-use crate::greatest;
-use std::ops::{Add, Div, Mul, Sub};
+use crate::{Field, greatest};
 
 pub const ORDER: usize = 30;
 
@@ -13,15 +12,7 @@ pub const ORDER: usize = 30;
 pub type Whole<T = f64> = [T; 10];
 
 /// What the series are made of.
-pub trait Number:
-    Copy
-    + Default
-    + From<f64>
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-{
+pub trait Number: Field + Default + From<f64> {
     /// Below this, as a part of the first, the last terms are dropped.
     const TINY: f64;
     fn double(self) -> f64;

@@ -1,6 +1,6 @@
 //! What the tests against the tables of 32 digits share: cells that are read once and exactly, and the angle between attitudes.
 
-use spinning_bodies::frame::Attitude;
+use spinning_bodies::frame::{Attitude, BodyVector};
 
 use crate::decimal::{decimal, hexadecimal};
 use crate::double_double::Dd;
@@ -20,14 +20,6 @@ impl Cells {
         self.0[cell]
     }
 
-    pub fn id(&self) -> usize {
-        self.0[0].parse().expect("a number")
-    }
-
-    pub fn number(&self, cell: usize) -> f64 {
-        self.0[cell].parse().expect("a number")
-    }
-
     /// Floats that were printed exactly, from this cell on.
     pub fn exact<const N: usize>(&self, from: usize) -> [f64; N] {
         core::array::from_fn(|k| hexadecimal(self.0[from + k]))
@@ -37,6 +29,13 @@ impl Cells {
     pub fn decimals<const N: usize>(&self, from: usize) -> [Dd; N] {
         core::array::from_fn(|k| decimal(self.0[from + k]))
     }
+}
+
+/// The length of what a vector is off by, the differences taken in 106 bits.
+pub fn apart(found: BodyVector, exact: [Dd; 3]) -> f64 {
+    let found = found.components();
+    let [x, y, z] = [0, 1, 2].map(|k| (Dd::from(found[k]) - exact[k]).value());
+    x.hypot(y).hypot(z)
 }
 
 /// Twice the vector part of q⁻¹p in 106 bits: the angle between the attitudes without a subtraction from 1.

@@ -75,11 +75,9 @@ fn s5_1_in_the_body_and_in_space_the_same_motion() {
         let y = integrate(from_space, start, t, 2000);
         let r = Matrix3::from_column_slice(&y);
         let l = Vector3::new(1.4, 2.7, 4.4) + impulse_in_space(t).components();
-        r * r.tr_mul(&l).component_div(&Vector3::from(PLATE))
+        (r * r.tr_mul(&l).component_div(&Vector3::from(PLATE))).into()
     };
-    let h = 1e-3;
-    let pair = |k: f64| spin(2.0 + k * h) - spin(2.0 - k * h);
-    let differenced = (8.0 * pair(1.0) - pair(2.0)) / (12.0 * h);
+    let differenced = Vector3::from(derivative(spin, 200, 1e-2));
     let told = rate_in_space(&body, &stands, stands.to_space(omega), torque_in_space(2.0));
     let off = (told.components() - differenced).norm();
     observed!(off, 1e-12..=5e-11);

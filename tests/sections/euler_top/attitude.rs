@@ -4,8 +4,6 @@ use super::*;
 use nalgebra::{Complex, Quaternion};
 use spinning_bodies::elliptic::{Characteristic, complete_third, incomplete_first};
 
-const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
-
 /// The azimuth of a vector about L, seen from its tip; zero where `from` points.
 fn azimuth(vector: SpaceVector, from: SpaceVector, l: SpaceVector) -> f64 {
     let [v, f] = [vector, from].map(|v| v.components());
@@ -19,19 +17,12 @@ fn azimuth(vector: SpaceVector, from: SpaceVector, l: SpaceVector) -> f64 {
 fn s6_2_motion_rebuilt_from_the_polhode() {
     let top = example();
     let size = 14f64.sqrt();
-    // Ω alone, with its pace, gives the azimuth of x₃ about L: Gauss's rule on 16 pieces.
+    // Ω alone, with its pace, gives the azimuth of x₃ about L.
     let rate = |t: f64| {
         let [o1, o2, _] = omega(&top, t);
         size * (o1 * o1 + 2.0 * o2 * o2) / (o1 * o1 + 4.0 * o2 * o2)
     };
-    let turned: f64 = (0..16)
-        .flat_map(|n| {
-            gauss()
-                .into_iter()
-                .map(move |(x, w)| ((f64::from(n) + 0.5 + 0.5 * x) / 16.0, w / 32.0))
-        })
-        .map(|(t, w)| w * rate(t))
-        .sum();
+    let turned = integral(rate, 0.0, 1.0);
     observed!(relative(turned, 2.736_033_504_273_013), 0.0..=1e-13);
     // The same in the exact attitude and in the integrated one.
     let x3 = vector([0.0, 0.0, 1.0]);

@@ -2,9 +2,11 @@
 
 use super::*;
 
+pub const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
+
 /// 2E = 6, L² = 14, k² = 1/2, moments 1, 2, 3: Ω = (√2, 0, 2/√3).
 pub fn example() -> EulerTop {
-    tilted([1.0, 2.0, 3.0], [2f64.sqrt(), 0.0, 2.0 / 3f64.sqrt()])
+    tilted(MOMENTS, [2f64.sqrt(), 0.0, 2.0 / 3f64.sqrt()])
 }
 
 /// From Ω, body axes and space axes together at t = 0.
@@ -63,15 +65,6 @@ pub fn omega_in_space(top: &EulerTop, t: f64) -> SpaceVector {
     state.attitude.to_space(state.omega)
 }
 
-/// Euler's equations: ∂Ω/∂t.
-pub fn euler([i1, i2, i3]: [f64; 3], [o1, o2, o3]: [f64; 3]) -> [f64; 3] {
-    [
-        (i2 - i3) * o2 * o3 / i1,
-        (i3 - i1) * o3 * o1 / i2,
-        (i1 - i2) * o1 * o2 / i3,
-    ]
-}
-
 /// Length of the difference between Ω and its expected components.
 pub fn distance(actual: BodyVector, expected: [f64; 3]) -> f64 {
     (actual - vector(expected)).norm()
@@ -89,21 +82,6 @@ pub fn fastest(top: &EulerTop) -> f64 {
     (2.0 * top.energy() / least).sqrt()
 }
 
-/// The derivative of f at n·h by central differences of order 18: the error is 1e-6 h¹⁸f⁽¹⁹⁾, and rounding over h.
-pub fn derivative<const N: usize>(f: impl Fn(f64) -> [f64; N], n: i32, h: f64) -> [f64; N] {
-    let mut total = [0.0; N];
-    // (−1)^{k+1} p!²/(k (p−k)! (p+k)!) with p = 9.
-    let mut binomial = -1.0;
-    for k in 1..10 {
-        binomial *= -f64::from(10 - k) / f64::from(9 + k);
-        let (ahead, behind) = (f(f64::from(n + k) * h), f(f64::from(n - k) * h));
-        for (sum, (a, b)) in total.iter_mut().zip(ahead.into_iter().zip(behind)) {
-            *sum += binomial / f64::from(k) * (a - b) / h;
-        }
-    }
-    total
-}
-
 pub fn norm<const N: usize>(v: [f64; N]) -> f64 {
     v.iter().fold(0.0, |m: f64, x| m.hypot(*x))
 }
@@ -114,12 +92,6 @@ pub fn difference<const N: usize>(a: [f64; N], b: [f64; N]) -> [f64; N] {
 
 pub fn in_space(v: SpaceVector) -> [f64; 3] {
     v.components().into()
-}
-
-/// The mean of a periodic function over one period by equal ordinates: the error falls like a geometric series.
-pub fn mean(count: u32, f: impl Fn(f64) -> f64) -> f64 {
-    let terms = (0..count).map(|k| f(f64::from(k) / f64::from(count)));
-    terms.sum::<f64>() / f64::from(count)
 }
 
 /// Three rational moments, strictly ascending, that a body can have.

@@ -18,4 +18,3 @@ use common::*;
 use spinning_bodies::elliptic::{Jacobi, Modulus, Parameter, complete_first};
 use spinning_bodies::euler_top::{EulerTop, Poinsot, Regime, State, SymmetricTop};
 use support::free_top::Flight;
-use support::inertia::gauss;

@@ -3,8 +3,6 @@
 use super::*;
 use spinning_bodies::euler_top::Sector;
 
-const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
-
 // claim: C6.3-1, C6.3-4
 #[test]
 fn s6_3_range_of_the_ratio_and_lyapunov_functions() {
@@ -28,11 +26,7 @@ fn s6_3_range_of_the_ratio_and_lyapunov_functions() {
         let (e3, l3) = integrals([i1, i2, i3], [ZERO, ZERO, o3]);
         assert!(l1 == e1 * i1 && l3 == e3 * i3);
         // And constant: the gradient is at right angles to Euler's equations.
-        let rate = [
-            (i2 - i3) * o2 * o3 / i1,
-            (i3 - i1) * o3 * o1 / i2,
-            (i1 - i2) * o1 * o2 / i3,
-        ];
+        let rate = euler([i1, i2, i3], o);
         let about_smallest = i2 * (i2 - i1) * o2 * rate[1] + i3 * (i3 - i1) * o3 * rate[2];
         let about_largest = i1 * (i3 - i1) * o1 * rate[0] + i2 * (i3 - i2) * o2 * rate[1];
         assert_eq!([about_smallest, about_largest], [ZERO; 2]);

@@ -4,8 +4,6 @@ use super::*;
 use spinning_bodies::conservation::{Particle, Particles};
 use spinning_bodies::frame::SpaceVector as V;
 
-const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
-
 /// Either side of the separatrix, next to it, and the axes in odd order.
 fn tops() -> Vec<EulerTop> {
     vec![

@@ -4,8 +4,6 @@
 use super::*;
 use support::ORDERS;
 
-const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
-
 fn reordered<T: Copy>(v: [T; 3], order: [usize; 3]) -> [T; 3] {
     order.map(|k| v[k])
 }

@@ -15,4 +15,4 @@ mod symmetry;
 use super::*;
 use common::*;
 use spinning_bodies::inertia::{PlatonicSolid, RigidMotion, mesh_mass_properties};
-use support::inertia::{assert_inertia, circle, cubature, gauss, particles, unit_gauss};
+use support::inertia::{assert_inertia, circle, cubature, particles};

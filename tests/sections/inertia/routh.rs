@@ -2,7 +2,7 @@
 
 use super::*;
 use spinning_bodies::inertia::routh;
-use support::inertia::fixed;
+use support::inertia::{ellipsoid, fixed};
 
 #[test]
 fn s2_7_matrix_of_inertia() -> Result<()> {
@@ -82,16 +82,11 @@ fn s2_7_routh_rule_four_and_five() -> Result<()> {
         ([2.0 * r * phi.cos(), 3.0 * r * phi.sin(), z], r)
     });
     assert_inertia(&shapes::ellipse_lamina(1.0, [2.0, 3.0])?, ellipse);
-    let ellipsoid = |axes: [f64; 3]| {
-        cubature([unit_gauss(), gauss(), circle()], move |[r, u, phi]| {
-            let sine = (1.0 - u * u).sqrt();
-            let point = [r * sine * phi.cos(), r * sine * phi.sin(), r * u];
-            ([0, 1, 2].map(|i| axes[i] * point[i]), r * r)
-        })
-    };
     let unequal = [2.0, 3.0, 5.0];
-    assert_inertia(&shapes::ellipsoid(1.0, unequal)?, ellipsoid(unequal));
-    assert_inertia(&shapes::ball(4.0, 1.5)?, ellipsoid([1.5; 3]));
+    let integrated = ellipsoid(unit_gauss(), unequal, 0.0);
+    assert_inertia(&shapes::ellipsoid(1.0, unequal)?, integrated);
+    let round = ellipsoid(unit_gauss(), [1.5; 3], 0.0);
+    assert_inertia(&shapes::ball(4.0, 1.5)?, round);
     let ball = shapes::ball(1.0, 1.0)?.inertia().matrix();
     close!(ball[(0, 0)], exact(rational(2, 5)), EPS);
     Ok(())
@@ -107,10 +102,7 @@ fn s2_7_shells() -> Result<()> {
     let ball = shapes::ball(1.0, 1.0)?.inertia().matrix();
     assert_eq!(shell(0.0)?, ball[(2, 2)]);
     close!(shell(1.0)?, exact(rational(2, 3)), EPS);
-    let thin = cubature([fixed(1.0), gauss(), circle()], |[r, u, phi]| {
-        let sine = (1.0 - u * u).sqrt();
-        ([r * sine * phi.cos(), r * sine * phi.sin(), r * u], 1.0)
-    });
+    let thin = ellipsoid(fixed(1.0), [1.0; 3], 0.0);
     assert_inertia(&shapes::spherical_shell(1.0, 1.0)?, thin);
     assert!(routh::moment(1.0, routh::Form::Hollow, [1.0, 1.0]).is_err());
     // Exact rationals along s → 1, where 1−s⁵ over 1−s³ as printed cancels; s = 1 − 2⁻ᵏ is a number.

@@ -13,15 +13,6 @@ pub fn register() -> Result<KovalevskayaTop> {
     KovalevskayaTop::with_up(MOMENTS, vector([1.0, 0.0, 0.0]), vector(omega), vector(up))
 }
 
-/// I dΩ/dt = IΩ∧Ω + C∧(−Mgz) and dz/dt = z∧Ω, from the vector products (5.1, 8.1).
-pub fn rates(moments: [R; 3], lever: [R; 3], omega: [R; 3], z: [R; 3]) -> [[R; 3]; 2] {
-    let l = std::array::from_fn(|i| moments[i] * omega[i]);
-    let gyroscopic = cross(l, omega);
-    let torque = cross(lever, z.map(|z| -z));
-    let change = std::array::from_fn(|i| (gyroscopic[i] + torque[i]) / moments[i]);
-    [change, cross(z, omega)]
-}
-
 /// Points with small rational coordinates, in no order: an identity of low degree that holds on all of them holds.
 pub fn points() -> impl Iterator<Item = [R; 12]> {
     let mut numbers = Uniform(1889);

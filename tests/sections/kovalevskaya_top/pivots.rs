@@ -2,6 +2,7 @@
 
 use super::*;
 use spinning_bodies::kovalevskaya_top::ellipsoid;
+use support::inertia::{ellipsoid as solid, unit_gauss};
 
 // claim: C8.1-4, C8.1-5
 #[test]
@@ -13,7 +14,7 @@ fn s8_1_ellipsoids_that_are_her_top() -> Result<()> {
     };
     // From the mass integral in closed form, and once more by cubature over the body itself.
     let article = moments([1.0, 3_f64.sqrt(), 3.0], 0.4_f64.sqrt())?;
-    let integrated = cubature([1.0, 3_f64.sqrt(), 3.0], 0.4_f64.sqrt());
+    let integrated = solid(unit_gauss(), [1.0, 3_f64.sqrt(), 3.0], 0.4_f64.sqrt());
     for (k, expected) in [2.4, 2.4, 1.2].into_iter().enumerate() {
         close!(article[k], expected, 2.0 * EPS);
         observed!(relative(integrated[k], expected), 1e-16..=1e-14);
@@ -45,31 +46,6 @@ fn s8_1_ellipsoids_that_are_her_top() -> Result<()> {
     let top = KovalevskayaTop::with_up(found, lever, omega, up)?;
     assert_eq!(top.method(), Method::Separation);
     Ok(())
-}
-
-/// ∫(|r|²δ − r⊗r) over a homogeneous ellipsoid of mass 1 about a point on its first axis: Gauss's points in radius and
-/// polar angle, equal steps in azimuth, exact for polynomials of degree 2.
-fn cubature(semi_axes: [f64; 3], distance: f64) -> [f64; 3] {
-    let root = 0.6_f64.sqrt();
-    let gauss = [(-root, 5.0 / 9.0), (0.0, 8.0 / 9.0), (root, 5.0 / 9.0)];
-    let (mut sums, mut mass) = ([0.0; 3], 0.0);
-    for (u, radial) in gauss {
-        let r = 0.5 * (u + 1.0);
-        for (cosine, polar) in gauss {
-            for k in 0..6 {
-                let (s, c) = (TAU * f64::from(k) / 6.0).sin_cos();
-                let sine = (1.0 - cosine * cosine).sqrt();
-                let unit = [r * sine * c, r * sine * s, r * cosine];
-                let [x, y, z]: [f64; 3] = std::array::from_fn(|i| semi_axes[i] * unit[i]);
-                let x = x - distance;
-                let weight = radial * polar * r * r;
-                mass += weight;
-                let squares = [y * y + z * z, z * z + x * x, x * x + y * y];
-                sums = [0, 1, 2].map(|i| sums[i] + weight * squares[i]);
-            }
-        }
-    }
-    sums.map(|sum| sum / mass)
 }
 
 // claim: C8.1-6

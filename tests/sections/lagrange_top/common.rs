@@ -150,13 +150,6 @@ pub fn unit_vector(numbers: &mut Uniform) -> [R; 3] {
     ]
 }
 
-/// Sum of the integrand at equal distances over one period: exact to rounding for a periodic function.
-pub fn periodic_mean(count: u32, integrand: impl Fn(f64) -> f64) -> f64 {
-    let step = TAU / f64::from(count);
-    let terms = (0..count).map(|k| integrand((f64::from(k) + 0.5) * step));
-    terms.sum::<f64>() / f64::from(count)
-}
-
 /// Whether the motion is of this kind.
 pub fn is(top: &LagrangeTop, kind: Nutation) -> bool {
     top.kind() == kind

@@ -158,11 +158,12 @@ fn s7_2_any_integrals_are_kept() {
         let start = at(&top, 0.0);
         let angles = start.attitude.euler_angles();
         let roots = top.roots();
-        let mut ends = [roots.one_less[0], roots.one_more[0]];
-        if weight < 0.0 {
-            ends.reverse();
-        }
-        let [less, more] = ends;
+        // The lower side is that of the weight.
+        let sides = |less: f64, more: f64| match weight < 0.0 {
+            true => [more, less],
+            false => [less, more],
+        };
+        let [less, more] = sides(roots.one_less[0], roots.one_more[0]);
         let lowest = 2.0 * less.sqrt().atan2(more.sqrt());
         observed!((angles.theta - lowest).abs(), 1e-16..=2e-15);
         let turned = wrapped(angles.phi).abs() + wrapped(angles.psi).abs();
@@ -175,12 +176,7 @@ fn s7_2_any_integrals_are_kept() {
             near!(l_vert, vertical, 3e-15 * spins);
             within((e - left).abs(), 7e-15 * size);
             within((state.omega.z() - l3 / i3).abs(), 4e-16 * (l3 / i3).abs());
-            let roots = top.roots();
-            let mut ends = [state.one_less, state.one_more];
-            if weight < 0.0 {
-                ends.reverse();
-            }
-            let [less, more] = ends;
+            let [less, more] = sides(state.one_less, state.one_more);
             assert!(less >= roots.one_less[1] * (1.0 - 1e-14));
             assert!(more >= roots.one_more[0] * (1.0 - 1e-14));
         }

@@ -61,8 +61,8 @@ fn s7_2_period_of_nutation() {
         // ∮ I₁ dh/√f with h = middle + half·cos u.
         let [h1, h2, h3] = roots(&top);
         let quadrature = TAU
-            * periodic_mean(200, |u| {
-                let h = 0.5 * (h1 + h2) + 0.5 * (h2 - h1) * u.cos();
+            * mean(200, |s| {
+                let h = 0.5 * (h1 + h2) + 0.5 * (h2 - h1) * (TAU * s).cos();
                 (0.5 / (h3 - h)).sqrt()
             });
         observed!((quadrature / expected - 1.0).abs(), 0.0..=7e-16);
@@ -150,7 +150,7 @@ fn s7_2_the_integral_for_the_azimuth_starts_at_h_of_0() {
     for k in 0..50 {
         assert!(integrand(0.01 * f64::from(k)).is_nan());
     }
-    // From h(0) = h₁, h = middle − half·cos u, it is the azimuth: Simpson's rule in u.
+    // From h(0) = h₁, h = middle − half·cos u, it is the azimuth.
     let [h1, h2, h3] = roots(&top);
     let to = |h: f64| {
         let (middle, half) = (0.5 * (h1 + h2), 0.5 * (h2 - h1));
@@ -159,12 +159,7 @@ fn s7_2_the_integral_for_the_azimuth_starts_at_h_of_0() {
             let h = middle - half * u.cos();
             (2.0 - 3.0 * h) / ((1.0 - h * h) * (2.0 * (h3 - h)).sqrt())
         };
-        let n = 2400;
-        let weight = |k: u32| [2.0, 4.0][(k % 2) as usize] - f64::from(u8::from(k == 0 || k == n));
-        let sum: f64 = (0..=n)
-            .map(|k| weight(k) * in_u(end * f64::from(k) / f64::from(n)))
-            .sum();
-        sum * end / (3.0 * f64::from(n))
+        integral(in_u, 0.0, end)
     };
     let period = top.period();
     for k in 1..10 {

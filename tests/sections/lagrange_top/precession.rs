@@ -45,9 +45,7 @@ fn s7_3_pure_precession_is_a_double_root() {
         let [energy, l3, vertical] = steady([i1, weight], w, h);
         let value = |h: R| cubic([i1, weight], energy, l3, vertical, h);
         assert_eq!(value(h), ZERO, "f");
-        // f(h + d) + f(h − d) − 2f(h) and f(h + d) − f(h − d) give f' of a cubic exactly: f' = (8Δ₁ − Δ₂)/12.
-        let difference = |d: i128| value(h + whole(d)) - value(h - whole(d));
-        let slope = (whole(8) * difference(1) - difference(2)) / whole(12);
+        let slope = exact_slope(|d| value(h + d));
         assert_eq!(slope, ZERO, "f'");
     }
     // In the library: h₁ = h₂, and the tilt does not move.
@@ -87,8 +85,7 @@ fn s7_3_quadratic_for_the_rate() {
         let energy = i1 * w * w * sine2 / TWO + weight * h;
         let value = |h: R| cubic([i1, weight], energy, l3, vertical, h);
         assert_eq!(value(h), ZERO);
-        let difference = |d: i128| value(h + whole(d)) - value(h - whole(d));
-        let slope = (whole(8) * difference(1) - difference(2)) / whole(12);
+        let slope = exact_slope(|d| value(h + d));
         let quadratic = i1 * h * w * w - l3 * w + weight;
         assert_eq!(slope, -TWO * i1 * sine2 * quadratic);
     }

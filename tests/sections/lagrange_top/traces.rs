@@ -135,7 +135,7 @@ fn s7_3_picture_n_a_circle_of_latitude() {
         let (sine, cosine) = (0.5 * t).sin_cos();
         observed!((x - sine).hypot(y + cosine), 1e-16..=2e-15);
     }
-    let mean = periodic_mean(50, |u| at(&top, 2.0 * u).height);
+    let mean = mean(50, |s| at(&top, 2.0 * TAU * s).height);
     observed!(mean.abs(), 0.0..=3e-16);
     // Its neighbours make waves of it.
     assert!(!is(&turning(0.0, 2.0, 0.6), Nutation::PurePrecession));

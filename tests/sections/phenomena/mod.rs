@@ -10,4 +10,3 @@ use super::*;
 use spinning_bodies::phenomena::{Hub, ShapePlane, Step, turn_along, turn_within};
 use spinning_bodies::scene::effects::{Gravity, Pace};
 use spinning_bodies::scene::shape;
-use support::inertia::integral;

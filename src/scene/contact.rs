@@ -129,17 +129,18 @@ impl TableTop {
     }
 
     fn answer(&self, request: &Request, plan: &Plan) -> Result<Answer<Mode, NUMBERS>> {
-        let flow = |tolerance: f64| self.on_the_table(plan.solver, tolerance);
         if plan.solver != Solver::Exact {
-            return to_accuracy(request, plan.solver, flow);
+            return to_accuracy(request, plan.solver, |tolerance| {
+                self.on_the_table(tolerance)
+            });
         }
-        let flow = flow(request.accuracy())?;
-        let (_, start) = flow.start()?;
-        let flight = Flight::from(&self.body, 0.0, &start, flow.takeoff(0.0, &start))?;
+        let flow = self.on_the_table(request.accuracy)?;
+        let takeoff = flow.takeoff(0.0, &flow.start);
+        let flight = Flight::from(&self.body, 0.0, &flow.start, takeoff)?;
         solved((&flow, plan, request), 1, |t| flight.at(t))
     }
 
-    fn on_the_table(&self, solver: Solver, tolerance: f64) -> Result<OnTheTable> {
+    fn on_the_table(&self, tolerance: f64) -> Result<OnTheTable> {
         let start = numbers(&self.start);
         for number in start {
             finite("the start of a body on a table", number)?;
@@ -158,8 +159,6 @@ impl TableTop {
             size,
             turning: turning.max(f64::MIN_POSITIVE),
             tolerance,
-            free: self.gravity.is_none(),
-            stepped: solver != Solver::Exact,
         })
     }
 }
@@ -353,10 +352,6 @@ struct OnTheTable {
     /// Fastest rate, rad/s.
     turning: f64,
     tolerance: f64,
-    /// Nothing presses it to the table.
-    free: bool,
-    /// The free body too.
-    stepped: bool,
 }
 
 impl OnTheTable {
@@ -369,6 +364,11 @@ impl OnTheTable {
             Some(Friction::Coulomb(law)) => Some(law),
             _ => None,
         }
+    }
+
+    /// Nothing presses the body to the table.
+    fn is_free(&self) -> bool {
+        self.table.gravity == 0.0
     }
 
     fn weight(&self) -> f64 {
@@ -398,6 +398,7 @@ impl OnTheTable {
     fn contact(&self, mode: &Mode, pose: &Pose) -> Contact {
         let table = &self.table;
         match (mode, self.coulomb()) {
+            (Mode::Airborne(_), _) => Contact::none(&table.body, &pose.omega),
             (Mode::Rolling, _) => table.rolls(pose),
             (Mode::Leaving, Some(law)) => {
                 table.leaving(&pose.up, &pose.omega, &pose.level, law.kinetic())
@@ -490,14 +491,8 @@ impl OnTheTable {
             Mode::Airborne(takeoff) => takeoff.at(t, self.table.gravity),
             _ => body.height(&pose),
         };
-        let (slip, reaction, friction) = match mode {
-            Mode::Airborne(_) => (Vector3::zeros(), 0.0, 0.0),
-            _ => {
-                let contact = self.contact(mode, &pose);
-                let reaction = contact.reaction.max(0.0);
-                (contact.slip, reaction, reaction * contact.traction.norm())
-            }
-        };
+        let contact = self.contact(mode, &pose);
+        let reaction = contact.reaction.max(0.0);
         let omega = BodyVector::from_components(pose.omega);
         let up = BodyVector::from_components(pose.up);
         let velocity = Vector3::new(y[7], y[8], climb);
@@ -508,9 +503,9 @@ impl OnTheTable {
             position: SpaceVector::new(y[9], y[10], height),
             velocity: SpaceVector::from_components(velocity),
             support: mode.support(),
-            slip: SpaceVector::from_components(pose.turn * slip),
+            slip: SpaceVector::from_components(pose.turn * contact.slip),
             reaction,
-            friction,
+            friction: reaction * contact.traction.norm(),
             energy: body.kinetic_energy(&pose.omega, &velocity) + potential,
             dissipated: y[11],
             jellett: body.jellett(up, omega),
@@ -524,7 +519,7 @@ impl Flow<NUMBERS> for OnTheTable {
 
     fn start(&self) -> Result<(Mode, Numbers)> {
         let mut y = self.start;
-        let mode = if self.free {
+        let mode = if self.is_free() {
             Mode::Airborne(self.takeoff(0.0, &y))
         } else {
             self.settled(0.0, &mut y)?
@@ -547,21 +542,16 @@ impl Flow<NUMBERS> for OnTheTable {
     }
 
     fn rate(&self, mode: Mode, _: f64, y: &Numbers) -> Numbers {
-        let table = &self.table;
         let y = &match mode {
             Mode::Rolling => self.body().rolled(y),
             _ => *y,
         };
         let pose = Pose::of(y);
-        let contact = match mode {
-            Mode::Airborne(_) => Contact::none(&table.body, &pose.omega),
-            _ => self.contact(&mode, &pose),
-        };
-        table.rates(y, &pose, &contact)
+        self.table.rates(y, &pose, &self.contact(&mode, &pose))
     }
 
     fn may_end(&self, _: Mode) -> bool {
-        !self.free
+        !self.is_free()
     }
 
     /// The reaction over the weight; how far the slip is from rest, or from being no longer near it; how far rolling is from the rim of the cone.
@@ -626,9 +616,7 @@ impl Flow<NUMBERS> for OnTheTable {
 
     fn known(&self, mode: Mode, ahead: &Ahead<'_, NUMBERS>) -> Option<Result<Passage<Numbers>>> {
         match (mode, self.coulomb()) {
-            (Mode::Airborne(takeoff), _) if !(self.free && self.stepped) => {
-                Some(self.flown(takeoff, ahead))
-            }
+            (Mode::Airborne(takeoff), _) if !self.is_free() => Some(self.flown(takeoff, ahead)),
             (Mode::Stopping, Some(law)) => Some(self.slowed(law, ahead)),
             _ => None,
         }
@@ -645,11 +633,7 @@ impl Flow<NUMBERS> for OnTheTable {
 impl OnTheTable {
     fn flown(&self, takeoff: TakeOff, ahead: &Ahead<'_, NUMBERS>) -> Result<Passage<Numbers>> {
         let flight = Flight::from(self.body(), self.table.gravity, ahead.start.1, takeoff)?;
-        let landing = match self.free {
-            true => None,
-            false => flight.landing(ahead.end)?,
-        };
-        ahead.in_closed_form(landing, |t| flight.at(t))
+        ahead.in_closed_form(flight.landing(ahead.end)?, |t| flight.at(t))
     }
 
     /// Near rest, where friction turns with the slip, faster and faster. Counted is not the time but ∫μg dt/|slip|: the slip then goes to nothing
@@ -740,7 +724,7 @@ impl Scene for TableTop {
     fn simulate(&self, request: &Request) -> Result<Motion<State>> {
         let plan = self.plan(request)?;
         let Answer { trace, error } = self.answer(request, &plan)?;
-        let flow = self.on_the_table(plan.solver, request.accuracy())?;
+        let flow = self.on_the_table(request.accuracy)?;
         let (mode, y) = flow.start()?;
         let start = flow.state(0.0, &mode, &y);
         let rows = request.times().iter().zip(&trace.samples);

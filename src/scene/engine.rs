@@ -6,7 +6,7 @@
 //! will do, measures how much the motion amplifies a change of its start. Every evaluation counts against the budget of the request.
 
 use super::motion::furthest;
-use super::{Budget, Choice, Plan, Request, Solver, only_for_tops};
+use super::{Budget, Choice, Plan, Request, Solver};
 use crate::error::{Error, Result, finite};
 use crate::integrators::{
     AnyLeg, Cost, Effort, GeneralMethods, Kept, Leg, Method, Passage, Stop, System, Watched,
@@ -108,6 +108,8 @@ pub(crate) struct Ahead<'a, const N: usize> {
     pub times: &'a [f64],
     /// When it ends at the latest.
     pub end: f64,
+    /// Whether there is something that steps where no closed form does it.
+    pub stepped: bool,
     pub budget: &'a Budget,
 }
 
@@ -219,6 +221,7 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
                     start: (now, &y),
                     times: &left[..within],
                     end: until,
+                    stepped: !matches!(self.stepper, Stepper::Events),
                     budget: self.budget,
                 };
                 self.leg(phase, &ahead, effort)
@@ -365,6 +368,9 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
 const NO_STEPS: Error = Error::Solver {
     condition: "the solver events must be given a scene with closed forms between events",
 };
+const ONLY_FOR_TOPS: Error = Error::Solver {
+    condition: "the geometric solvers (rotations, moser-veselov, kick-drift, munthe-kaas, dormand-prince-8) are for tops",
+};
 
 /// So many numbers of a slice; it has as many.
 fn sized<const N: usize>(slice: &[f64]) -> [f64; N] {
@@ -428,17 +434,17 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
     flow: impl Fn(f64) -> Result<F>,
 ) -> Result<Answer<F::Phase, N>> {
     let budget = &request.budget();
-    if let Some(effort) = request.effort() {
+    if let Some(effort) = request.effort {
         let flow = &flow(tolerance_of(effort, OF_STEPS))?;
         let run = Run::new(flow, stepper, effort, budget);
         let trace = run.at(flow.start()?, request.times(), &[])?;
         let error = f64::INFINITY;
         return Ok(Answer { trace, error });
     }
-    let (accuracy, count) = (request.accuracy(), request.times().len());
+    let (accuracy, count) = (request.accuracy, request.times().len());
     let (angle, sure) = {
         let flow = flow(accuracy)?;
-        let angle = flow.pace() * request.furthest().abs();
+        let angle = flow.pace() * request.furthest.abs();
         (angle, flow.doubt() == [0.0; N])
     };
     let times = with_checks(request, angle);
@@ -564,7 +570,7 @@ pub(crate) fn solved<const N: usize, F: Flow<N> + Copy>(
         }
         _ => return to_accuracy(request, plan.solver, |_| Ok(*flow)),
     };
-    let angle = flow.pace() * request.furthest().abs();
+    let angle = flow.pace() * request.furthest.abs();
     let error = flow.rounding(angle, &trace.phases);
     Ok(Answer { trace, error })
 }
@@ -719,12 +725,12 @@ impl Efforts {
 /// The times asked for, and so many more that runs over this angle, if there are to be two, have something to compare.
 fn with_checks(request: &Request, angle: f64) -> Vec<f64> {
     let times = request.times();
-    let missing = if angle < SHORT || request.effort().is_some() {
+    let missing = if angle < SHORT || request.effort.is_some() {
         0
     } else {
         CHECKS.saturating_sub(times.len())
     };
-    let last = request.furthest();
+    let last = request.furthest;
     let more = (1..=missing).map(|n| last * n as f64 / (missing + 1) as f64);
     times.iter().copied().chain(more).collect()
 }
@@ -765,7 +771,7 @@ fn stepper(solver: Solver, request: &Request) -> Result<Stepper<'static>> {
         Solver::General(method) => Ok(Stepper::General(request.methods()?, method)),
         Solver::ORDER_EIGHT => Ok(Stepper::OrderEight),
         Solver::Events | Solver::Exact => Ok(Stepper::Events),
-        Solver::Geometric(_) => Err(only_for_tops()),
+        Solver::Geometric(_) => Err(ONLY_FOR_TOPS),
     }
 }
 
@@ -775,7 +781,7 @@ fn stepper(solver: Solver, request: &Request) -> Result<Stepper<'static>> {
 /// [`Error::Solver`] says which solvers the kind has.
 pub(crate) fn planned(request: &Request, plan: Plan, has: &'static str) -> Result<Plan> {
     let asked = |solver| Ok(Plan::new(solver, "asked for"));
-    match request.choice() {
+    match request.choice {
         Choice::Auto => Ok(plan),
         Choice::Use(Solver::ORDER_EIGHT) => asked(Solver::ORDER_EIGHT),
         Choice::Use(solver @ Solver::General(_)) => {

@@ -95,13 +95,8 @@ impl Tabulated for Flying {
     }
 }
 
-/// Momentum, angular momentum about the origin, and energy.
-#[derive(Clone, Copy)]
-struct Kept {
-    momentum: SpaceVector,
-    angular: SpaceVector,
-    energy: f64,
-}
+/// Momentum, and angular momentum about the origin.
+type Kept = [SpaceVector; 2];
 
 /// A rigid body in free flight: its centre of mass and Euler's top about it.
 struct Free {
@@ -169,12 +164,7 @@ impl Free {
             energy,
             angular_momentum: spin,
         };
-        let kept = Kept {
-            momentum,
-            angular: spin + common.cross(&momentum),
-            energy,
-        };
-        Ok((flying, kept))
+        Ok((flying, [momentum, spin + common.cross(&momentum)]))
     }
 
     /// By how much rounding may have turned it up to a time: as much as it turns its twin, who is off by more.
@@ -192,8 +182,8 @@ impl Free {
 }
 
 impl StruckPlanet {
-    /// What flies on after the blow, and what the meteorite brought.
-    fn struck(&self, hit: &Strike) -> Result<(Free, Kept)> {
+    /// What flies on after the blow, and what the meteorite brought, its energy too.
+    fn struck(&self, hit: &Strike) -> Result<(Free, Kept, f64)> {
         let (planet, meteorite) = (&self.planet, hit.meteorite);
         let ball = MassProperties::new(planet.mass, BodyVector::zero(), planet.inertia)?;
         let stone = MassProperties::particle(meteorite.mass, hit.at)?;
@@ -201,12 +191,8 @@ impl StruckPlanet {
         let after = Free::new(&body, hit.omega_after, hit.velocity_after)?;
         let velocity = space(meteorite.velocity);
         let momentum = meteorite.mass * velocity;
-        let brought = Kept {
-            momentum,
-            angular: space(hit.at).cross(&momentum),
-            energy: 0.5 * momentum.dot(&velocity),
-        };
-        Ok((after, brought))
+        let brought = [momentum, space(hit.at).cross(&momentum)];
+        Ok((after, brought, 0.5 * momentum.dot(&velocity)))
     }
 }
 
@@ -220,7 +206,7 @@ impl Scene for StruckPlanet {
             }
             None => "no torque: closed form",
         };
-        match request.choice() {
+        match request.choice {
             Choice::Auto | Choice::Use(Solver::Exact) => Ok(Plan::new(Solver::Exact, reason)),
             Choice::Use(_) => Err(Error::Solver {
                 condition: "a struck planet is solved in closed form only; ask for exact",
@@ -236,39 +222,31 @@ impl Scene for StruckPlanet {
         let hit = self.impact.map(|it| strike(planet, &it.meteorite, it.at));
         let struck = hit.transpose()?.map(|hit| self.struck(&hit)).transpose()?;
         let at = |t: f64| match &struck {
-            Some((after, _)) if t >= 0.0 => after.at(t),
+            Some((after, ..)) if t >= 0.0 => after.at(t),
             None => before.at(t),
-            Some((_, brought)) => {
-                let (mut state, kept) = before.at(t)?;
-                state.energy += brought.energy;
-                let whole = Kept {
-                    momentum: kept.momentum + brought.momentum,
-                    angular: kept.angular + brought.angular,
-                    energy: state.energy,
-                };
-                Ok((state, whole))
+            Some((_, [p, l], energy)) => {
+                let (mut state, [p_before, l_before]) = before.at(t)?;
+                state.energy += energy;
+                Ok((state, [p_before + *p, l_before + *l]))
             }
         };
         let rows: Vec<(Flying, Kept)> = times.iter().map(|&t| at(t)).collect::<Result<_>>()?;
-        let (first, last) = times
-            .iter()
-            .fold((0.0, 0.0), |(a, b): (f64, f64), &t| (a.min(t), b.max(t)));
-        let after = struck.as_ref().map_or(&before, |(after, _)| after);
+        let first = times.iter().copied().fold(0.0, f64::min);
+        let last = times.iter().copied().fold(0.0, f64::max);
+        let after = struck.as_ref().map_or(&before, |(after, ..)| after);
         let error = before.error(first)?.max(after.error(last)?);
         // From just before the blow.
-        let opening = at(first.min(-f64::MIN_POSITIVE))?.1;
-        let (p, l, energy) = (opening.momentum, opening.angular, opening.energy);
+        let (opening, [p, l]) = at(first.min(-f64::MIN_POSITIVE))?;
         let law = match self.impact {
             Some(_) => Law::NonIncreasing,
             None => Law::Conserved,
         };
         let turning = "angular momentum about the origin";
         let mut accounts = Accounts::of(request);
-        accounts.conserved("momentum", p.norm(), p, |k| rows[k].1.momentum)?;
-        accounts.conserved(turning, l.norm(), l, |k| rows[k].1.angular)?;
-        accounts.keep(("kinetic energy", law, energy), energy, |k| {
-            rows[k].1.energy
-        })?;
+        accounts.conserved("momentum", p.norm(), p, |k| rows[k].1[0])?;
+        accounts.conserved(turning, l.norm(), l, |k| rows[k].1[1])?;
+        let kinetic = ("kinetic energy", law, opening.energy);
+        accounts.keep(kinetic, opening.energy, |k| rows[k].0.energy)?;
         let states = rows.iter().map(|(state, _)| *state).collect();
         Motion::of(request, plan, Cost::default(), error, accounts, states)
     }

@@ -52,7 +52,6 @@ pub use superball::{Bouncing, Superball};
 pub use yo_yo::{Phase, Play, YoYoState};
 
 pub(crate) use budget::Budget;
-pub(crate) use plan::only_for_tops;
 
 use crate::error::Result;
 

@@ -10,11 +10,14 @@ use crate::integrators::{Cost, Effort, GeneralMethods};
 #[derive(Debug, Clone)]
 pub struct Request {
     times: Vec<f64>,
-    /// The one furthest from the start.
-    furthest: f64,
-    accuracy: f64,
-    effort: Option<Effort>,
-    choice: Choice,
+    /// The one furthest from the start, s.
+    pub(super) furthest: f64,
+    /// The relative accuracy asked for; infinite where one run is.
+    pub(super) accuracy: f64,
+    /// The effort of the one run that is asked for; none where runs are to vouch for each other.
+    pub(super) effort: Option<Effort>,
+    /// Who chooses the solver.
+    pub(super) choice: Choice,
     most: u64,
     progress: Option<Progress>,
     methods: Option<&'static dyn GeneralMethods>,
@@ -200,11 +203,6 @@ impl Request {
         Budget::new(self.most / 100, self.furthest, None)
     }
 
-    /// The time furthest from the start, s.
-    pub(crate) const fn furthest(&self) -> f64 {
-        self.furthest
-    }
-
     /// The times, s.
     ///
     /// ```
@@ -222,21 +220,6 @@ impl Request {
         let first = self.times.iter().copied().fold(0.0, f64::min);
         let what = "the time of a scene that cannot be run backward";
         within(what, first, 0.0, f64::INFINITY).map(|_| ())
-    }
-
-    /// The effort of the one run that is asked for; none where runs are to vouch for each other.
-    pub(super) const fn effort(&self) -> Option<Effort> {
-        self.effort
-    }
-
-    /// The relative accuracy asked for; infinite where one run is.
-    pub(crate) const fn accuracy(&self) -> f64 {
-        self.accuracy
-    }
-
-    /// Who chooses the solver.
-    pub(crate) const fn choice(&self) -> Choice {
-        self.choice
     }
 }
 
@@ -270,17 +253,17 @@ impl<S> Motion<S> {
         states: Vec<S>,
     ) -> Result<Self> {
         // An error that is not a number must not pass for a small one.
-        if error <= request.accuracy() {
+        if error <= request.accuracy {
             Ok(Self {
                 plan,
                 cost,
                 error_estimate: error,
-                ledger: balanced(accounts.ledger, request.accuracy())?,
+                ledger: balanced(accounts.ledger, request.accuracy)?,
                 rows: request.times().iter().copied().zip(states).collect(),
             })
         } else {
             Err(Error::Amplified {
-                asked: request.accuracy(),
+                asked: request.accuracy,
                 reached: error,
                 growth: error / f64::EPSILON,
             })

@@ -3,7 +3,6 @@
 use core::fmt;
 use core::str::FromStr;
 
-use crate::error::Error;
 use crate::integrators::Method;
 use crate::integrators::geometric::{Order, VeselovOrder};
 
@@ -144,9 +143,7 @@ impl Plan {
             reason: reason.into(),
         }
     }
-}
 
-impl Plan {
     /// Its closed form.
     pub(crate) fn exact(reason: impl Into<String>) -> Self {
         Self::new(Solver::Exact, reason)
@@ -166,13 +163,6 @@ impl Plan {
 impl fmt::Display for Plan {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}: {}", self.solver, self.reason)
-    }
-}
-
-/// What a scene that is no top says to a geometric method.
-pub(crate) const fn only_for_tops() -> Error {
-    Error::Solver {
-        condition: "the geometric solvers (rotations, moser-veselov, kick-drift, munthe-kaas, dormand-prince-8) are for tops",
     }
 }
 

@@ -185,7 +185,7 @@ impl Scene for Roller {
 
     fn simulate(&self, request: &Request) -> Result<Motion<Rolling>> {
         let plan = self.plan(request)?;
-        let table = self.table(request.furthest())?;
+        let table = self.table(request.furthest)?;
         let (mass, kappa) = (self.body.mass(), self.body.inertia_factor());
         table.motion(request, plan, |moment| Rolling {
             moment,
@@ -220,7 +220,7 @@ const SOLVERS: &str = "the solver of what rolls is `events`, `exact` where no fo
 pub(super) fn rolling_plan(request: &Request, events: Option<&'static str>) -> Result<Plan> {
     request.forward()?;
     let reason = events.unwrap_or("no force along the table: closed form");
-    let plan = match (request.choice(), events) {
+    let plan = match (request.choice, events) {
         (Choice::Auto | Choice::Use(Solver::Exact), None) => Plan::exact(reason),
         _ => Plan::events(reason),
     };

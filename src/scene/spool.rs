@@ -156,7 +156,7 @@ impl Scene for TuggedSpool {
 
     fn simulate(&self, request: &Request) -> Result<Motion<Spooling>> {
         let plan = self.plan(request)?;
-        let table = self.table(request.furthest())?;
+        let table = self.table(request.furthest)?;
         let (mass, kappa) = (table.body.mass(), table.body.inertia_factor());
         table.motion(request, plan, |moment| Spooling {
             moment,

@@ -156,7 +156,7 @@ impl Scene for Superball {
     fn plan(&self, request: &Request) -> Result<Plan> {
         request.forward()?;
         let elastic = self.restitution.is_none() && self.friction.is_none();
-        let plan = match request.choice() {
+        let plan = match request.choice {
             Choice::Auto | Choice::Use(Solver::Exact) if elastic => {
                 Plan::exact("elastic and non-slipping: a rotation a bounce, closed form")
             }
@@ -176,7 +176,7 @@ impl Scene for Superball {
             }
             Solver::Events => self.followed(&flight, request)?,
             _ => {
-                let span = request.furthest();
+                let span = request.furthest;
                 let thrown = Thrown { flight, span };
                 let Answer { trace, error } = to_accuracy(request, plan.solver, |_| Ok(thrown))?;
                 let balls = trace.samples.iter().map(|(ball, y)| flying(ball, y));

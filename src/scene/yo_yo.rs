@@ -485,7 +485,7 @@ impl Flow<6> for Playing {
     }
 
     fn known(&self, stage: Stage, ahead: &Ahead<'_, 6>) -> Option<Result<Passage<Numbers>>> {
-        (self.closed || rests(stage.0)).then(|| self.passage(stage, ahead))
+        (!ahead.stepped || rests(stage.0)).then(|| self.passage(stage, ahead))
     }
 
     /// Every phase is off by so much of its own duration.
@@ -516,7 +516,7 @@ impl Scene for Play {
 
     fn plan(&self, request: &Request) -> Result<Plan> {
         request.forward()?;
-        if let Choice::Use(Solver::General(method)) = request.choice()
+        if let Choice::Use(Solver::General(method)) = request.choice
             && !method.is_adaptive()
         {
             return Err(Error::Solver {
@@ -539,7 +539,7 @@ impl Scene for Play {
         let mut phases = trace.samples.iter().map(|((phase, _), _)| *phase);
         if playing.closed && phases.any(|phase| phase == Phase::Turn) {
             // In the turn the yo-yo is as fast as its spin, and the time itself is rounded.
-            error += fastest * OF_A_TIME * request.furthest();
+            error += fastest * OF_A_TIME * request.furthest;
         }
         let states = trace.samples.iter();
         let states: Vec<YoYoState> = states.map(|(stage, y)| playing.state(*stage, y)).collect();

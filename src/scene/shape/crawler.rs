@@ -11,7 +11,7 @@ use crate::scene::columns::{Columns, columns, state};
 use crate::scene::effects::Effect;
 use crate::scene::engine::{Ahead, Answer, Flow, planned, solved};
 use crate::scene::motion::Accounts;
-use crate::scene::{Motion, Plan, Request, Scene, Solver};
+use crate::scene::{Motion, Plan, Request, Scene};
 
 /// Two feet and a muscle on the ground, at rest at first.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -93,21 +93,10 @@ impl Crawler {
 /// Most cycles of a run: more than a day of crawling.
 const MOST_CYCLES: f64 = 250_000.0;
 
-/// A crawler on its way from event to event, where a stroke turns or a foot comes to rest: centre, velocity, impulse of the friction, heat
-/// and work of the muscle.
-#[derive(Clone, Copy)]
-struct Crawling {
-    body: phenomena::Crawler,
-    sliding: f64,
-    holding: f64,
-    /// Whether closed forms do it.
-    closed: bool,
-}
-
 /// A piece of the strokes, and how the feet move in it.
 type Phase = (u64, Leg);
 
-impl Crawling {
+impl Crawler {
     fn gap(&self, piece: u64, t: f64) -> Gap {
         self.body.strokes().at(piece, t)
     }
@@ -115,14 +104,15 @@ impl Crawling {
     /// The leg that begins, once feet that have lost their way have come to rest; the centre then goes with them.
     fn leg(&self, piece: u64, t: f64, feet: [Foot; 2], y: &mut [f64; 5]) -> Leg {
         let gap = self.gap(piece, t);
-        let mut leg = self.body.leg(feet, &gap, self.sliding, self.holding);
+        let [sliding, holding] = self.grip().unwrap_or_default();
+        let mut leg = self.body.leg(feet, &gap, sliding, holding);
         for foot in 0..2 {
             let slowing = self.body.slowing(&leg, foot, y[1], gap.rate);
             if slowing.is_some_and(|[velocity, _]| velocity <= 0.0) {
                 let mut feet = leg.feet;
                 feet[foot] = Foot::Holds;
                 y[1] = self.body.holding(foot, gap.rate);
-                leg = self.body.leg(feet, &gap, self.sliding, self.holding);
+                leg = self.body.leg(feet, &gap, sliding, holding);
             }
         }
         leg
@@ -141,7 +131,8 @@ impl Crawling {
     }
 }
 
-impl Flow<5> for Crawling {
+/// From event to event, where a stroke turns or a foot comes to rest: centre, velocity, impulse of the friction, heat and work of the muscle.
+impl Flow<5> for Crawler {
     type Phase = Phase;
 
     fn start(&self) -> Result<(Phase, [f64; 5])> {
@@ -224,7 +215,7 @@ impl Flow<5> for Crawling {
             .rest(&leg, y[1], gap.rate)
             .map(|(after, _)| from + after);
         let rest = rest.filter(|&rest| rest < ahead.end);
-        self.closed.then(|| ahead.in_closed_form(rest, after))
+        (!ahead.stepped).then(|| ahead.in_closed_form(rest, after))
     }
 }
 
@@ -254,20 +245,13 @@ impl Scene for Crawler {
             });
         }
         let gap = |t: f64| strokes.at(strokes.piece_at(t), t);
-        let [sliding, holding] = self.grip().unwrap_or_default();
-        let crawling = Crawling {
-            body: *body,
-            sliding,
-            holding,
-            closed: plan.solver == Solver::Events,
-        };
         // On perfect ice only the muscle's work is to be told: the kinetic energy.
-        let Answer { trace, error } = solved((&crawling, &plan, request), 1, |t| {
+        let Answer { trace, error } = solved((self, &plan, request), 1, |t| {
             Ok([0.0, 0.0, 0.0, 0.0, body.energy(0.0, gap(t).rate)])
         })?;
         let rows = request.times().iter().zip(trace.samples);
         let rows: Vec<(f64, [f64; 5])> = rows.map(|(&t, (_, y))| (t, y)).collect();
-        let [.., mass_speed, _, energy] = crawling.scales();
+        let [.., mass_speed, _, energy] = self.scales();
         let spent = rows.iter().map(|(_, y)| y[3]).fold(0.0, f64::max);
         let mass: f64 = body.masses().iter().sum();
         let momentum = |place: usize| mass * rows[place].1[1] - rows[place].1[2];

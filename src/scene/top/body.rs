@@ -194,6 +194,12 @@ impl Body {
         }
     }
 
+    /// L of this Ω, along the principal axes, kg m²/s.
+    pub(super) fn angular_momentum(&self, omega: BodyVector) -> BodyVector {
+        let [i1, i2, i3] = self.moments;
+        BodyVector::new(i1 * omega.x(), i2 * omega.y(), i3 * omega.z())
+    }
+
     /// MC, kg m.
     pub(super) fn arm(&self) -> [f64; 3] {
         self.center.map(|component| self.mass * component)
@@ -276,13 +282,10 @@ impl Start {
     }
 
     /// L along the body's axes and the attitude.
-    pub(super) fn phase(&self, moments: [f64; 3]) -> Result<Phase> {
+    pub(super) fn phase(&self, body: &Body) -> Result<Phase> {
         let l = match self.spin {
             Spin::AngularMomentum(l) => l,
-            Spin::Omega(omega) => {
-                let [a, b, c] = moments;
-                BodyVector::new(a * omega.x(), b * omega.y(), c * omega.z())
-            }
+            Spin::Omega(omega) => body.angular_momentum(omega),
         };
         Ok(Phase::new(
             finite_vector("the angular momentum", l)?,

@@ -2,7 +2,7 @@
 
 use super::equations::Turning;
 use super::held::{State, Top};
-use super::ledger::Conserved;
+use super::ledger::{Conserved, up};
 use crate::frame::{BodyVector, SpaceVector};
 use crate::scene::columns::{Columns, columns};
 
@@ -11,9 +11,7 @@ pub(super) fn columns(top: &Top) -> Columns<State> {
     let body = top.body;
     // Moments, lever and centre of mass are along the principal axes, the states along the body's own.
     let momentum = move |state: &State| {
-        let [i1, i2, i3] = body.moments;
-        let omega = body.inward(state.omega);
-        let l = BodyVector::new(i1 * omega.x(), i2 * omega.y(), i3 * omega.z());
+        let l = body.angular_momentum(body.inward(state.omega));
         body.attitude_inward(state.attitude).to_space(l)
     };
     let columns = Columns::default()
@@ -30,15 +28,12 @@ pub(super) fn columns(top: &Top) -> Columns<State> {
         .and(columns! { |state: &State|
             "kinetic", "J", "kinetic energy" => 0.5 * state.attitude.to_body(momentum(state)).dot(&state.omega);
         });
-    let Ok(conserved) = Conserved::of(&body, top.lever(), &top.start) else {
+    let Ok(conserved) = Conserved::of(top) else {
         return columns;
     };
     let lever = BodyVector::from(top.lever());
     let first = conserved.start.energy;
-    let up = move |state: &State| {
-        let attitude = body.attitude_inward(state.attitude);
-        attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0))
-    };
+    let up = move |state: &State| up(&body.attitude_inward(state.attitude));
     let columns = columns.and(columns! { |state: &State|
         "potential", "J", "energy of the weight above the pivot" => lever.dot(&up(state));
         "lost", "J", "energy that resistance has taken since time 0" => first - state.energy;

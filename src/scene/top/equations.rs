@@ -53,7 +53,7 @@ impl Turning {
                 value: moment,
             });
         }
-        let start = top.start.phase(moments)?;
+        let start = top.start.phase(&top.body)?;
         let spin = start.l[2];
         Ok(Self {
             moments,

@@ -1,7 +1,7 @@
 //! What a top conserves, or may only lose.
 
-use super::body::{Body, Start};
-use super::held::State;
+use super::body::Body;
+use super::held::{State, Top};
 use crate::conservation::Law;
 use crate::error::{Result, finite};
 use crate::euler_equations::{Integrability, classify};
@@ -11,7 +11,7 @@ use crate::scene::motion::Accounts;
 
 /// The body and its start, as the ledger needs them.
 pub(super) struct Conserved {
-    moments: [f64; 3],
+    body: Body,
     lever: BodyVector,
     /// What is conserved besides.
     pub kind: Integrability,
@@ -26,13 +26,13 @@ pub(super) struct Conserved {
 const MOST_READ: usize = 256;
 
 impl Conserved {
-    pub fn of(body: &Body, lever: [f64; 3], start: &Start) -> Result<Self> {
+    pub fn of(top: &Top) -> Result<Self> {
+        let (body, start, lever) = (top.body, top.start, BodyVector::from(top.lever()));
         let omega = start.omega(body.moments)?;
-        let [x, y, z] = lever;
         let mut conserved = Self {
-            moments: body.moments,
-            lever: BodyVector::new(x, y, z),
-            kind: classify(body.moments, BodyVector::new(x, y, z)),
+            body,
+            lever,
+            kind: classify(body.moments, lever),
             start: State {
                 attitude: start.attitude,
                 omega,
@@ -41,26 +41,20 @@ impl Conserved {
             energy_scale: 0.0,
             momentum_scale: 0.0,
         };
-        let weight = conserved.lever.norm();
+        let weight = lever.norm();
         let greatest = body.moments.iter().fold(0.0_f64, |a, &b| a.max(b));
         conserved.start.energy = finite("the energy", conserved.energy(&start.attitude, omega))?;
         conserved.energy_scale = (conserved.kinetic(omega) + weight).max(f64::MIN_POSITIVE);
-        conserved.momentum_scale = conserved
-            .angular_momentum(omega)
-            .norm()
+        let turning = body.angular_momentum(omega).norm();
+        conserved.momentum_scale = turning
             .hypot((greatest * weight).sqrt())
             .max(f64::MIN_POSITIVE);
         finite("the angular momentum", conserved.momentum_scale)?;
         Ok(conserved)
     }
 
-    fn angular_momentum(&self, omega: BodyVector) -> BodyVector {
-        let [i1, i2, i3] = self.moments;
-        BodyVector::new(i1 * omega.x(), i2 * omega.y(), i3 * omega.z())
-    }
-
     fn kinetic(&self, omega: BodyVector) -> f64 {
-        0.5 * self.angular_momentum(omega).dot(&omega)
+        0.5 * self.body.angular_momentum(omega).dot(&omega)
     }
 
     /// The state with this attitude and Ω.
@@ -88,7 +82,11 @@ impl Conserved {
         let mut accounts = Accounts::over(request, MOST_READ);
         let (first, scale) = (self.start.energy, self.energy_scale);
         accounts.conserved("energy", scale, first, |k| states[k].energy)?;
-        let momentum = |state: &State| state.attitude.to_space(self.angular_momentum(state.omega));
+        let momentum = |state: &State| {
+            state
+                .attitude
+                .to_space(self.body.angular_momentum(state.omega))
+        };
         let (first, scale) = (momentum(&self.start), self.momentum_scale);
         if matches!(self.kind, Integrability::Euler) {
             accounts.conserved("angular momentum", scale, first, |k| momentum(&states[k]))?;
@@ -114,7 +112,7 @@ impl Conserved {
         let (name, first) = ("energy and what resistance took", self.start.energy);
         accounts.conserved(name, scale, first, |k| states[k].energy + losses[k])?;
         if matches!(self.kind, Integrability::Euler) {
-            let size = |state: &State| self.angular_momentum(state.omega).norm();
+            let size = |state: &State| self.body.angular_momentum(state.omega).norm();
             let name = "size of the angular momentum";
             let falling = (name, Law::NonIncreasing, self.momentum_scale);
             accounts.keep(falling, size(earliest), |k| size(&states[k]))?;
@@ -124,7 +122,7 @@ impl Conserved {
 
     /// Name, value and scale of the fourth integral: L along the axis of symmetry, or Kovalevskaya's.
     fn fourth(&self, state: &State) -> Option<(&'static str, f64, f64)> {
-        let l = self.angular_momentum(state.omega);
+        let l = self.body.angular_momentum(state.omega);
         match self.kind {
             Integrability::Lagrange(axis) => Some((
                 "angular momentum about the axis of symmetry",
@@ -143,10 +141,10 @@ impl Conserved {
                 };
                 let [o1, o2] = turned(state.omega);
                 let [z1, z2] = turned(up(&state.attitude));
-                let [c1, c2] = turned(self.lever).map(|c| c / self.moments[axis]);
+                let [c1, c2] = turned(self.lever).map(|c| c / self.body.moments[axis]);
                 let re = o1 * o1 - o2 * o2 - (c1 * z1 - c2 * z2);
                 let im = 2.0 * o1 * o2 - (c1 * z2 + c2 * z1);
-                let scale = self.energy_scale / self.moments[axis];
+                let scale = self.energy_scale / self.body.moments[axis];
                 Some(("Kovalevskaya's constant", re.hypot(im), scale))
             }
             _ => None,
@@ -154,6 +152,6 @@ impl Conserved {
     }
 }
 
-fn up(attitude: &Attitude) -> BodyVector {
+pub(super) fn up(attitude: &Attitude) -> BodyVector {
     attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0))
 }

@@ -22,9 +22,9 @@ pub(super) fn steps(
 ) -> Result<impl Fn(&AnyLeg<'_>, Effort) -> Result<Passage<Vec<f64>>>> {
     let method = method_for(top, method)?;
     let budget = request.budget();
-    let angle = Flow::<7>::pace(turning) * request.furthest().abs();
-    let longest = match request.effort() {
-        None => longest_step(angle, request.furthest()),
+    let angle = Flow::<7>::pace(turning) * request.furthest.abs();
+    let longest = match request.effort {
+        None => longest_step(angle, request.furthest),
         Some(Effort::Step(step)) => positive("the step", step)?,
         Some(Effort::Tolerance(_)) => {
             return Err(Error::Solver {

@@ -39,11 +39,11 @@ impl Top {
     fn planned(&self, request: &Request) -> Result<(Plan, Option<ClosedForm>)> {
         let resisting: Vec<&str> = self.resisting().collect();
         let refused = |condition| Err(Error::Solver { condition });
-        let closed = match request.choice() {
+        let closed = match request.choice {
             Choice::Auto | Choice::Use(Solver::Exact) => self.closed_form()?,
             Choice::Use(_) => None,
         };
-        let plan = match (request.choice(), &closed) {
+        let plan = match (request.choice, &closed) {
             (Choice::Auto, Some(closed)) => Plan::exact(closed.reason()),
             (Choice::Auto, None) if resisting.is_empty() => Plan::stepped(closed::NONE),
             (Choice::Auto, None) => {
@@ -100,7 +100,7 @@ impl Scene for Top {
 impl Top {
     /// The motion as the principal axes see it.
     fn along_principal_axes(&self, request: &Request) -> Result<Motion<State>> {
-        let conserved = Conserved::of(&self.body, self.lever(), &self.start)?;
+        let conserved = Conserved::of(self)?;
         let (plan, closed) = self.planned(request)?;
         let Some(closed) = closed else {
             return self.stepped(plan, request, &conserved);
@@ -108,7 +108,7 @@ impl Top {
         match self.known(plan, &closed, request, &conserved) {
             // Where the motion amplifies too much, or would be walked too far.
             Err(Error::Integration { .. } | Error::OutOfRange { .. } | Error::Amplified { .. })
-                if request.choice() == Choice::Auto
+                if request.choice == Choice::Auto
                     && matches!(closed, ClosedForm::Kovalevskaya(..)) =>
             {
                 let plan = Plan::stepped(NEAR_A_DOUBLE_ROOT);
@@ -126,13 +126,13 @@ impl Top {
         request: &Request,
         conserved: &Conserved,
     ) -> Result<Motion<State>> {
-        let angle = self.pace()? * request.furthest().abs();
+        let angle = self.pace()? * request.furthest.abs();
         let doubted = self.doubted(closed, request)?;
-        let told = closed.rounding(request.furthest(), angle) + body::DOUBTED * doubted;
-        let within = |error: f64| match error <= request.accuracy() {
+        let told = closed.rounding(request.furthest, angle) + body::DOUBTED * doubted;
+        let within = |error: f64| match error <= request.accuracy {
             true => Ok(error),
             false => Err(Error::Amplified {
-                asked: request.accuracy(),
+                asked: request.accuracy,
                 reached: error,
                 growth: doubted / body::DOUBT[0],
             }),
@@ -159,7 +159,7 @@ impl Top {
         let times = request.times();
         let every = times.len().div_ceil(OF_THE_TIMES).max(1);
         let others = times.iter().copied().step_by(every);
-        let some: Vec<f64> = others.chain([request.furthest()]).collect();
+        let some: Vec<f64> = others.chain([request.furthest]).collect();
         let budget = Budget::new(u64::MAX, 0.0, None);
         let mut here = Vec::with_capacity(some.len());
         closed.each(&some, &budget, |_, attitude, omega| {

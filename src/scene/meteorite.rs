@@ -1,7 +1,5 @@
 //! The scene `meteorite` (tutorial 4.2): a planet flies and turns freely, a meteorite strikes at time 0 and sticks, and the two fly on as one body.
 
-use nalgebra::UnitQuaternion;
-
 use super::columns::{Columns, columns};
 use super::effects::{Effect, Impact};
 use super::motion::Accounts;
@@ -105,7 +103,7 @@ struct Free {
     /// The same top, all of it off by [`MOVED`].
     twin: EulerTop,
     /// From the planet's axes to the principal ones.
-    turn: UnitQuaternion<f64>,
+    turn: Attitude,
     /// The common centre of mass at time 0, from the planet's centre, along the planet's axes.
     common: BodyVector,
     /// Its velocity, m/s.
@@ -129,9 +127,8 @@ impl Free {
     fn new(body: &MassProperties, omega: BodyVector, velocity: BodyVector) -> Result<Self> {
         let principal = body.inertia().principal_axes();
         let [a, b, c] = principal.moments;
-        let (axes, turn) = (principal.axes, principal.turn());
+        let (axes, attitude) = (principal.axes, Attitude::from(principal.turn()));
         let along = BodyVector::from_components(axes.transpose() * omega.components());
-        let attitude = Attitude::from(turn);
         // No moment may become more than the sum of the others: not the greatest, nor the middle one of a needle.
         let (a_moved, c_moved) = (a * (1.0 + MOVED), c * (1.0 - 0.6 * MOVED));
         let b_moved = (b * (1.0 + 0.7 * MOVED)).min(a_moved + c_moved);
@@ -141,7 +138,7 @@ impl Free {
             mass: body.mass(),
             top: EulerTop::from_omega([a, b, c], along, attitude)?,
             twin: EulerTop::from_omega(moved, along + aside, attitude)?,
-            turn,
+            turn: attitude,
             common: body.center(),
             velocity: space(velocity + omega.cross(&body.center())),
             omega,
@@ -150,8 +147,7 @@ impl Free {
 
     fn at(&self, t: f64) -> Result<(Flying, Kept)> {
         let state = self.top.at(t)?;
-        let q = state.attitude.quaternion() * self.turn.inverse();
-        let attitude = Attitude::from_unit(q.into_inner());
+        let attitude = state.attitude * self.turn.inverse();
         let common = space(self.common) + t * self.velocity;
         let spin = state.attitude.to_space(state.angular_momentum);
         let momentum = self.mass * self.velocity;
@@ -159,7 +155,7 @@ impl Free {
         let energy = 0.5 * momentum.dot(&self.velocity) + rotation;
         let flying = Flying {
             attitude,
-            omega: BodyVector::from_components(self.turn * state.omega.components()),
+            omega: BodyVector::from_components(self.turn.quaternion() * state.omega.components()),
             center: common - attitude.to_space(self.common),
             energy,
             angular_momentum: spin,

@@ -36,22 +36,6 @@ pub enum Geometric {
 }
 
 impl Geometric {
-    /// All of them.
-    pub const ALL: [Self; 12] = [
-        Self::Rotations(Order::Two),
-        Self::Rotations(Order::Four),
-        Self::Rotations(Order::Six),
-        Self::MoserVeselov(VeselovOrder::ALL[0]),
-        Self::MoserVeselov(VeselovOrder::ALL[1]),
-        Self::MoserVeselov(VeselovOrder::ALL[2]),
-        Self::MoserVeselov(VeselovOrder::ALL[3]),
-        Self::KickDrift(Order::Two),
-        Self::KickDrift(Order::Four),
-        Self::KickDrift(Order::Six),
-        Self::MuntheKaas,
-        Self::DormandPrince8,
-    ];
-
     const fn name(self) -> &'static str {
         match self {
             Self::Rotations(Order::Two) => "rotations-2",
@@ -81,12 +65,14 @@ impl Solver {
     /// assert!(Solver::all().any(|solver| solver.name() == "rotations-2"));
     /// ```
     pub fn all() -> impl Iterator<Item = Self> {
-        let general = Method::ALL.into_iter().map(Self::General);
-        let geometric = Geometric::ALL.into_iter().map(Self::Geometric);
+        let geometric = (Order::ALL.map(Geometric::Rotations).into_iter())
+            .chain(VeselovOrder::ALL.map(Geometric::MoserVeselov))
+            .chain(Order::ALL.map(Geometric::KickDrift))
+            .chain([Geometric::MuntheKaas, Geometric::DormandPrince8]);
         [Self::Exact, Self::Events]
             .into_iter()
-            .chain(general)
-            .chain(geometric)
+            .chain(Method::ALL.map(Self::General))
+            .chain(geometric.map(Self::Geometric))
     }
 
     /// The name by which it is asked for in a scene file.

@@ -41,10 +41,11 @@ use crate::rolling::{RoundBody, Shot};
 #[derive(Debug, Clone)]
 pub struct Roller {
     body: RoundBody,
-    gravity: f64,
-    start: Moment,
-    friction: Option<Coulomb>,
-    resistance: Option<RollingResistance>,
+    /// Its weight, and a tug at it where it is a [spool](super::spool).
+    pub(super) load: Load,
+    pub(super) start: Moment,
+    pub(super) friction: Option<Coulomb>,
+    pub(super) resistance: Option<RollingResistance>,
     sheet: Option<Sheet>,
 }
 
@@ -65,7 +66,7 @@ impl Roller {
     pub fn new(body: RoundBody, gravity: f64, velocity: f64, rim_speed: f64) -> Result<Self> {
         Ok(Self {
             body,
-            gravity: positive("the acceleration of gravity", gravity)?,
+            load: Load::weight(positive("the acceleration of gravity", gravity)?),
             start: Moment::moving(
                 finite("the velocity", velocity)?,
                 finite("the rim speed", rim_speed)?,
@@ -119,13 +120,9 @@ impl Roller {
         Ok(self)
     }
 
-    fn table(&self, span: f64) -> Result<OnTable<'_>> {
+    pub(super) fn table(&self, span: f64) -> Result<OnTable<'_>> {
         let effects = (self.friction, self.resistance, self.sheet.as_ref());
-        let laws = Laws::new(
-            self.body.inertia_factor(),
-            Load::weight(self.gravity),
-            effects,
-        )?;
+        let laws = Laws::new(self.body.inertia_factor(), self.load, effects)?;
         let mut start = self.start;
         if let Some(sheet) = &self.sheet {
             start.slip -= sheet.speeds().points()[0].1;

@@ -2,19 +2,18 @@
 
 use super::columns::{Columns, columns};
 use super::effects::Effect;
-use super::roller::{OnTable, along, moments, rolling_plan};
+use super::roller::{Roller, along, moments, rolling_plan};
 use super::{Motion, Plan, Request, Scene, Tabulated};
-use crate::error::{Result, positive};
-use crate::rolling::stretch::Laws;
-use crate::rolling::{Coulomb, Load, Moment, RollingResistance, Spool};
+use crate::error::Result;
+use crate::rolling::{Load, Moment, Spool};
 
 /// A spool on a level table, from rest or already moving.
 ///
 /// | effect | what it does |
 /// |---|---|
 /// | [`Tug`](super::effects::Tug) | a steady pull at the string, which winds or unwinds |
-/// | [`Coulomb`] | holds the contact, or rubs if the tug is too hard |
-/// | [`RollingResistance`] | a couple against the turning |
+/// | [`Coulomb`](super::effects::Coulomb) | holds the contact, or rubs if the tug is too hard |
+/// | [`RollingResistance`](super::effects::RollingResistance) | a couple against the turning |
 ///
 /// ```
 /// use spinning_bodies::rolling::{RoundBody, Spool};
@@ -27,15 +26,11 @@ use crate::rolling::{Coulomb, Load, Moment, RollingResistance, Spool};
 /// assert!(motion.rows[0].1.wound > 0.0); // a low tug winds up
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct TuggedSpool {
     spool: Spool,
     gravity: f64,
-    start: Moment,
-    /// Weight and tug.
-    load: Load,
-    friction: Option<Coulomb>,
-    resistance: Option<RollingResistance>,
+    roller: Roller,
 }
 
 impl TuggedSpool {
@@ -52,14 +47,11 @@ impl TuggedSpool {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(spool: Spool, gravity: f64) -> Result<Self> {
-        let gravity = positive("the acceleration of gravity", gravity)?;
+        let roller = Roller::new(spool.body(), gravity, 0.0, 0.0)?;
         Ok(Self {
             spool,
             gravity,
-            start: Moment::default(),
-            load: Load::weight(gravity),
-            friction: None,
-            resistance: None,
+            roller,
         })
     }
 
@@ -73,11 +65,12 @@ impl TuggedSpool {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn moving(mut self, velocity: f64, rim_speed: f64) -> Self {
-        self.start = Moment::moving(velocity, rim_speed);
+        self.roller.start = Moment::moving(velocity, rim_speed);
         self
     }
 
-    /// The same with a [`Tug`](super::effects::Tug), [`Coulomb`]'s friction on the table, or [`RollingResistance`].
+    /// The same with a [`Tug`](super::effects::Tug), [`Coulomb`](super::effects::Coulomb)'s friction on the table, or
+    /// [`RollingResistance`](super::effects::RollingResistance).
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) for the reaction if the tug lifts the spool; [`Error::Effect`](crate::Error::Effect) for any
@@ -94,23 +87,12 @@ impl TuggedSpool {
     /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         match effect.into() {
-            Effect::Tug(tug) => self.load = self.spool.load(tug, self.gravity)?,
-            Effect::Coulomb(law) => self.friction = Some(law),
-            Effect::RollingResistance(law) => self.resistance = Some(law),
+            Effect::Tug(tug) => self.roller.load = self.spool.load(tug, self.gravity)?,
+            Effect::Coulomb(law) => self.roller.friction = Some(law),
+            Effect::RollingResistance(law) => self.roller.resistance = Some(law),
             other => return Err(other.refused("a spool", "tug, friction, rolling_resistance")),
         }
         Ok(self)
-    }
-
-    fn table(&self, span: f64) -> Result<OnTable<'static>> {
-        let body = self.spool.body();
-        let effects = (self.friction, self.resistance, None);
-        Ok(OnTable {
-            body,
-            laws: Laws::new(body.inertia_factor(), self.load, effects)?,
-            start: self.start,
-            span,
-        })
     }
 }
 
@@ -145,8 +127,9 @@ impl Scene for TuggedSpool {
     type State = Spooling;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
-        let free = self.load == Load::weight(self.gravity) && self.resistance.is_none();
-        let reason = match (self.friction, free) {
+        let roller = &self.roller;
+        let free = roller.load == Load::weight(self.gravity) && roller.resistance.is_none();
+        let reason = match (roller.friction, free) {
             (Some(_), _) => Some("dry friction: closed form from event to event"),
             (None, false) => Some("steady forces: closed form from event to event"),
             (None, true) => None,
@@ -156,7 +139,7 @@ impl Scene for TuggedSpool {
 
     fn simulate(&self, request: &Request) -> Result<Motion<Spooling>> {
         let plan = self.plan(request)?;
-        let table = self.table(request.furthest)?;
+        let table = self.roller.table(request.furthest)?;
         let (mass, kappa) = (table.body.mass(), table.body.inertia_factor());
         table.motion(request, plan, |moment| Spooling {
             moment,

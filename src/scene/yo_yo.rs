@@ -159,9 +159,6 @@ type Stage = (Phase, f64);
 /// the phase began.
 type Numbers = [f64; 6];
 
-/// The first two numbers so long after the beginning of a phase.
-type Course = dyn Fn(f64) -> Result<[f64; 2]>;
-
 const ENERGY: usize = 2;
 const HEAT: usize = 3;
 const WORK: usize = 4;
@@ -185,6 +182,26 @@ fn turns(y: &mut Numbers, from: f64, to: f64) -> Stage {
 fn lose(y: &mut Numbers, lost: f64) {
     y[ENERGY] -= lost;
     y[HEAT] += lost;
+}
+
+/// A phase of this duration, s, and the numbers so long after its beginning.
+fn lasting(
+    duration: f64,
+    ahead: &Ahead<'_, 6>,
+    at: impl Fn(f64) -> Result<Numbers>,
+) -> Result<Passage<Numbers>> {
+    let (from, y) = ahead.start;
+    let since = |t: f64| ((t - from) - y[LATER]).clamp(0.0, duration);
+    let rest = y[LATER] + duration;
+    let time = from + rest;
+    let ends = (time < ahead.end).then_some(time);
+    let mut passage = ahead.in_closed_form(ends, |t| at(since(t)))?;
+    if ends.is_some() {
+        passage.end = at(duration)?;
+        // What is lost where the duration is added to the time.
+        passage.end[LATER] = (from - time) + rest;
+    }
+    Ok(passage)
 }
 
 impl Playing {
@@ -251,20 +268,24 @@ impl Playing {
         }
     }
 
-    /// A phase in closed form: how long it lasts, s, and the first two numbers so long after its beginning.
-    fn course(&self, (phase, end): Stage, y: &Numbers) -> Result<(f64, Box<Course>)> {
-        let toy = self.play.toy;
-        let (g, length, omega) = (self.gravity, toy.length(), y[1]);
-        Ok(match phase {
+    /// A phase in closed form.
+    fn passage(&self, stage: Stage, ahead: &Ahead<'_, 6>) -> Result<Passage<Numbers>> {
+        let (toy, g, (phase, end), y) = (self.play.toy, self.gravity, stage, *ahead.start.1);
+        let omega = y[1];
+        let now = |place: f64, omega: f64| {
+            let mut now = y;
+            (now[0], now[1]) = (place, omega);
+            now
+        };
+        match phase {
             Phase::Down | Phase::Up => {
                 let way = Unwinding::new(toy, g, y[ENERGY])?;
                 let duration = way.duration()?;
-                let course = move |t: f64| {
+                lasting(duration, ahead, |t| {
                     let t = if phase == Phase::Up { duration - t } else { t };
                     let [depth, omega] = way.at(t)?;
-                    Ok([depth / length, omega])
-                };
-                (duration, Box::new(course))
+                    Ok(now(depth / toy.length(), omega))
+                })
             }
             Phase::Turn => {
                 // The second half begins at the lowest point.
@@ -278,49 +299,28 @@ impl Playing {
                 let half = 0.5 * turn.duration;
                 let from = if begins { half } else { 0.0 };
                 let to = if end < PI { half } else { 2.0 * half };
-                let course = move |t: f64| {
+                lasting(to - from, ahead, |t| {
                     let state = turn.at(from + t)?;
-                    Ok([state.angle, state.omega])
-                };
-                (to - from, Box::new(course))
+                    Ok(now(state.angle, state.omega))
+                })
             }
             Phase::Asleep => {
                 let torque = self.play.axle_friction;
                 let stops = torque.map_or(f64::INFINITY, |torque| toy.inertia() * omega / torque);
-                let spin = move |t| {
-                    torque.map_or(omega, |torque| sleeping_spin(&toy, omega, t, torque, 0.0))
-                };
                 let duration = self.play.sleep.unwrap_or(0.0).min(stops);
-                (duration, Box::new(move |t| Ok([0.0, spin(t)])))
+                lasting(duration, ahead, |t| {
+                    let left = torque.map(|torque| sleeping_spin(&toy, omega, t, torque, 0.0));
+                    let left = left.unwrap_or(omega);
+                    let mut now = now(0.0, left);
+                    lose(
+                        &mut now,
+                        0.5 * toy.inertia() * ((omega - left) * (omega + left)),
+                    );
+                    Ok(now)
+                })
             }
-            Phase::Hanging | Phase::Caught => (f64::INFINITY, Box::new(|_| Ok([0.0; 2]))),
-        })
-    }
-
-    fn passage(&self, stage: Stage, ahead: &Ahead<'_, 6>) -> Result<Passage<Numbers>> {
-        let (from, y) = ahead.start;
-        let (duration, course) = self.course(stage, y)?;
-        let at = |t: f64| {
-            let [place, omega] = course(t)?;
-            let mut now = *y;
-            (now[0], now[1]) = (place, omega);
-            if stage.0 == Phase::Asleep {
-                let lost = (y[1] - omega) * (y[1] + omega);
-                lose(&mut now, 0.5 * self.play.toy.inertia() * lost);
-            }
-            Ok(now)
-        };
-        let since = |t: f64| ((t - from) - y[LATER]).clamp(0.0, duration);
-        let rest = y[LATER] + duration;
-        let time = from + rest;
-        let ends = (time < ahead.end).then_some(time);
-        let mut passage = ahead.in_closed_form(ends, |t| at(since(t)))?;
-        if ends.is_some() {
-            passage.end = at(duration)?;
-            // What is lost where the duration is added to the time.
-            passage.end[LATER] = (from - time) + rest;
+            Phase::Hanging | Phase::Caught => lasting(f64::INFINITY, ahead, |_| Ok(now(0.0, 0.0))),
         }
-        Ok(passage)
     }
 
     fn state(&self, stage: Stage, y: &Numbers) -> YoYoState {

@@ -465,7 +465,13 @@ const ABSOLUTE: [&str; 3] = ["moments", "inertia", "axial"];
 fn set(name: &str, text: &str, path: &str, value: f64) -> Result<String> {
     files::set(text, path, value).ok_or_else(|| {
         let numbers = files::numbers(text);
-        let near = files::meant(path, numbers.iter().map(String::as_str));
+        // What has only its table in common with it would not help.
+        let key = |path: &str| path.split_once('.').map_or(path, |(_, key)| key).to_owned();
+        let alike = |number: &&str| {
+            let other = key(number);
+            !files::meant(&key(path), std::iter::once(other.as_str())).is_empty()
+        };
+        let near = files::meant(path, numbers.iter().map(String::as_str).filter(alike));
         Error::Input(format!(
             "{name}: there is no number `{path}` to vary; keys are joined by dots, places in a list count from 0{near}"
         ))

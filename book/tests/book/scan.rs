@@ -228,6 +228,9 @@ fn what_cannot_be_told_is_refused() {
     assert!(told.contains("did you mean `tilt`?"), "{told}");
     let told = refusal(&["initial.omga.2=1..2:3"], &[]);
     assert!(told.contains("did you mean `initial.omega.2`?"), "{told}");
+    // A racket has no mass, and its moments are no other word for one.
+    let told = refusal(&["body.mass=1..2:3"], &[]);
+    assert!(!told.contains("did you mean"), "{told}");
 }
 
 /// In JSON they stand apart.

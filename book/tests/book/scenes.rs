@@ -8,7 +8,7 @@ use press::scenes::prices::PRICED;
 use press::scenes::{output, parse, prices, simulate};
 use spinning_bodies::integrators::Method;
 use spinning_bodies::scene::files::{KeyRow, keys};
-use spinning_bodies::scene::{Geometric, Progress, Solver};
+use spinning_bodies::scene::{Progress, Solver};
 
 #[test]
 fn every_scene_of_the_book_runs_and_its_ledger_balances() {
@@ -395,9 +395,10 @@ fn every_solver_is_found_by_its_name() {
     for method in Method::ALL {
         assert!(all.contains(&Solver::General(method)), "{}", method.name());
     }
-    for method in Geometric::ALL {
-        assert!(all.contains(&Solver::Geometric(method)), "{method:?}");
-    }
+    let geometric = all
+        .iter()
+        .filter(|solver| matches!(solver, Solver::Geometric(_)));
+    assert_eq!(geometric.count(), 12);
 }
 
 /// Every scene but the free body's refuses a method for free bodies: it names the key, and no number stands where there is none to tell.

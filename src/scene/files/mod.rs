@@ -49,7 +49,7 @@ use toml::de::{DeTable, DeValue};
 use super::effects::Effect;
 use super::{AnyScene, Request, Scene};
 use keys::Key;
-use reader::{Reader, Section, Table, Value, find};
+use reader::{Reader, Section, Table, Value, find, joined};
 use run::Run;
 use values::Word;
 
@@ -234,29 +234,27 @@ pub fn keys(kind: &str) -> Option<Vec<KeyRow>> {
 /// assert_eq!(numbers(text), ["run.times.0", "run.times.1"]);
 /// ```
 pub fn numbers(text: &str) -> Vec<String> {
-    fn within(path: &str, value: &DeValue<'_>) -> Vec<String> {
-        let inner = |step: &str, value| match path {
-            "" => within(step, value),
-            path => within(&format!("{path}.{step}"), value),
-        };
+    fn gather(path: &str, value: &DeValue<'_>, found: &mut Vec<String>) {
         match value {
             DeValue::Table(table) => {
-                let inner = table
-                    .iter()
-                    .map(|(key, value)| inner(key.get_ref(), value.get_ref()));
-                inner.flatten().collect()
+                for (key, value) in table {
+                    gather(&joined(path, key.get_ref()), value.get_ref(), found);
+                }
             }
             DeValue::Array(list) => {
-                let members = list.iter().enumerate();
-                let inner = members.map(|(k, value)| inner(&k.to_string(), value.get_ref()));
-                inner.flatten().collect()
+                for (place, value) in list.iter().enumerate() {
+                    gather(&joined(path, &place.to_string()), value.get_ref(), found);
+                }
             }
-            value if values::number(value).is_some() => vec![path.to_owned()],
-            _ => Vec::new(),
+            value if values::number(value).is_some() => found.push(path.to_owned()),
+            _ => {}
         }
     }
-    let table = DeTable::parse(text).map(|table| DeValue::Table(table.into_inner()));
-    table.map_or_else(|_| Vec::new(), |table| within("", &table))
+    let mut found = Vec::new();
+    if let Ok(table) = DeTable::parse(text) {
+        gather("", &DeValue::Table(table.into_inner()), &mut found);
+    }
+    found
 }
 
 /// The same file with another number in one place, given by its path: "body.moments.2", places in a list counting from 0; nothing where there is no number. A whole number stays one as long as it

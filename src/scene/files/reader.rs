@@ -128,24 +128,26 @@ pub(super) fn find<'t, 'a>(
     Some(found)
 }
 
+/// The path of a key, or of a place in a list, within what has this path; the file itself has none.
+pub(super) fn joined(path: &str, step: &str) -> String {
+    match path {
+        "" => step.to_owned(),
+        path => format!("{path}.{step}"),
+    }
+}
+
 /// Keys by name, those of one table together.
 fn named(keys: &str) -> String {
-    let mut told = String::from("key ");
-    let mut paths = keys.split(", ").peekable();
-    while let Some(path) = paths.next() {
-        let (section, key) = path.rsplit_once('.').unwrap_or(("", path));
-        told += &format!("`{key}`");
-        let next = paths
-            .peek()
-            .map(|path| path.rsplit_once('.').unwrap_or(("", path)).0);
-        if next != Some(section) && !section.is_empty() {
-            told += &format!(" in [{section}]");
+    let parted = |path| str::rsplit_once(path, '.').unwrap_or(("", path));
+    let paths: Vec<(&str, &str)> = keys.split(", ").map(parted).collect();
+    let tables = paths.chunk_by(|a, b| a.0 == b.0).map(|keys| {
+        let names: Vec<String> = keys.iter().map(|(_, key)| format!("`{key}`")).collect();
+        match keys[0].0 {
+            "" => names.join(", "),
+            table => format!("{} in [{table}]", names.join(", ")),
         }
-        if next.is_some() {
-            told += ", ";
-        }
-    }
-    told
+    });
+    format!("key {}", tables.collect::<Vec<_>>().join(", "))
 }
 
 /// What may stand after a key.
@@ -180,7 +182,7 @@ pub(super) trait Value: Sized {
 }
 
 /// A table of declared keys.
-pub(super) trait Section: Sized {
+pub(super) trait Section: Value {
     /// Reads all of them.
     fn fields(table: &Table<'_>) -> Option<Self>;
 
@@ -224,15 +226,16 @@ impl<'r> Table<'r> {
     }
 
     fn path_of(&self, key: &str) -> String {
-        match self.path.as_str() {
-            "" => key.to_owned(),
-            path => format!("{path}.{key}"),
-        }
+        joined(&self.path, key)
     }
 
     /// A key's value, as it stands there.
     pub fn entry(&self, key: &'static str) -> Option<&'r Spanned<DeValue<'r>>> {
-        self.known.borrow_mut().push(key);
+        let mut known = self.known.borrow_mut();
+        // Of some a second time: what there may be depends on them.
+        if !known.contains(&key) {
+            known.push(key);
+        }
         self.entries?.get(key)
     }
 
@@ -251,21 +254,12 @@ impl<'r> Table<'r> {
 
     /// One of the large tables, `[body]` say: without keys if it is not there, and its name no slip.
     pub fn part<S: Section>(&self, name: &'static str) -> Option<S> {
-        let entry = self.entry(name);
-        let entries = match entry.map(Spanned::get_ref) {
-            None if self.slip(name).is_some() => return None,
-            None => None,
-            Some(DeValue::Table(entries)) => Some(entries),
-            Some(_) => {
-                let key = Key::new(name, "a table");
-                return Place {
-                    table: self,
-                    key: &key,
-                }
-                .unexpected(entry?, "a table");
-            }
-        };
-        Self::new(self.reader, name.to_owned(), entries).section()
+        let key = &Key::new(name, "a table");
+        match self.entry(name) {
+            Some(value) => S::read(&Place { table: self, key }, value),
+            None if self.slip(name).is_some() => None,
+            None => Self::new(self.reader, name.to_owned(), None).section(),
+        }
     }
 
     /// All keys of the table. Each is read before anything is given up.

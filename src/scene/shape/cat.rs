@@ -86,7 +86,7 @@ impl Cat {
     /// assert!((belly.z() - 1.0).abs() < 1e-15);
     /// ```
     pub fn on_its_back() -> Attitude {
-        Attitude::from_unit(*turn_x(FRAC_PI_2).quaternion())
+        turn_x(FRAC_PI_2).into()
     }
 
     /// The same with an effect: a path of shapes, [`Turnover`]; [`Gravity`](crate::scene::effects::Gravity), which cannot turn it.

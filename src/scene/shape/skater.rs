@@ -168,8 +168,7 @@ impl Flow<4> for Skater {
     }
 
     fn distance(&self, ((), a): &((), [f64; 4]), ((), b): &((), [f64; 4])) -> f64 {
-        let scales = self.scales();
-        apart(a, b, &scales)
+        apart(a, b, &self.scales())
     }
 }
 

@@ -6,7 +6,7 @@ use crate::phenomena;
 use crate::phenomena::quadrature::integral;
 use crate::scene::columns::{Columns, columns, state};
 use crate::scene::effects::Effect;
-use crate::scene::engine::{AN_INTEGRAL, Answer, Flow, planned, solved};
+use crate::scene::engine::{AN_INTEGRAL, Answer, Flow, apart, planned, solved};
 use crate::scene::motion::Accounts;
 use crate::scene::{Motion, Plan, Request, Scene, Solver};
 
@@ -187,8 +187,7 @@ impl Flow<2> for Swivel {
     }
 
     fn distance(&self, ((), a): &((), [f64; 2]), ((), b): &((), [f64; 2])) -> f64 {
-        let [angle, l] = self.scales();
-        ((a[0] - b[0]).abs() / angle).max((a[1] - b[1]).abs() / l)
+        apart(a, b, &self.scales())
     }
 }
 

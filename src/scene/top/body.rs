@@ -1,7 +1,5 @@
 //! The body of a top and how it starts.
 
-use nalgebra::UnitQuaternion;
-
 use crate::error::{Error, Result, finite, not_negative};
 use crate::frame::finite_vector;
 use crate::frame::{Attitude, BodyVector};
@@ -17,7 +15,7 @@ use crate::precise::{Extended, Number};
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "Written", into = "Written")
+    serde(try_from = "Written")
 )]
 pub struct Body {
     pub(super) mass: f64,
@@ -25,29 +23,17 @@ pub struct Body {
     /// Along the principal axes.
     pub(super) center: [f64; 3],
     /// Turns components along the principal axes into those along the body's own, where these are others.
-    pub(super) own: Option<UnitQuaternion<f64>>,
+    pub(super) own: Option<Attitude>,
 }
 
 /// A body as it is written: what it is made of, not yet known to be a body.
 #[cfg(feature = "serde")]
-#[derive(serde::Serialize, serde::Deserialize)]
+#[derive(serde::Deserialize)]
 struct Written {
     mass: f64,
     moments: [f64; 3],
     center: BodyVector,
     own: Option<Attitude>,
-}
-
-#[cfg(feature = "serde")]
-impl From<Body> for Written {
-    fn from(body: Body) -> Self {
-        Self {
-            mass: body.mass,
-            moments: body.moments,
-            center: body.center.into(),
-            own: body.own.map(Attitude::from),
-        }
-    }
 }
 
 #[cfg(feature = "serde")]
@@ -58,7 +44,7 @@ impl TryFrom<Written> for Body {
         let along_principal_axes =
             Self::new(written.moments)?.with_center_of_mass(written.mass, written.center)?;
         Ok(Self {
-            own: written.own.map(UnitQuaternion::from),
+            own: written.own,
             ..along_principal_axes
         })
     }
@@ -118,7 +104,7 @@ impl Body {
         }
         let principal = inertia.principal_axes();
         Ok(Self {
-            own: Some(principal.turn()),
+            own: Some(principal.turn().into()),
             ..Self::new(principal.principal_moments().values())?
         })
     }
@@ -169,28 +155,24 @@ impl Body {
 
     /// From the body's own axes to the principal ones.
     pub(super) fn inward(&self, vector: BodyVector) -> BodyVector {
-        match self.own {
-            None => vector,
-            Some(own) => {
-                BodyVector::from_components(own.inverse_transform_vector(&vector.components()))
-            }
-        }
+        self.own.map_or(vector, |own| {
+            BodyVector::from_components(
+                own.quaternion()
+                    .inverse_transform_vector(&vector.components()),
+            )
+        })
     }
 
     /// The same of an attitude.
     pub(super) fn attitude_inward(&self, attitude: Attitude) -> Attitude {
-        match self.own {
-            None => attitude,
-            Some(own) => Attitude::from_unit(attitude.quaternion().into_inner() * own.into_inner()),
-        }
+        self.own.map_or(attitude, |own| attitude * own)
     }
 
     /// From the principal axes to the body's own, in place.
     pub(super) fn turn_outward(&self, attitude: &mut Attitude, omega: &mut BodyVector) {
         if let Some(own) = self.own {
-            let turned = attitude.quaternion().into_inner() * own.inverse().into_inner();
-            *attitude = Attitude::from_unit(turned);
-            *omega = BodyVector::from_components(own * omega.components());
+            *attitude = *attitude * own.inverse();
+            *omega = BodyVector::from_components(own.quaternion() * omega.components());
         }
     }
 

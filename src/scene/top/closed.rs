@@ -222,12 +222,12 @@ impl Axes {
 
     fn start(&self, moments: [f64; 3], start: &Start) -> Result<(BodyVector, Attitude)> {
         let omega = self.inward(start.omega(moments)?);
-        let turned = start.attitude.quaternion().into_inner() * self.onto.inverse().into_inner();
-        Ok((omega, Attitude::from_unit(turned)))
+        let attitude = start.attitude.quaternion() * self.onto.inverse();
+        Ok((omega, attitude.into()))
     }
 
     fn attitude(&self, attitude: &Attitude) -> Attitude {
-        Attitude::from_unit(attitude.quaternion().into_inner() * self.onto.into_inner())
+        (attitude.quaternion() * self.onto).into()
     }
 }
 

@@ -1,8 +1,8 @@
 //! What can be told of a top beside its usual numbers.
 
 use super::equations::Turning;
-use super::held::{State, Top};
 use super::ledger::{Conserved, up};
+use super::{State, Top};
 use crate::frame::{BodyVector, SpaceVector};
 use crate::scene::columns::{Columns, columns};
 

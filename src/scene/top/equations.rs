@@ -1,8 +1,8 @@
 //! The equations of a stepped top: L along the body's axes, the attitude's quaternion and, where something resists, the work it takes.
 
 use super::body::DOUBT;
-use super::held::{State, Top};
 use super::ledger::Conserved;
+use super::{State, Top};
 use crate::error::{Error, Result};
 use crate::euler_equations::quaternion_rate;
 use crate::frame::{Attitude, BodyVector};

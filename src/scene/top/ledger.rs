@@ -1,7 +1,7 @@
 //! What a top conserves, or may only lose.
 
 use super::body::Body;
-use super::held::{State, Top};
+use super::{State, Top};
 use crate::conservation::Law;
 use crate::error::{Result, finite};
 use crate::euler_equations::{Integrability, classify};

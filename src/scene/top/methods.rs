@@ -1,7 +1,7 @@
 //! Tops under gravity alone by the methods for turning bodies, for those who ask for one by its name: steps of one length.
 
+use super::Top;
 use super::equations::Turning;
-use super::held::Top;
 use crate::error::{Error, Result, positive};
 use crate::integrators::geometric::{
     FreeSplitting, HeavySplitting, Integrator, MoserVeselov, MuntheKaas, Phase, Weight, follow,

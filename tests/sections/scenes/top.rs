@@ -144,8 +144,10 @@ fn geometric_methods_reach_their_accuracy() {
     let gravity = Gravity::new(G).unwrap();
     let symmetric = Top::new(body([0.02, 0.02, 0.01], [0.0, 0.0, 0.1]), start()).unwrap();
     let free = Top::new(body([0.01, 0.02, 0.025], [0.0; 3]), start()).unwrap();
-    for method in Geometric::ALL {
-        let solver = Solver::Geometric(method);
+    for solver in Solver::all() {
+        let Solver::Geometric(method) = solver else {
+            continue;
+        };
         assert_eq!(solver.name().parse(), Ok(solver));
         let accuracy = 1e-6;
         let request = Request::at(times()).unwrap().to_accuracy(accuracy).unwrap();

@@ -8,8 +8,8 @@ use crate::frame::finite_vector;
 /// A top with a fixed point O under uniform gravity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeavyTop {
-    moments: AxisMoments,
-    lever: BodyVector,
+    pub(crate) moments: AxisMoments,
+    pub(crate) lever: BodyVector,
     kind: Integrability,
 }
 
@@ -173,28 +173,20 @@ impl HeavyTop {
     /// ```
     pub fn further_integral(&self, state: &TopState) -> Option<Integral> {
         let l = self.moments.angular_momentum(state.omega);
-        let moments = self.moments.values();
         let kept = |value| Some(Integral { value, rate: 0.0 });
-        let turned = |v: BodyVector, axis: usize| {
-            let c = v.components();
-            [c[(axis + 1) % 3], c[(axis + 2) % 3], c[axis]]
-        };
         match self.kind {
             Integrability::Euler => kept(l.dot(&l)),
             Integrability::SphericalInertia => kept(l.dot(&self.lever)),
             Integrability::Lagrange(axis) => kept(l.components()[axis]),
             Integrability::Kovalevskaya(axis) => {
-                let [o1, o2, _] = turned(state.omega, axis);
-                let [z1, z2, _] = turned(state.up, axis);
-                let [c1, c2, _] = turned(self.lever, axis).map(|c| c / moments[axis]);
-                let re = o1 * o1 - o2 * o2 - (c1 * z1 - c2 * z2);
-                let im = 2.0 * o1 * o2 - (c1 * z2 + c2 * z1);
+                let [re, im] = self.kovalevskaya(state, axis);
                 kept(re * re + im * im)
             }
             Integrability::OnLevelZero(axis) => {
                 let [o1, o2, o3] = turned(state.omega, axis);
                 let [_, _, z3] = turned(state.up, axis);
-                let [c1, c2, _] = turned(self.lever, axis).map(|c| c / moments[axis]);
+                let moment = self.moments.values()[axis];
+                let [c1, c2, _] = turned(self.lever, axis).map(|c| c / moment);
                 Some(Integral {
                     value: o3 * (o1 * o1 + o2 * o2) - (c1 * o1 + c2 * o2) * z3,
                     rate: -0.25 * (c1 * o2 - c2 * o1) * self.vertical_angular_momentum(state),
@@ -202,6 +194,16 @@ impl HeavyTop {
             }
             Integrability::None => None,
         }
+    }
+
+    /// w² − cζ of Kovalevskaya's top, its third axis being this one.
+    pub(crate) fn kovalevskaya(&self, state: &TopState, axis: usize) -> [f64; 2] {
+        let moment = self.moments.values()[axis];
+        let [o1, o2, _] = turned(state.omega, axis);
+        let [z1, z2, _] = turned(state.up, axis);
+        let [c1, c2, _] = turned(self.lever, axis).map(|c| c / moment);
+        let re = o1 * o1 - o2 * o2 - (c1 * z1 - c2 * z2);
+        [re, 2.0 * o1 * o2 - (c1 * z2 + c2 * z1)]
     }
 
     /// Largest Lyapunov exponent over `duration` seconds, 1/s: the mean rate at which a neighbour runs away (5.3).
@@ -256,6 +258,12 @@ impl HeavyTop {
         }
         Ok(sum / duration)
     }
+}
+
+/// Components with this axis as the third.
+fn turned(vector: BodyVector, axis: usize) -> [f64; 3] {
+    let c = vector.components();
+    [c[(axis + 1) % 3], c[(axis + 2) % 3], c[axis]]
 }
 
 fn pack(state: &TopState) -> [f64; 6] {

@@ -52,6 +52,11 @@ impl AxisMoments {
         Ok(Self([i1, i2, i3]))
     }
 
+    /// Those of a body that may be a rod, for what needs no equation.
+    pub(crate) const fn of_rods_too(moments: [f64; 3]) -> Self {
+        Self(moments)
+    }
+
     /// I₁, I₂, I₃, kg m².
     ///
     /// ```

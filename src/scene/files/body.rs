@@ -30,25 +30,26 @@ section! {
     }
 }
 
-/// What a body's inertia is given by.
+/// What a body's inertia is given by: a matrix, as the value of this key, or a shape.
 pub(super) enum Inertia {
-    Moments([f64; 3]),
-    Matrix(InertiaMatrix),
+    Matrix(InertiaMatrix, &'static str),
     Shape(MassProperties),
 }
 
 impl Matter {
     pub fn inertia(&self, file: &Reader<'_>) -> Option<Inertia> {
+        let given = |key, matrix| Some(Inertia::Matrix(file.right(key, matrix)?, key));
         match (&self.shape, self.moments, self.inertia) {
             (Some(shape), None, None) => self.shaped(file, shape).map(Inertia::Shape),
             (None, ..) if self.density.is_some() => {
                 file.wrong("body.density", " goes with `shape`, which is not there")
             }
-            (None, Some(moments), None) => Some(Inertia::Moments(moments)),
+            (None, Some([a, b, c]), None) => {
+                given("body.moments", InertiaMatrix::diagonal(a, b, c))
+            }
             (None, None, Some([a, b, c, ab, ac, bc])) => {
                 let matrix = Matrix3::new(a, ab, ac, ab, b, bc, ac, bc, c);
-                let matrix = InertiaMatrix::from_matrix(matrix);
-                file.right("body.inertia", matrix).map(Inertia::Matrix)
+                given("body.inertia", InertiaMatrix::from_matrix(matrix))
             }
             (None, None, None) => {
                 let told = " is missing: `moments` or `inertia` in kg m², or a `shape` is expected";
@@ -105,11 +106,9 @@ impl Matter {
 
     /// Mass and inertia of a body that is given about its centre of mass.
     pub fn about_center(&self, file: &Reader<'_>) -> Option<MassProperties> {
-        let inertia = self.inertia(file)?;
-        let (inertia, key) = match inertia {
+        let (inertia, key) = match self.inertia(file)? {
             Inertia::Shape(shaped) => return Some(shaped),
-            Inertia::Matrix(matrix) => (Ok(matrix), "body.inertia"),
-            Inertia::Moments([a, b, c]) => (InertiaMatrix::diagonal(a, b, c), "body.moments"),
+            Inertia::Matrix(matrix, key) => (matrix, key),
         };
         let Some(mass) = self.mass else {
             return file.wrong(
@@ -117,9 +116,7 @@ impl Matter {
                 " is missing: a mass in kg, positive, is expected",
             );
         };
-        let made =
-            inertia.and_then(|inertia| MassProperties::new(mass, BodyVector::zero(), inertia));
-        file.right(key, made)
+        file.right(key, MassProperties::new(mass, BodyVector::zero(), inertia))
     }
 }
 

@@ -6,7 +6,6 @@ use super::reader::Reader;
 use super::values::{Flat, section};
 use super::{listed, with};
 use crate::frame::{Attitude, BodyVector};
-use crate::inertia::InertiaMatrix;
 use crate::scene::Around;
 use crate::scene::effects::{AirDrag, BearingFriction, Gravity, PivotFriction, TipFriction};
 use crate::scene::top::{Body as TopBody, Start, Top};
@@ -69,7 +68,7 @@ pub fn top(
 
 fn made(file: &Reader<'_>, body: &Body, heavy: bool) -> Option<(TopBody, Outline)> {
     let matter = &body.matter.0;
-    let (made, inertia, key) = match matter.inertia(file)? {
+    let (inertia, key) = match matter.inertia(file)? {
         Inertia::Shape(_) if body.center_of_mass.is_some() => {
             let told = " follows from `shape` and `pivot`";
             return file.wrong("body.center_of_mass", told);
@@ -81,20 +80,13 @@ fn made(file: &Reader<'_>, body: &Body, heavy: bool) -> Option<(TopBody, Outline
             return Some((file.right("body.pivot, body.shape", held)?, outline));
         }
         _ if body.pivot.is_some() => return file.wrong("body.pivot", " goes with `shape`"),
-        Inertia::Moments([0.0, 0.0, 0.0]) => {
+        Inertia::Matrix(..) if matter.moments == Some([0.0; 3]) => {
             let told = " must not all be zero: what has no inertia does not turn";
             return file.wrong("body.moments", told);
         }
-        Inertia::Moments([a, b, c]) => {
-            let made = TopBody::new([a, b, c]);
-            (made, InertiaMatrix::diagonal(a, b, c), "body.moments")
-        }
-        Inertia::Matrix(matrix) => {
-            let made = TopBody::along_own_axes(&matrix);
-            (made, Ok(matrix), "body.inertia")
-        }
+        Inertia::Matrix(matrix, key) => (matrix, key),
     };
-    let (made, inertia) = (file.right(key, made)?, file.right(key, inertia)?);
+    let made = file.right(key, TopBody::along_own_axes(&inertia))?;
     let outline = |mass, center: BodyVector| {
         Outline::of_inertia(inertia.second_moments(), mass, center.components())
     };

@@ -1,6 +1,7 @@
 //! The body of a top and how it starts.
 
 use crate::error::{Error, Result, finite, not_negative};
+use crate::euler_equations::AxisMoments;
 use crate::frame::finite_vector;
 use crate::frame::{Attitude, BodyVector};
 use crate::inertia::{InertiaMatrix, MassProperties, PrincipalMoments};
@@ -65,9 +66,6 @@ impl Body {
     /// ```
     pub fn new(moments: [f64; 3]) -> Result<Self> {
         let [i1, i2, i3] = moments;
-        for moment in moments {
-            not_negative("a principal moment", finite("a principal moment", moment)?)?;
-        }
         PrincipalMoments::new(i1, i2, i3)?;
         Ok(Self {
             mass: 0.0,
@@ -176,10 +174,8 @@ impl Body {
         }
     }
 
-    /// L of this Ω, along the principal axes, kg m²/s.
-    pub(super) fn angular_momentum(&self, omega: BodyVector) -> BodyVector {
-        let [i1, i2, i3] = self.moments;
-        BodyVector::new(i1 * omega.x(), i2 * omega.y(), i3 * omega.z())
+    pub(super) const fn axis_moments(&self) -> AxisMoments {
+        AxisMoments::of_rods_too(self.moments)
     }
 
     /// MC, kg m.
@@ -267,7 +263,7 @@ impl Start {
     pub(super) fn phase(&self, body: &Body) -> Result<Phase> {
         let l = match self.spin {
             Spin::AngularMomentum(l) => l,
-            Spin::Omega(omega) => body.angular_momentum(omega),
+            Spin::Omega(omega) => body.axis_moments().angular_momentum(omega),
         };
         Ok(Phase::new(
             finite_vector("the angular momentum", l)?,

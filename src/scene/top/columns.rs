@@ -11,7 +11,7 @@ pub(super) fn columns(top: &Top) -> Columns<State> {
     let body = top.body;
     // Moments, lever and centre of mass are along the principal axes, the states along the body's own.
     let momentum = move |state: &State| {
-        let l = body.angular_momentum(body.inward(state.omega));
+        let l = (body.axis_moments()).angular_momentum(body.inward(state.omega));
         body.attitude_inward(state.attitude).to_space(l)
     };
     let columns = Columns::default()

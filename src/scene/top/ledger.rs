@@ -1,20 +1,17 @@
 //! What a top conserves, or may only lose.
 
-use super::body::Body;
 use super::{State, Top};
 use crate::conservation::Law;
 use crate::error::{Result, finite};
-use crate::euler_equations::{Integrability, classify};
+use crate::euler_equations::{HeavyTop, Integrability, TopState};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::scene::Request;
 use crate::scene::motion::Accounts;
 
-/// The body and its start, as the ledger needs them.
+/// A top and its start, as the ledger needs them.
 pub(super) struct Conserved {
-    body: Body,
-    lever: BodyVector,
-    /// What is conserved besides.
-    pub kind: Integrability,
+    /// It knows what is conserved besides.
+    heavy: HeavyTop,
     pub start: State,
     /// Size of the energies at play, J; positive.
     pub energy_scale: f64,
@@ -29,52 +26,26 @@ impl Conserved {
     pub fn of(top: &Top) -> Result<Self> {
         let (body, start, lever) = (top.body, top.start, BodyVector::from(top.lever()));
         let omega = start.omega(body.moments)?;
-        let mut conserved = Self {
-            body,
-            lever,
-            kind: classify(body.moments, lever),
-            start: State {
-                attitude: start.attitude,
-                omega,
-                energy: 0.0,
-            },
-            energy_scale: 0.0,
-            momentum_scale: 0.0,
-        };
-        let weight = lever.norm();
+        let heavy = HeavyTop::new(body.axis_moments(), lever)?;
+        let (weight, turning) = (lever.norm(), heavy.moments.angular_momentum(omega).norm());
         let greatest = body.moments.iter().fold(0.0_f64, |a, &b| a.max(b));
-        conserved.start.energy = finite("the energy", conserved.energy(&start.attitude, omega))?;
-        conserved.energy_scale = (conserved.kinetic(omega) + weight).max(f64::MIN_POSITIVE);
-        let turning = body.angular_momentum(omega).norm();
-        conserved.momentum_scale = turning
-            .hypot((greatest * weight).sqrt())
-            .max(f64::MIN_POSITIVE);
+        let momentum_scale = turning.hypot((greatest * weight).sqrt());
+        let energy_scale = heavy.moments.energy(omega) + weight;
+        let conserved = Self {
+            heavy,
+            start: state(&heavy, start.attitude, omega),
+            energy_scale: energy_scale.max(f64::MIN_POSITIVE),
+            momentum_scale: momentum_scale.max(f64::MIN_POSITIVE),
+        };
+        finite("the energy", conserved.start.energy)?;
         finite("the angular momentum", conserved.momentum_scale)?;
         Ok(conserved)
-    }
-
-    fn kinetic(&self, omega: BodyVector) -> f64 {
-        0.5 * self.body.angular_momentum(omega).dot(&omega)
     }
 
     /// The state with this attitude and Ω.
     #[inline]
     pub fn state(&self, attitude: Attitude, omega: BodyVector) -> State {
-        State {
-            attitude,
-            omega,
-            energy: self.energy(&attitude, omega),
-        }
-    }
-
-    #[inline]
-    /// ½⟨IΩ, Ω⟩ + ⟨MgC, z⟩, J.
-    fn energy(&self, attitude: &Attitude, omega: BodyVector) -> f64 {
-        match self.kind {
-            // Without a lever there is no height to ask for.
-            Integrability::Euler => self.kinetic(omega),
-            _ => self.kinetic(omega) + self.lever.dot(&up(attitude)),
-        }
+        state(&self.heavy, attitude, omega)
     }
 
     /// No torque resists: E is kept; L, or of it what gravity leaves; the fourth integral of tops that have one.
@@ -85,10 +56,10 @@ impl Conserved {
         let momentum = |state: &State| {
             state
                 .attitude
-                .to_space(self.body.angular_momentum(state.omega))
+                .to_space(self.heavy.moments.angular_momentum(state.omega))
         };
         let (first, scale) = (momentum(&self.start), self.momentum_scale);
-        if matches!(self.kind, Integrability::Euler) {
+        if matches!(self.heavy.kind(), Integrability::Euler) {
             accounts.conserved("angular momentum", scale, first, |k| momentum(&states[k]))?;
             return Ok(accounts);
         }
@@ -111,8 +82,8 @@ impl Conserved {
         accounts.keep(falling, earliest.energy, |k| states[k].energy)?;
         let (name, first) = ("energy and what resistance took", self.start.energy);
         accounts.conserved(name, scale, first, |k| states[k].energy + losses[k])?;
-        if matches!(self.kind, Integrability::Euler) {
-            let size = |state: &State| self.body.angular_momentum(state.omega).norm();
+        if matches!(self.heavy.kind(), Integrability::Euler) {
+            let size = |state: &State| self.heavy.moments.angular_momentum(state.omega).norm();
             let name = "size of the angular momentum";
             let falling = (name, Law::NonIncreasing, self.momentum_scale);
             accounts.keep(falling, size(earliest), |k| size(&states[k]))?;
@@ -122,33 +93,44 @@ impl Conserved {
 
     /// Name, value and scale of the fourth integral: L along the axis of symmetry, or Kovalevskaya's.
     fn fourth(&self, state: &State) -> Option<(&'static str, f64, f64)> {
-        let l = self.body.angular_momentum(state.omega);
-        match self.kind {
-            Integrability::Lagrange(axis) => Some((
-                "angular momentum about the axis of symmetry",
-                l.components()[axis],
-                self.momentum_scale,
-            )),
-            Integrability::SphericalInertia => Some((
-                "angular momentum about the line to the centre of mass",
-                l.dot(&self.lever) / self.lever.norm(),
-                self.momentum_scale,
-            )),
+        let (heavy, scale) = (&self.heavy, self.momentum_scale);
+        let seen = TopState {
+            omega: state.omega,
+            up: up(&state.attitude),
+        };
+        let value = heavy.further_integral(&seen)?.value;
+        match heavy.kind() {
+            Integrability::Lagrange(_) => {
+                Some(("angular momentum about the axis of symmetry", value, scale))
+            }
+            Integrability::SphericalInertia => {
+                let name = "angular momentum about the line to the centre of mass";
+                Some((name, value / heavy.lever.norm(), scale))
+            }
             Integrability::Kovalevskaya(axis) => {
-                let turned = |v: BodyVector| {
-                    let c = v.components();
-                    [c[(axis + 1) % 3], c[(axis + 2) % 3]]
-                };
-                let [o1, o2] = turned(state.omega);
-                let [z1, z2] = turned(up(&state.attitude));
-                let [c1, c2] = turned(self.lever).map(|c| c / self.body.moments[axis]);
-                let re = o1 * o1 - o2 * o2 - (c1 * z1 - c2 * z2);
-                let im = 2.0 * o1 * o2 - (c1 * z2 + c2 * z1);
-                let scale = self.energy_scale / self.body.moments[axis];
+                let [re, im] = heavy.kovalevskaya(&seen, axis);
+                let scale = self.energy_scale / heavy.moments.values()[axis];
                 Some(("Kovalevskaya's constant", re.hypot(im), scale))
             }
             _ => None,
         }
+    }
+}
+
+#[inline]
+fn state(heavy: &HeavyTop, attitude: Attitude, omega: BodyVector) -> State {
+    let energy = match heavy.kind() {
+        // Without a lever there is no height to ask for.
+        Integrability::Euler => heavy.moments.energy(omega),
+        _ => heavy.energy(&TopState {
+            omega,
+            up: up(&attitude),
+        }),
+    };
+    State {
+        attitude,
+        omega,
+        energy,
     }
 }
 

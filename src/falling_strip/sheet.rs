@@ -87,11 +87,6 @@ impl Sheet {
         4.0 * self.areal_density / (PI * self.fluid_density * self.width)
     }
 
-    /// g, m/s².
-    pub(crate) const fn gravity(&self) -> f64 {
-        self.gravity
-    }
-
     /// The speed of the theory, U = √(2σg/(π ρ)), m/s: the same for every width.
     ///
     /// ```

@@ -792,3 +792,53 @@ pub(crate) fn planned(request: &Request, plan: Plan, has: &'static str) -> Resul
         Choice::Use(_) => Err(Error::Solver { condition: has }),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A ball on a floor: height and climb; every bounce leaves nine tenths of the speed.
+    #[derive(Clone, Copy)]
+    struct Ball;
+
+    impl Flow<2> for Ball {
+        type Phase = ();
+
+        fn start(&self) -> Result<((), [f64; 2])> {
+            Ok(((), [0.5, 0.0]))
+        }
+
+        fn scales(&self) -> [f64; 2] {
+            [1.0; 2]
+        }
+
+        fn pace(&self) -> f64 {
+            1.0
+        }
+
+        fn rate(&self, (): (), _: f64, y: &[f64; 2]) -> [f64; 2] {
+            [y[1], -1.0]
+        }
+
+        fn margin(&self, (): (), _: f64, y: &[f64; 2]) -> f64 {
+            y[0]
+        }
+
+        fn may_end(&self, (): ()) -> bool {
+            true
+        }
+
+        fn next(&self, (): (), _: Stop, _: f64, y: &mut [f64; 2]) -> Result<()> {
+            *y = [0.0, -0.9 * y[1]];
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn bounces_that_pile_up_are_refused() {
+        let request = Request::at([20.0]).unwrap();
+        let refused = to_accuracy(&request, Solver::ORDER_EIGHT, |_| Ok(Ball));
+        let piled = matches!(refused, Err(Error::Integration { .. }));
+        assert!(piled, "{refused:?}");
+    }
+}

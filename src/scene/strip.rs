@@ -1,13 +1,13 @@
 //! A strip that falls through a fluid, broadside length into the picture (tutorial 4.10).
 
 use super::columns::{Columns, columns};
-use super::effects::{Effect, Gravity};
+use super::effects::Effect;
 use super::engine::{Answer, Flow, OF_CLOSED_FORMS, ROUNDING, greater, planned, solved};
 use super::motion::Accounts;
 use super::{Motion, Plan, Request, Scene, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Result, finite, not_negative};
-use crate::falling_strip::{AddedMass, Coefficients, Equations, Plate, RotationalDamping, Sheet};
+use crate::falling_strip::{Equations, Plate};
 use crate::integrators::Stop;
 
 /// The state of a strip.
@@ -57,24 +57,26 @@ pub struct StripStart {
 /// A strip, how it starts, and what acts on it.
 ///
 /// ```
-/// use spinning_bodies::falling_strip::{Coefficients, Sheet};
-/// use spinning_bodies::scene::{Request, Scene, Strip, StripStart};
+/// use spinning_bodies::falling_strip::{AddedMass, Coefficients, RotationalDamping, Sheet};
+/// use spinning_bodies::scene::{Request, Scene, Strip, StripStart, effects::Gravity};
 ///
-/// let sheet = Sheet::of_paper(0.02)?;
 /// let start = StripStart { angle: 0.2, ..StripStart::default() };
-/// let strip = Strip::in_air(&sheet, start, Coefficients::PAPER)?;
-/// let motion = strip.simulate(&Request::at([1.0])?.to_accuracy(1e-9)?)?;
+/// let strip = Strip::new(Sheet::of_paper(0.02)?.plate()?, start)?.with(Gravity::new(9.81)?)?;
+/// let Coefficients { lift, drag, .. } = Coefficients::PAPER;
+/// let damping = RotationalDamping { linear: 3.2263, quadratic: 0.04 };
+/// let in_air = strip.with(lift)?.with(drag)?.with(damping)?.with(AddedMass { factor: 1.0 })?;
+/// let motion = in_air.simulate(&Request::at([1.0])?.to_accuracy(1e-9)?)?;
 /// assert!(motion.rows[0].1.omega.abs() > 30.0, "it tumbles");
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 ///
 /// | effect | absent |
 /// |---|---|
-/// | [`Gravity`] | floats |
+/// | [`Gravity`](super::effects::Gravity) | floats |
 /// | [`Lift`](super::effects::Lift) by circulation | no force across the velocity |
 /// | [`Drag`](super::effects::Drag) | no force against it |
-/// | [`RotationalDamping`] | spins on |
-/// | [`AddedMass`] | no fluid is taken along, and none turns it broadside |
+/// | [`RotationalDamping`](super::effects::RotationalDamping) | spins on |
+/// | [`AddedMass`](super::effects::AddedMass) | no fluid is taken along, and none turns it broadside |
 ///
 /// Without the last four the strip is in a vacuum, and its parabola and its uniform rotation are a closed form. What brakes it cannot be run
 /// backward.
@@ -109,39 +111,7 @@ impl Strip {
         Ok(Self { equations, start })
     }
 
-    /// A sheet in its fluid with all the effects and these coefficients; μ₁ is taken per unit a/U of the sheet's own time.
-    ///
-    /// # Errors
-    /// As [`Strip::new`], [`Strip::with`] and [`Plate::new`].
-    ///
-    /// ```
-    /// use spinning_bodies::falling_strip::{Coefficients, Sheet};
-    /// use spinning_bodies::scene::{Request, Scene, Strip, StripStart};
-    /// let strip = Strip::in_air(&Sheet::of_paper(0.02)?, StripStart { angle: 0.2, ..StripStart::default() }, Coefficients::PAPER)?;
-    /// let motion = strip.simulate(&Request::at([0.1])?.to_accuracy(1e-9)?)?;
-    /// // It falls, and less than it would without air.
-    /// assert!(motion.rows[0].1.velocity[1] < 0.0 && motion.rows[0].1.velocity[1] > -0.981);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn in_air(sheet: &Sheet, start: StripStart, coefficients: Coefficients) -> Result<Self> {
-        let a = sheet.half_chord();
-        let displaced = sheet.plate()?.displaced_mass();
-        let mass = sheet.mass_ratio() * displaced;
-        let density = displaced / (core::f64::consts::PI * a * a);
-        let plate = Plate::new(a, mass, density, 0.0, coefficients.inertia_factor)?;
-        let damping = RotationalDamping {
-            linear: coefficients.damping.linear / sheet.time(),
-            quadratic: coefficients.damping.quadratic,
-        };
-        Self::new(plate, start)?
-            .with(Gravity::new(sheet.gravity())?)?
-            .with(coefficients.lift)?
-            .with(coefficients.drag)?
-            .with(damping)?
-            .with(AddedMass { factor: 1.0 })
-    }
-
-    /// The same with an effect: [`Gravity`], [`Lift`](super::effects::Lift), [`Drag`](super::effects::Drag), [`RotationalDamping`], [`AddedMass`].
+    /// The same with an effect: those of the table at [`Strip`].
     ///
     /// # Errors
     /// [`Error::Effect`](crate::Error::Effect) for any other; [`Error::NotFinite`](crate::Error::NotFinite);
@@ -172,21 +142,6 @@ impl Strip {
             }
         }
         Ok(self)
-    }
-
-    /// The equations.
-    ///
-    /// ```
-    /// use spinning_bodies::{falling_strip::Sheet, scene::{Strip, StripStart}};
-    /// let plate = Sheet::of_paper(0.02)?.plate()?;
-    /// let one = Strip::new(plate, StripStart::default())?;
-    /// let other = Strip::new(plate, StripStart { angle: 0.3, ..StripStart::default() })?;
-    /// // They do not depend on the start.
-    /// assert_eq!(one.equations(), other.equations());
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub const fn equations(&self) -> &Equations {
-        &self.equations
     }
 
     fn brakes(&self) -> bool {

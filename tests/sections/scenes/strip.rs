@@ -3,7 +3,7 @@
 use super::*;
 use lab::general::solve;
 use spinning_bodies::falling_strip::{
-    AddedMass, Coefficients, Drag, Lift, Plate, RotationalDamping, Sheet,
+    AddedMass, Coefficients, Drag, Equations, Lift, Plate, RotationalDamping, Sheet,
 };
 use spinning_bodies::scene::{Strip, StripStart, StripState};
 
@@ -26,6 +26,19 @@ fn gravity() -> Gravity {
 
 fn plate() -> Plate {
     Sheet::of_paper(0.02).unwrap().plate().unwrap()
+}
+
+/// Of paper in air: per unit of the sheet's own time.
+fn damping(sheet: &Sheet) -> RotationalDamping {
+    let RotationalDamping { linear, quadratic } = Coefficients::PAPER.damping;
+    let linear = linear / sheet.time();
+    RotationalDamping { linear, quadratic }
+}
+
+fn in_air(sheet: &Sheet, start: StripStart) -> Result<Strip> {
+    let strip = Strip::new(sheet.plate()?, start)?.with(gravity())?;
+    let strip = strip.with(LIFT)?.with(DRAG)?.with(damping(sheet))?;
+    strip.with(ADDED)
 }
 
 /// A second, in which a tumbling start amplifies what it is given a hundredfold.
@@ -157,8 +170,7 @@ fn a_mirrored_start_gives_a_mirrored_fall() {
         velocity: [-START.velocity[0], START.velocity[1]],
         omega: -START.omega,
     };
-    let [here, there] = [START, mirrored]
-        .map(|start| run(&Strip::in_air(&sheet, start, Coefficients::PAPER).unwrap()));
+    let [here, there] = [START, mirrored].map(|start| run(&in_air(&sheet, start).unwrap()));
     for ((_, a), (_, b)) in here.rows.iter().zip(&there.rows) {
         let ([x, y], [across, down]) = (a.position, b.position);
         assert_eq!([x, y, a.angle], [-across, down, -b.angle]);
@@ -175,8 +187,8 @@ fn the_frame_does_not_matter() -> Result<()> {
         omega: 0.5,
         ..START
     };
-    let small = Strip::in_air(&sheet, START, Coefficients::PAPER)?;
-    let big = Strip::in_air(&big, start, Coefficients::PAPER)?;
+    let small = in_air(&sheet, START)?;
+    let big = in_air(&big, start)?;
     let [short, long] = [0.5, 1.0].map(|t| Request::at([t]).unwrap());
     let a = small.simulate(&short.to_accuracy(1e-9)?)?.rows[0].1;
     let b = big.simulate(&long.to_accuracy(1e-9)?)?.rows[0].1;
@@ -196,13 +208,21 @@ fn turning_back_costs_no_digit() {
         ..StripStart::default()
     };
     for start in [START, from_rest] {
-        let scene = Strip::in_air(&sheet, start, Coefficients::PAPER).unwrap();
+        let scene = in_air(&sheet, start).unwrap();
         // The equations as they stand, kink and all, by a method of another kind with steps so small that it does not matter.
         let (sine, cosine) = start.angle.sin_cos();
         let [vx, vy] = start.velocity;
         let (u, w) = (vx * cosine + vy * sine, vy * cosine - vx * sine);
         let first = [0.0, 0.0, start.angle, u, w, start.omega, 0.0];
-        let (system, scales) = (scene.equations(), [0.01, 0.01, 1.0, 0.3, 0.3, 30.0, 1e-4]);
+        let system = &Equations {
+            plate: sheet.plate().unwrap(),
+            gravity: Some(9.81),
+            lift: Some(LIFT),
+            drag: Some(DRAG),
+            damping: Some(damping(&sheet)),
+            added_mass: Some(ADDED),
+        };
+        let scales = [0.01, 0.01, 1.0, 0.3, 0.3, 30.0, 1e-4];
         let (method, effort) = (Method::Verner98, Effort::Tolerance(1e-15));
         let plain = solve(system, 0.0, &first, &scales, &[1.0], method, effort).unwrap();
         let [x, y, angle, _, _, omega, _] = plain.states[0];
@@ -223,7 +243,7 @@ fn turning_back_costs_no_digit() {
 #[test]
 fn methods_agree_and_refusals_are_named() {
     let sheet = Sheet::of_paper(0.02).unwrap();
-    let scene = Strip::in_air(&sheet, START, Coefficients::PAPER).unwrap();
+    let scene = in_air(&sheet, START).unwrap();
     let reference = run(&scene);
     for method in [Method::Dopri5, Method::Verner98] {
         let other = scene.simulate(&by_general(request(), method)).unwrap();

@@ -143,23 +143,3 @@ fn what_is_told_of_many_bounces_by_steps() {
         }
     }
 }
-
-/// A ball whose every bounce leaves nine tenths of its speed: by steps the pile has no end.
-#[test]
-fn bounces_that_pile_up_are_refused_by_steps() -> Result<()> {
-    let start = InFlight {
-        position: 0.0,
-        height: 0.5,
-        climb: 0.0,
-        motion: Throw {
-            velocity: 0.0,
-            rim_speed: 0.0,
-        },
-        bounces: 0,
-    };
-    let ball = Superball::new(1.0, 0.4, start)?.with(Gravity::new(1.0)?)?;
-    let ball = ball.with(Restitution::new(0.9, 1.0)?)?;
-    let ours = Choice::Use(Solver::Geometric(Geometric::DormandPrince8));
-    refused!(ball.simulate(&Request::at([20.0])?.by(ours)), Integration);
-    Ok(())
-}

@@ -109,8 +109,12 @@ fn row(ledger: &Ledger, claim: &Claim) -> String {
          <p class=\"claim-statement\">{statement}</p><p class=\"claim-places\">{places}</p></div>\n\n",
         id = claim.id,
         title = inert(&claim.title),
-        class = claim.verdict.word().replace(", ", "-").replace(' ', "-"),
-        verdict = claim.verdict.word(),
+        class = claim
+            .verdict
+            .to_string()
+            .replace(", ", "-")
+            .replace(' ', "-"),
+        verdict = claim.verdict,
         statement = inert(&claim.statement),
         places = places.join(" · "),
     )
@@ -127,7 +131,7 @@ pub fn table(ledger: &Ledger) -> String {
         let absent = |is_needed: bool| if is_needed { "not yet" } else { "-" };
         rows.push([
             claim.id.clone(),
-            claim.verdict.word().into(),
+            claim.verdict.to_string(),
             claim.title.clone(),
             chapter.unwrap_or_else(|| absent(true).into()),
             test.unwrap_or_else(|| absent(claim.verdict.is_computed()).into()),

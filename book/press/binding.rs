@@ -2,7 +2,7 @@
 
 use crate::drawings::{self, Drawing};
 use crate::error::one_line;
-use crate::interrupt::{Unfinished, without_interruption};
+use crate::interrupt::Unfinished;
 use crate::ledger::Ledger;
 use crate::typesetter::{Medium, Typesetter, without_code};
 use crate::writer::{folder_of, followed};
@@ -13,10 +13,10 @@ use mdbook_driver::book::Chapter;
 use mdbook_driver::config::Config;
 use mdbook_renderer::RenderContext;
 use serde_json::json;
-use std::collections::{HashMap, HashSet};
-use std::io::{Read, Write};
+use std::collections::HashMap;
+use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
 use toml::Table;
 
 /// Builds the book of the workspace at `root` into `folder` and returns the path of its first page. The book is
@@ -49,47 +49,44 @@ fn bind_as(settings: Config, root: &Path, folder: &Path, drawings: &[Drawing]) -
     let folder = &followed(folder).map_err(Error::file(folder))?;
     let parent = folder_of(folder);
     std::fs::create_dir_all(parent).map_err(Error::file(parent))?;
-    let beside = Unfinished::folder(parent).map_err(Error::file(parent))?;
-    let fresh = beside.path().join("new");
+    let beside = Unfinished::within(parent).map_err(Error::file(parent))?;
 
-    let (built, warnings) = listening(|| build(settings, root, &fresh, drawings));
-    built?;
+    // mdBook reports a missing include in no other way.
+    let log = beside.path().join("log");
+    let subscriber = tracing_subscriber::fmt()
+        .with_max_level(tracing::Level::WARN)
+        .without_time()
+        .with_ansi(false)
+        .with_target(false)
+        .with_writer(File::create(&log).map_err(Error::file(&log))?)
+        .finish();
+    tracing::subscriber::with_default(subscriber, || {
+        build(settings, root, &beside.new_one(), drawings)
+    })?;
+    let warnings = std::fs::read_to_string(&log).map_err(Error::file(&log))?;
     if !warnings.is_empty() {
-        return Err(Error::Input(format!(
-            "mdBook warns: {}",
-            warnings.join("; ")
-        )));
+        let warnings: Vec<&str> = warnings.lines().map(str::trim).collect();
+        let warnings = warnings.join("; ");
+        return Err(Error::Input(format!("mdBook warns: {warnings}")));
     }
-
-    let old = beside.path().join("old");
-    let had_old = folder.exists();
-    // Between the two there is no book.
-    without_interruption(|| {
-        if had_old {
-            std::fs::rename(folder, &old)?;
-        }
-        std::fs::rename(&fresh, folder).inspect_err(|_| {
-            if had_old {
-                // The error to tell is the first.
-                let _ = std::fs::rename(&old, folder);
-            }
-        })
-    })
-    .map_err(Error::file(folder))?;
+    beside.take(folder).map_err(Error::file(folder))?;
     Ok(folder.join("index.html"))
 }
 
 /// The book with its chapters set, their pieces left with the typesetter.
-pub fn typeset(settings: Config, root: &Path, typesetter: &mut Typesetter<'_>) -> Result<MDBook> {
+pub(crate) fn typeset(
+    settings: Config,
+    root: &Path,
+    typesetter: &mut Typesetter<'_>,
+) -> Result<MDBook> {
     let book = as_html(settings).and_then(|html| MDBook::load_with_config(root.join("book"), html));
     let mut book = book.map_err(wrong)?;
 
-    let source_folder = book.source_dir();
-    let pages: HashSet<String> = book.book.chapters().filter_map(file_of).collect();
+    // Figures are numbered in the order of reading; what changes chapters comes to a parent after its children.
     let mut set = HashMap::new();
     for chapter in book.book.chapters() {
         if let Some(file) = file_of(chapter) {
-            let page = typesetter.set(&file, &chapter.content, &source_folder, &pages)?;
+            let page = typesetter.set(&file, &chapter.content)?;
             set.insert(file, page);
         }
     }
@@ -103,7 +100,7 @@ pub fn typeset(settings: Config, root: &Path, typesetter: &mut Typesetter<'_>) -
 
 fn build(settings: Config, root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
     let ledger = Ledger::read(root)?;
-    let mut typesetter = Typesetter::new(drawings, &ledger, Medium::Pages);
+    let mut typesetter = Typesetter::new(root, drawings, &ledger, Medium::Pages);
     let mut book = typeset(settings, root, &mut typesetter)?;
     book.config.build.build_dir = folder.to_owned();
     let searched = book.config.clone();
@@ -151,42 +148,6 @@ pub(crate) fn wrong(error: anyhow::Error) -> Error {
 fn file_of(chapter: &Chapter) -> Option<String> {
     let path = chapter.source_path.as_ref()?;
     Some(path.to_string_lossy().into_owned())
-}
-
-/// Runs `work` and collects what it logs as a warning or an error: mdBook reports a missing include in no other way.
-fn listening<T>(work: impl FnOnce() -> T) -> (T, Vec<String>) {
-    let log = Log::default();
-    let ear = log.clone();
-    let subscriber = tracing_subscriber::fmt()
-        .with_max_level(tracing::Level::WARN)
-        .without_time()
-        .with_ansi(false)
-        .with_target(false)
-        .with_writer(move || ear.clone())
-        .finish();
-    let result = tracing::subscriber::with_default(subscriber, work);
-    let bytes = log.0.lock().unwrap_or_else(PoisonError::into_inner).clone();
-    let lines = String::from_utf8_lossy(&bytes);
-    (
-        result,
-        lines.lines().map(|line| line.trim().to_owned()).collect(),
-    )
-}
-
-/// A log kept in memory.
-#[derive(Clone, Default)]
-struct Log(Arc<Mutex<Vec<u8>>>);
-
-impl Write for Log {
-    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        let mut log = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        log.extend_from_slice(bytes);
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> std::io::Result<()> {
-        Ok(())
-    }
 }
 
 #[cfg(test)]

@@ -8,8 +8,8 @@ use std::path::Path;
 pub struct Chapter {
     /// Name of its Markdown file in `book/src`, without the ending.
     pub name: &'static str,
-    /// What it is made of, from the root of the workspace: modules, tests, figures. Folders end in a slash.
-    made_of: &'static [&'static str],
+    /// What it is made of beside the module, the test and the figures of its own name, from the root of the workspace. Folders end in a slash.
+    beside: &'static [&'static str],
     /// The scenes to play with: the names of their files.
     scenes: &'static [&'static str],
 }
@@ -25,6 +25,12 @@ const FOOT: [(&str, &[&str]); 4] = [
     ("to play with:", &["book/scenes/"]),
 ];
 
+/// Where what a chapter is made of has the name of the chapter.
+const NAMESAKES: [&str; 3] = ["src", "tests/sections", "figures/src"];
+
+/// The cover. It may show a figure that belongs to a chapter; there it has no number.
+pub const COVER: &str = "index";
+
 impl Chapter {
     /// Its Markdown in the workspace at `root`: read, not compiled in, so that a changed word compiles nothing.
     pub fn source(&self, root: &Path) -> Result<String> {
@@ -38,18 +44,26 @@ impl Chapter {
         CHAPTERS.iter().find(|chapter| chapter.name == name)
     }
 
-    /// What it is made of, from the root of the workspace, and its scenes.
-    pub fn files(&self) -> impl Iterator<Item = String> {
-        let scene = |name: &&str| format!("book/scenes/{name}.toml");
-        let scenes = self.scenes.iter().map(scene);
-        self.made_of.iter().map(ToString::to_string).chain(scenes)
+    /// What it is made of, from the root of the workspace: modules, tests, figures, scenes. Folders end in a slash.
+    pub fn files(&self, root: &Path) -> Vec<String> {
+        let name = self.name.replace('-', "_");
+        let own = NAMESAKES.iter().flat_map(|folder| {
+            let both = [format!("{folder}/{name}.rs"), format!("{folder}/{name}/")];
+            both.into_iter().filter(|file| root.join(file).exists())
+        });
+        let scenes = self.scenes.iter();
+        let scenes = scenes.map(|name| format!("book/scenes/{name}.toml"));
+        own.chain(self.beside.iter().map(ToString::to_string))
+            .chain(scenes)
+            .collect()
     }
 
     /// The last line of the page: where its computations live. `None` if it has none of its own.
-    pub fn foot(&self) -> Option<String> {
+    pub fn foot(&self, root: &Path) -> Option<String> {
+        let files = self.files(root);
         let groups = FOOT.iter().filter_map(|(word, folders)| {
-            let there = |file: &String| folders.iter().any(|folder| file.starts_with(folder));
-            let files = self.files().filter(there);
+            let there = |file: &&String| folders.iter().any(|folder| file.starts_with(folder));
+            let files = files.iter().filter(there);
             let files: Vec<_> = files.map(|file| format!("<code>{file}</code>")).collect();
             (!files.is_empty()).then(|| format!("{word} {}", files.join(", ")))
         });
@@ -59,11 +73,11 @@ impl Chapter {
 }
 
 macro_rules! chapters {
-    ($($module:ident: $name:literal $made_of:tt $scenes:tt,)*) => {
+    ($($module:ident: $name:literal $beside:tt $scenes:tt,)*) => {
         /// All chapters, in reading order.
         pub const CHAPTERS: &[Chapter] = &[$(Chapter {
             name: $name,
-            made_of: &$made_of,
+            beside: &$beside,
             scenes: &$scenes,
         },)*];
 
@@ -78,57 +92,18 @@ macro_rules! chapters {
 chapters! {
     index: "index" [] [],
     phenomena: "phenomena" [
-        "src/phenomena/",
         "src/scene/shape/",
-        "tests/sections/phenomena/",
         "tests/sections/scenes/shape.rs",
-        "figures/src/phenomena/",
     ] ["cat", "crawler", "paper-cat", "skater", "swivel"],
-    inertia: "inertia" [
-        "src/inertia/",
-        "tests/sections/inertia/",
-        "figures/src/inertia.rs",
-        "figures/src/inertia/",
-    ] [],
-    conservation: "conservation" [
-        "src/conservation/",
-        "tests/sections/conservation/",
-        "figures/src/conservation.rs",
-    ] [],
+    inertia: "inertia" [] [],
+    conservation: "conservation" [] [],
     examples: "examples" [] [],
-    impacts: "impacts" [
-        "src/impacts.rs",
-        "tests/sections/impacts/",
-        "figures/src/impacts.rs",
-    ] ["meteorite"],
-    rolling: "rolling" [
-        "src/rolling/",
-        "tests/sections/rolling/",
-        "figures/src/rolling.rs",
-        "figures/src/rolling/",
-    ] ["billiard-shot"],
-    spool: "spool" [
-        "src/rolling/spool.rs",
-        "tests/sections/spool.rs",
-        "figures/src/spool.rs",
-    ] ["spool"],
-    sheet: "sheet" [
-        "src/rolling/sheet.rs",
-        "tests/sections/sheet.rs",
-        "figures/src/sheet.rs",
-    ] ["withdrawn-sheet"],
-    superball: "superball" [
-        "src/superball/",
-        "tests/sections/superball/",
-        "figures/src/superball.rs",
-        "figures/src/superball/",
-    ] ["superball"],
-    tippe_top: "tippe-top" [
-        "src/tippe_top/",
-        "src/scene/contact.rs",
-        "tests/sections/tippe_top/",
-        "figures/src/tippe_top/",
-    ] ["egg", "hoop-with-clay", "sliding-ball", "tippe-top"],
+    impacts: "impacts" [] ["meteorite"],
+    rolling: "rolling" [] ["billiard-shot"],
+    spool: "spool" ["src/rolling/spool.rs"] ["spool"],
+    sheet: "sheet" ["src/rolling/sheet.rs"] ["withdrawn-sheet"],
+    superball: "superball" [] ["superball"],
+    tippe_top: "tippe-top" ["src/scene/contact.rs"] ["egg", "hoop-with-clay", "sliding-ball", "tippe-top"],
     chiral_top: "chiral-top" [
         "src/tippe_top/chirality.rs",
         "src/tippe_top/growth.rs",
@@ -141,77 +116,39 @@ chapters! {
         "tests/sections/tippe_top/celt.rs",
         "figures/src/tippe_top/rattleback.rs",
     ] ["rattleback"],
-    gyroscope: "gyroscope" [
-        "src/lagrange_top/",
-        "tests/sections/gyroscope.rs",
-        "figures/src/gyroscope.rs",
-    ] [],
-    yo_yo: "yo-yo" [
-        "src/yo_yo/",
-        "tests/sections/yo_yo.rs",
-        "figures/src/yo_yo/",
-    ] ["yo-yo", "yo-yo-asleep"],
-    falling_strip: "falling-strip" [
-        "src/falling_strip/",
-        "tests/sections/falling_strip.rs",
-        "figures/src/falling_strip/",
-    ] ["strip"],
+    gyroscope: "gyroscope" ["src/lagrange_top/"] [],
+    yo_yo: "yo-yo" [] ["yo-yo", "yo-yo-asleep"],
+    falling_strip: "falling-strip" [] ["strip"],
     euler_equations: "euler-equations" [
-        "src/euler_equations/",
         "src/ideal_fluid.rs",
         "src/rotating_fluid.rs",
-        "tests/sections/euler_equations/",
-        "figures/src/euler_equations.rs",
-        "figures/src/euler_equations/",
     ] ["heavy-body"],
-    euler_top: "euler-top" [
-        "src/euler_top/",
-        "src/elliptic/",
-        "tests/sections/euler_top/",
-        "figures/src/euler_top/",
-    ] ["racket"],
-    lagrange_top: "lagrange-top" [
-        "src/lagrange_top/",
-        "tests/sections/lagrange_top/",
-        "figures/src/lagrange_top/",
-    ] ["nutation-dies", "sleeping-top"],
-    kovalevskaya_top: "kovalevskaya-top" [
-        "src/kovalevskaya_top/",
-        "tests/sections/kovalevskaya_top/",
-        "figures/src/kovalevskaya_top.rs",
-    ] [],
-    pythagoras: "pythagoras" [
-        "src/pythagoras.rs",
-        "tests/sections/pythagoras.rs",
-        "figures/src/pythagoras.rs",
-    ] [],
+    euler_top: "euler-top" ["src/elliptic/"] ["racket"],
+    lagrange_top: "lagrange-top" [] ["nutation-dies", "sleeping-top"],
+    kovalevskaya_top: "kovalevskaya-top" [] [],
+    pythagoras: "pythagoras" [] [],
     further_reading: "further-reading" [] [],
     on_your_table: "on-your-table" [
         "src/falling_strip/",
         "src/phenomena/paper_cat.rs",
         "src/tippe_top/",
-        "figures/src/on_your_table/",
         "figures/tests/on_your_table.rs",
     ] [],
     scenes: "scenes" [
         "src/scene/",
-        "tests/sections/scenes/",
         "book/tests/book/scenes.rs",
         "book/tests/book/scene_prices.rs",
-        "figures/src/scenes.rs",
     ] [],
     accuracy: "accuracy" [
         "src/integrators/",
         "lab/src/accuracy/",
         "lab/tests/lab/accuracy/",
         "tests/sections/integrators/",
-        "figures/src/accuracy/",
     ] [],
     hard_cases: "hard-cases" [
         "lab/src/hard_cases/",
         "lab/tests/lab/hard_cases.rs",
         "tests/hard_cases/",
-        "figures/src/hard_cases.rs",
     ] [],
     gallery: "gallery" [] [],
     errata: "errata" [] [],

@@ -155,31 +155,27 @@ pub fn write(drawings: &[Drawing], copying: Copying, folder: &Path) -> Result<us
     for Drawing { entry, figure } in drawings {
         let path = folder.join(format!("{}.{}", entry.name, copying.form.ending()));
         let bytes = pictures::file(figure, copying)?;
-        if !holds(&path, entry.name, &bytes) {
+        let holds = |drawn| path.is_file() && difference(&path, entry.name, drawn).is_none();
+        if !std::str::from_utf8(&bytes).is_ok_and(holds) {
             changed += usize::from(write_if_changed(&path, &bytes)?);
         }
     }
     Ok(changed)
 }
 
-/// Whether a file holds this SVG: another processor may round a coordinate the other way, and nobody sees it.
-fn holds(path: &Path, name: &str, drawn: &[u8]) -> bool {
-    let (true, Ok(drawn)) = (path.is_file(), std::str::from_utf8(drawn)) else {
-        return false;
-    };
+/// Where a file differs from this SVG. Another processor may round a coordinate the other way, and nobody sees it.
+fn difference(path: &Path, name: &str, drawn: &str) -> Option<String> {
     let old = std::fs::read_to_string(path);
-    old.is_ok_and(|old| figures::compare(name, &old, drawn).is_ok())
+    let old = old.map_err(|error| format!("{}: {error}", path.display()));
+    old.and_then(|old| figures::compare(name, &old, drawn))
+        .err()
 }
 
 /// Compares fresh drawings with the committed files. The error names every figure that differs, and where.
 pub fn check(drawings: &[Drawing], folder: &Path) -> Result<()> {
     let difference = |Drawing { entry, figure }: &Drawing| {
         let path = folder.join(format!("{}.svg", entry.name));
-        let committed = std::fs::read_to_string(&path);
-        let committed = committed.map_err(|error| format!("{}: {error}", path.display()));
-        let drawn = figure.file(Look::default());
-        let compared = committed.and_then(|old| figures::compare(entry.name, &old, &drawn));
-        compared.err()
+        difference(&path, entry.name, &figure.file(Look::default()))
     };
     let differences: Vec<String> = drawings.iter().filter_map(difference).collect();
     if differences.is_empty() {

@@ -62,7 +62,7 @@ pub fn browser() -> Result<&'static str> {
 /// # Errors
 /// [`Error::Failed`] if it prints nothing.
 pub fn pdf(browser: &str, pages: &Path, file: &Path) -> Result<()> {
-    let beside = Unfinished::folder(folder_of(file)).map_err(Error::file(file))?;
+    let beside = Unfinished::within(folder_of(file)).map_err(Error::file(file))?;
     let printed = beside.path().join("book.pdf");
     let mut command = Command::new(browser);
     // Only these pages are opened, which allow no script but their own; without privileges of the system a sandbox cannot be had.
@@ -85,7 +85,7 @@ pub fn pdf(browser: &str, pages: &Path, file: &Path) -> Result<()> {
 pub fn epub(root: &Path, drawings: &[Drawing], file: &Path) -> Result<()> {
     let settings = Config::from_disk(root.join("book/book.toml")).map_err(wrong)?;
     let ledger = Ledger::read(root)?;
-    let mut typesetter = Typesetter::new(drawings, &ledger, Medium::Ebook);
+    let mut typesetter = Typesetter::new(root, drawings, &ledger, Medium::Ebook);
     let book = binding::typeset(settings, root, &mut typesetter)?;
     let (processed, _) = book
         .preprocess_book(&MarkdownRenderer::new())
@@ -158,50 +158,38 @@ fn packed(drawings: &[Drawing], book: &Book, pieces: &Pieces) -> anyhow::Result<
 /// A chapter as its reader sees it: no hidden lines, headings with the ids that links lead to, links to chapters and to the world.
 fn xhtml(chapter: &str) -> String {
     let mut events: Vec<Event<'_>> = Vec::new();
-    let (mut heading, mut rust, mut is_link) = (None, false, false);
-    for event in Parser::new_ext(chapter, markdown_options()) {
-        match event {
-            Event::Start(Tag::Heading { .. }) => heading = Some((events.len(), String::new())),
-            Event::End(TagEnd::Heading(_)) => {
-                if let Some((at, text)) = heading.take()
-                    && let Some(Event::Start(Tag::Heading { id, .. })) = events.get_mut(at)
-                {
-                    *id = Some(mdbook_anchor(&text).into());
-                }
+    let (mut in_rust, mut leads) = (false, false);
+    for (mut event, span) in Parser::new_ext(chapter, markdown_options()).into_offset_iter() {
+        match &mut event {
+            Event::Start(Tag::Heading { id, .. }) => {
+                let words = chapter[span].trim_matches(['#', ' ', '\n']);
+                *id = Some(mdbook_anchor(words).into());
             }
-            Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(ref language))) => {
-                rust = language.starts_with("rust");
+            Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(language))) => {
+                in_rust = language.starts_with("rust");
             }
-            Event::End(TagEnd::CodeBlock) => rust = false,
-            Event::Text(ref text) | Event::Code(ref text) => {
-                if let Some((_, heading)) = &mut heading {
-                    *heading += text;
+            Event::End(TagEnd::CodeBlock) => in_rust = false,
+            Event::Text(code) if in_rust => *code = shown(code).into(),
+            Event::Html(html) | Event::InlineHtml(html) => *html = elsewhere(html).into(),
+            Event::Start(Tag::Link { dest_url, .. }) => {
+                let page = dest_url.split('#').next().unwrap_or_default();
+                let in_the_book = page.is_empty() || page.ends_with(".md");
+                // Else to a file beside the pages; here there is none.
+                leads = in_the_book || page.contains("://");
+                if in_the_book {
+                    *dest_url = dest_url.replacen(".md", ".xhtml", 1).into();
                 }
             }
             _ => {}
         }
-        events.push(match event {
-            Event::Text(text) if rust => Event::Text(shown(&text).into()),
-            Event::Html(html) => Event::Html(elsewhere(&html).into()),
-            Event::InlineHtml(html) => Event::InlineHtml(elsewhere(&html).into()),
-            Event::Start(Tag::Link { ref dest_url, .. }) => {
-                let page = dest_url.split('#').next().unwrap_or_default();
-                let in_the_book = page.is_empty() || page.ends_with(".md");
-                is_link = in_the_book || page.contains("://");
-                let to = match in_the_book {
-                    true => dest_url.replacen(".md", ".xhtml", 1),
-                    false => dest_url.to_string(),
-                };
-                match is_link {
-                    true => Event::InlineHtml(format!("<a href=\"{to}\">").into()),
-                    // To a file beside the pages; here there is none.
-                    false => continue,
-                }
-            }
-            Event::End(TagEnd::Link) if is_link => Event::InlineHtml("</a>".into()),
-            Event::End(TagEnd::Link) => continue,
-            other => other,
-        });
+        if leads
+            || !matches!(
+                event,
+                Event::Start(Tag::Link { .. }) | Event::End(TagEnd::Link)
+            )
+        {
+            events.push(event);
+        }
     }
     let mut out = String::new();
     push_html(&mut out, events.into_iter());

@@ -19,14 +19,6 @@ pub struct Formulas {
     known: HashMap<(String, Style), String>,
 }
 
-impl std::fmt::Debug for Formulas {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Formulas")
-            .field("known", &self.known.len())
-            .finish_non_exhaustive()
-    }
-}
-
 impl Formulas {
     /// HTML and hidden MathML of a formula, or what is wrong with it.
     pub fn set(&mut self, latex: &str, style: Style) -> Result<String, String> {

@@ -1,47 +1,30 @@
 //! What is half-written goes when the command is interrupted.
 
-use std::fs::{File, OpenOptions};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-/// Files and folders that nobody has asked for: a signal removes them, holding the lock to the end, so that no other one begins.
+/// Folders that nobody has asked for: a signal removes them, holding the lock to the end, so that no other one begins.
 static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// Something half-written, beside the place where it will stand; removed unless it gets there.
+/// A folder for what is half-written, beside the place where that will stand; removed with all that is in it.
 #[derive(Debug)]
 pub struct Unfinished(PathBuf);
 
 impl Unfinished {
-    /// A new file in this folder, with the rights that the process gives to new files.
-    pub fn file(folder: &Path) -> io::Result<(Self, File)> {
-        Self::make(folder, ".new", |path| {
-            OpenOptions::new().write(true).create_new(true).open(path)
-        })
-    }
-
     /// A new folder in this one.
-    pub fn folder(folder: &Path) -> io::Result<Self> {
-        Self::make(folder, ".build", |path| std::fs::create_dir(path)).map(|(made, ())| made)
-    }
-
-    fn make<T>(
-        folder: &Path,
-        name: &str,
-        create: impl Fn(&Path) -> io::Result<T>,
-    ) -> io::Result<(Self, T)> {
-        let process = std::process::id();
+    pub fn within(folder: &Path) -> io::Result<Self> {
+        let mut unfinished = unfinished();
         let mut number = 0_u32;
         loop {
-            let path = folder.join(format!("{name}-{process}-{number}"));
-            let mut unfinished = unfinished();
-            match create(&path) {
-                Ok(made) => {
-                    unfinished.push(path.clone());
-                    return Ok((Self(path), made));
-                }
+            let path = folder.join(format!(".new-{}-{number}", std::process::id()));
+            match std::fs::create_dir(&path) {
                 Err(error) if error.kind() == ErrorKind::AlreadyExists => number += 1,
                 Err(error) => return Err(error),
+                Ok(()) => {
+                    unfinished.push(path.clone());
+                    return Ok(Self(path));
+                }
             }
         }
     }
@@ -51,9 +34,24 @@ impl Unfinished {
         &self.0
     }
 
-    /// Takes the place of whatever stands there.
-    pub fn become_file(self, path: &Path) -> io::Result<()> {
-        without_interruption(|| std::fs::rename(&self.0, path))
+    /// Where to write what will [`take`](Self::take) its place: a file or a folder.
+    pub fn new_one(&self) -> PathBuf {
+        self.0.join("new")
+    }
+
+    /// The new one takes the place of whatever stands there.
+    pub fn take(self, place: &Path) -> io::Result<()> {
+        let _held = unfinished();
+        if !place.is_dir() {
+            return std::fs::rename(self.new_one(), place);
+        }
+        // Between the two there is nothing.
+        let old = self.0.join("old");
+        std::fs::rename(place, &old)?;
+        std::fs::rename(self.new_one(), place).inspect_err(|_| {
+            // The error to tell is the first.
+            let _ = std::fs::rename(&old, place);
+        })
     }
 }
 
@@ -65,24 +63,14 @@ impl Drop for Unfinished {
     }
 }
 
-/// No signal is obeyed before this is done.
-pub fn without_interruption<T>(work: impl FnOnce() -> T) -> T {
-    let _held = unfinished();
-    work()
-}
-
 fn unfinished() -> std::sync::MutexGuard<'static, Vec<PathBuf>> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-fn remove(path: &Path) {
-    // Somebody may still be writing into a folder while it is removed.
+fn remove(folder: &Path) {
+    // Somebody may still be writing into it.
     for _ in 0..100 {
-        let removed = match path.is_dir() {
-            true => std::fs::remove_dir_all(path),
-            false => std::fs::remove_file(path),
-        };
-        if removed.is_ok() || !path.exists() {
+        if std::fs::remove_dir_all(folder).is_ok() || !folder.exists() {
             return;
         }
     }

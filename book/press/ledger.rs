@@ -7,7 +7,8 @@ use crate::chapters::CHAPTERS;
 use crate::paths::files_below;
 use crate::{Error, Result};
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
+use std::fmt;
 use std::io::ErrorKind;
 use std::ops::Range;
 use std::path::Path;
@@ -29,8 +30,8 @@ pub struct Claim {
     pub statement: String,
 }
 
-/// What was found when a claim was examined.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+/// What was found when a claim was examined; shown by the words that the register has for it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Verdict {
     /// It holds.
     #[serde(rename = "verified")]
@@ -52,19 +53,13 @@ pub enum Verdict {
     Context,
 }
 
-impl Verdict {
-    /// The word used in `book/claims.toml`.
-    pub fn word(self) -> &'static str {
-        match self {
-            Verdict::Verified => "verified",
-            Verdict::VerifiedWithCondition => "verified with condition",
-            Verdict::Erratum => "erratum",
-            Verdict::Answered => "posed there, answered here",
-            Verdict::OpenQuestion => "open question",
-            Verdict::Context => "context",
-        }
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.serialize(f)
     }
+}
 
+impl Verdict {
     /// Whether a claim of this verdict is computed, or only spoken of.
     pub fn is_computed(self) -> bool {
         !matches!(self, Verdict::OpenQuestion | Verdict::Context)
@@ -78,8 +73,6 @@ pub struct Mark {
     pub claims: Vec<String>,
     /// Line of the opening fence or of the comment, counted from 1.
     pub line: usize,
-    /// Bytes of the code block or of the comment.
-    pub span: Range<usize>,
     /// Whether code proves the claims, or prose speaks of them.
     pub kind: MarkKind,
 }
@@ -151,19 +144,20 @@ impl Ledger {
 
     /// What a claim still lacks of what its verdict asks for: a test and a block, or a mention.
     pub fn missing(&self, claim: &Claim) -> Vec<&'static str> {
-        let mut places = self.in_chapters(&claim.id);
+        let is_tested = self.in_tests(&claim.id).next().is_some();
+        let mut marks = self.in_chapters(&claim.id).map(|(_, mark)| mark);
         let wanted = match claim.verdict.is_computed() {
             true => vec![
-                (self.in_tests(&claim.id).next().is_some(), "a test"),
+                ("a test", is_tested),
                 (
-                    places.any(|(_, mark)| mark.kind == MarkKind::Block),
                     "a block in a chapter",
+                    marks.any(|mark| mark.kind == MarkKind::Block),
                 ),
             ],
-            false => vec![(places.next().is_some(), "a mention in a chapter")],
+            false => vec![("a mention in a chapter", marks.next().is_some())],
         };
-        let missing = wanted.into_iter().filter(|(there, _)| !there);
-        missing.map(|(_, what)| what).collect()
+        let missing = wanted.into_iter().filter(|(_, there)| !there);
+        missing.map(|(what, _)| what).collect()
     }
 }
 
@@ -197,7 +191,7 @@ fn chapter_marks(root: &Path) -> Result<Vec<(&'static str, Mark)>> {
             Err(Error::File { source, .. }) if source.kind() == ErrorKind::NotFound => continue,
             read => read?,
         };
-        all.extend(marks(&source).into_iter().map(|mark| (chapter.name, mark)));
+        all.extend(marks(&source).map(|mark| (chapter.name, mark)));
     }
     Ok(all)
 }
@@ -215,17 +209,14 @@ pub fn markdown_options() -> Options {
         | Options::ENABLE_MATH
 }
 
-/// The marks of a chapter, in its order.
-pub fn marks(source: &str) -> Vec<Mark> {
-    let mark = |(event, span): (Event<'_>, Range<usize>)| {
+impl Mark {
+    /// The mark that stands in this place of a chapter, if there is one.
+    pub fn of(event: &Event<'_>, span: Range<usize>, chapter: &str) -> Option<Self> {
         let (claims, kind) = match event {
-            Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) if is_rust(&info) => {
-                let lines = source[span.clone()].lines();
+            Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) if is_rust(info) => {
+                let lines = chapter[span.clone()].lines();
                 let claims: Vec<_> = lines.filter_map(named_in_rust).flatten().collect();
-                (
-                    Some(claims).filter(|claims| !claims.is_empty())?,
-                    MarkKind::Block,
-                )
+                (claims, MarkKind::Block)
             }
             Event::Html(html) | Event::InlineHtml(html) => {
                 let comment = html.trim().strip_prefix("<!--")?.strip_suffix("-->")?;
@@ -233,15 +224,15 @@ pub fn marks(source: &str) -> Vec<Mark> {
             }
             _ => return None,
         };
-        Some(Mark {
-            claims,
-            line: source[..span.start].matches('\n').count() + 1,
-            span,
-            kind,
-        })
-    };
-    let events = Parser::new_ext(source, markdown_options()).into_offset_iter();
-    events.filter_map(mark).collect()
+        let line = chapter[..span.start].matches('\n').count() + 1;
+        (!claims.is_empty()).then_some(Self { claims, line, kind })
+    }
+}
+
+/// The marks of a chapter, in its order.
+fn marks(chapter: &str) -> impl Iterator<Item = Mark> {
+    let events = Parser::new_ext(chapter, markdown_options()).into_offset_iter();
+    events.filter_map(move |(event, span)| Mark::of(&event, span, chapter))
 }
 
 /// Whether a fence opens a block that `cargo test` runs.
@@ -270,34 +261,25 @@ fn test_uses(root: &Path) -> Result<Vec<TestUse>> {
 
 /// Claims and the functions that name them: the function a mark stands directly above, else the one it stands in.
 fn claims_in_test(source: &str) -> Vec<(String, String)> {
-    let lines: Vec<&str> = source.lines().collect();
-    let mut found = Vec::new();
-    let mut inside = "";
-    for (i, line) in lines.iter().enumerate() {
-        if let Some(name) = function_name(line) {
-            inside = name;
-        }
-        let Some(claims) = named_in_rust(line) else {
+    let (mut found, mut named, mut inside) = (Vec::new(), Vec::new(), "");
+    for line in source.lines().map(str::trim_start) {
+        named.extend(named_in_rust(line).into_iter().flatten());
+        if line.is_empty() || line.starts_with("//") || line.starts_with("#[") {
             continue;
-        };
-        let next = lines[i + 1..].iter().find(|line| {
-            let line = line.trim_start();
-            !(line.is_empty() || line.starts_with("//") || line.starts_with("#["))
-        });
-        let function = next.and_then(|line| function_name(line)).unwrap_or(inside);
-        found.extend(claims.into_iter().map(|id| (id, function.to_owned())));
+        }
+        inside = function_name(line).unwrap_or(inside);
+        let here = named.drain(..).map(|claim| (claim, inside.to_owned()));
+        found.extend(here);
     }
     found
 }
 
 /// `name` of a line such as `fn name(…`.
 fn function_name(line: &str) -> Option<&str> {
-    let line = line.trim_start();
-    let line = line.strip_prefix("pub ").unwrap_or(line);
-    let rest = line.strip_prefix("fn ")?;
-    rest.split(|c: char| !(c.is_alphanumeric() || c == '_'))
-        .next()
-        .filter(|name| !name.is_empty())
+    let rest = line.strip_prefix("pub ").unwrap_or(line);
+    let rest = rest.strip_prefix("fn ")?;
+    let is_letter = |c: char| c.is_alphanumeric() || c == '_';
+    Some(rest.split(|c| !is_letter(c)).next()?).filter(|name| !name.is_empty())
 }
 
 #[cfg(test)]
@@ -307,7 +289,7 @@ mod tests {
     #[test]
     fn marks_of_a_chapter() {
         let source = "# A\n\n<!-- claim: C3.1-1 -->\nProse.\n\n```rust\n# // claim: C2.7-2, C2.7-3\nlet x = 1;\n// claim: C2.1-1\n```\n\n```rust\nlet no = \"claim: C1.1-1\";\n```\n\n```text\n// claim: C9.9-9\n```\n";
-        let found = marks(source);
+        let found: Vec<Mark> = marks(source).collect();
         assert_eq!(found.len(), 2);
         assert_eq!((found[0].line, found[0].kind), (3, MarkKind::Comment));
         assert_eq!(found[0].claims, ["C3.1-1"]);

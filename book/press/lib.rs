@@ -4,20 +4,20 @@
 //! |---|---|
 //! | [`chapters`] | the list of chapters; includes them as doctests |
 //! | [`paths`] | where the workspace is |
-//! | [`writer`] | how anything is written |
-//! | [`interrupt`] | what is half-written goes when a signal ends it |
-//! | [`progress`] | how far a long run is |
+//! | `writer` | how anything is written |
+//! | `interrupt` | what is half-written goes when a signal ends it |
+//! | `progress` | how far a long run is |
 //! | [`drawings`] | draws the figures, writes and compares their files |
 //! | [`pictures`] | figures as PDF and PNG |
-//! | [`formulas`] | LaTeX to HTML, at build time |
-//! | [`pieces`] | what is put into the pages after mdBook wrote them |
-//! | [`typesetter`] | formulas, figures and claim tags of one chapter |
-//! | [`live`] | the numbers of a figure on its page, and the module that draws it there |
+//! | `formulas` | LaTeX to HTML, at build time |
+//! | `pieces` | what is put into the pages after mdBook wrote them |
+//! | `typesetter` | formulas, figures and claim tags of one chapter |
+//! | `live` | the numbers of a figure on its page, and the module that draws it there |
 //! | [`ledger`] | the claims of the tutorial, and where each is computed |
 //! | [`appendix`] | the ledger as a page and as a table |
 //! | [`binding`] | builds the book, whole or not at all |
 //! | [`ebook`] | the book as one file, EPUB or PDF |
-//! | [`watch`] | prints the book again when a file of it is saved |
+//! | `watch` | prints the book again when a file of it is saved |
 //! | [`accuracy`] | every method on every kind of top, timed on this machine |
 //! | [`scenes`] | scene files: read, run, written |
 //! | [`command`] | the command line |
@@ -30,18 +30,18 @@ pub mod command;
 pub mod drawings;
 pub mod ebook;
 pub mod error;
-pub mod formulas;
-pub mod interrupt;
+mod formulas;
+mod interrupt;
 pub mod ledger;
-pub mod live;
+mod live;
 pub mod paths;
 pub mod pictures;
-pub mod pieces;
-pub mod progress;
+mod pieces;
+mod progress;
 pub mod scenes;
-pub mod typesetter;
+mod typesetter;
 mod usage;
-pub mod watch;
-pub mod writer;
+mod watch;
+mod writer;
 
 pub use error::{Error, Result};

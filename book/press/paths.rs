@@ -18,18 +18,16 @@ pub fn workspace_root() -> Result<PathBuf> {
     })
 }
 
-/// Every file in a folder and below, by their names; nothing if there is no such folder.
+/// Every file in a folder and below, by their names; a file is its own, and nothing where there is none.
 pub fn files_below(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut files = Vec::new();
-    if !folder.exists() {
+    if !folder.is_dir() {
+        files.extend(folder.exists().then(|| folder.to_owned()));
         return Ok(files);
     }
     for entry in std::fs::read_dir(folder).map_err(Error::file(folder))? {
         let path = entry.map_err(Error::file(folder))?.path();
-        match path.is_dir() {
-            true => files.extend(files_below(&path)?),
-            false => files.push(path),
-        }
+        files.extend(files_below(&path)?);
     }
     files.sort();
     Ok(files)

@@ -19,9 +19,6 @@ pub enum Form {
 }
 
 impl Form {
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::Svg, Self::Pdf, Self::Png];
-
     /// How the name of such a file ends.
     pub const fn ending(self) -> &'static str {
         match self {
@@ -43,9 +40,9 @@ pub struct Copying {
     pub width: Option<u16>,
 }
 
-impl Copying {
-    /// On light paper, in this form.
-    pub fn of(form: Form) -> Self {
+impl From<Form> for Copying {
+    /// On light paper.
+    fn from(form: Form) -> Self {
         Self {
             form,
             ..Self::default()
@@ -90,15 +87,10 @@ fn converted(svg: &str, form: Form, copying: Copying) -> Result<Vec<u8>> {
     use svg2pdf::usvg::{Options, Tree};
 
     let failed = |told: String| Error::Failed(format!("--as {}: {told}", form.ending()));
+    let paper = copying.look.theme.color(figures::style::Role::Paper);
     // The paper of an SVG is a style of the page that shows it; these need a sheet.
-    let sheet = match copying.look.transparent {
-        true => String::new(),
-        false => {
-            let paper = copying.look.theme.color(figures::style::Role::Paper);
-            format!("</title>\n<rect width=\"100%\" height=\"100%\" fill=\"{paper}\"/>\n")
-        }
-    };
-    let svg = match sheet.is_empty() {
+    let sheet = format!("</title>\n<rect width=\"100%\" height=\"100%\" fill=\"{paper}\"/>\n");
+    let svg = match copying.look.transparent {
         true => svg.to_owned(),
         false => svg.replacen("</title>\n", &sheet, 1),
     };

@@ -7,12 +7,18 @@
 use crate::paths::files_below;
 use crate::{Error, Result};
 use base64::prelude::{BASE64_STANDARD, Engine};
+use regex::{Captures, Regex};
 use sha2::{Digest, Sha256};
 use std::collections::HashMap;
 use std::path::Path;
+use std::sync::LazyLock;
 
 const OPEN: &str = "<span data-piece=\"";
-const CLOSE: &str = "</span>";
+/// A placeholder with its number, and the marks that follow it.
+static PLACEHOLDER: LazyLock<Regex> = LazyLock::new(|| {
+    let pattern = r#"<span data-piece="(\d+)">[^<]*</span>([.,;:!?)’]*)"#;
+    Regex::new(pattern).expect("it is well formed")
+});
 
 /// The pieces of one book.
 #[derive(Debug, Default)]
@@ -29,33 +35,27 @@ impl Pieces {
         if number == html_len {
             self.html.push(html);
         }
-        format!("{OPEN}{number}\">{}{CLOSE}", inert(plain))
+        format!("{OPEN}{number}\">{}</span>", inert(plain))
     }
 
     /// Puts the pieces into a page.
     pub fn fill(&self, page: &str) -> Result<String> {
-        let mut filled = String::with_capacity(2 * page.len());
-        let mut rest = page;
-        while let Some((before, after)) = rest.split_once(OPEN) {
-            filled.push_str(before);
-            let (number, after) = after.split_once("\">").unwrap_or((after, ""));
-            let piece = number.parse().ok().and_then(|n: usize| self.html.get(n));
-            let (Some(piece), Some((_, after))) = (piece, after.split_once(CLOSE)) else {
-                return Err(Error::Failed("a page holds a damaged placeholder".into()));
-            };
-            // A browser breaks a line behind whatever is no text, before a full stop as well.
-            let end = after.find(|next| !".,;:!?)’".contains(next)).unwrap_or(0);
-            if end > 0 && piece.matches("katex-base").count() == 1 {
-                let (mark, after) = after.split_at(end);
-                filled += &format!("<span class=\"unbroken\">{piece}{mark}</span>");
-                rest = after;
-                continue;
+        let piece = |number: &str| self.html.get(number.parse::<usize>().ok()?);
+        let filled = PLACEHOLDER.replace_all(page, |found: &Captures<'_>| {
+            let (_, [number, marks]) = found.extract();
+            match piece(number) {
+                None => found[0].to_owned(),
+                // A browser breaks a line behind whatever is no text, before a full stop as well.
+                Some(piece) if !marks.is_empty() && piece.matches("katex-base").count() == 1 => {
+                    format!("<span class=\"unbroken\">{piece}{marks}</span>")
+                }
+                Some(piece) => format!("{piece}{marks}"),
             }
-            filled.push_str(piece);
-            rest = after;
+        });
+        match filled.contains(OPEN) {
+            true => Err(Error::Failed("a page holds a damaged placeholder".into())),
+            false => Ok(filled.into_owned()),
         }
-        filled.push_str(rest);
-        Ok(filled)
     }
 
     /// Puts the pieces into every page of a folder.

@@ -1,6 +1,5 @@
 //! How far a long run is, told on standard error: by a bar on a terminal, elsewhere by a line now and then.
 
-use std::io::IsTerminal;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
@@ -21,24 +20,21 @@ pub fn watched<T>(how_far: impl Fn() -> (f64, String) + Send, work: impl FnOnce(
     std::thread::scope(|scope| {
         scope.spawn(move || {
             let begin = Instant::now();
-            let terminal = std::io::stderr().is_terminal();
-            let mut bar = None;
+            let bar = ProgressBar::new(PARTS).with_style(style());
             let mut wait = PATIENCE;
             while over.recv_timeout(wait) == Err(RecvTimeoutError::Timeout) {
                 let (part, told) = how_far();
-                if terminal {
-                    let bar = bar.get_or_insert_with(new_bar);
+                // There is no terminal.
+                if bar.is_hidden() {
+                    tell(told);
+                    wait = begin.elapsed();
+                } else {
                     bar.set_position((part.clamp(0.0, 1.0) * PARTS as f64) as u64);
                     bar.set_message(told);
                     wait = TICK;
-                } else {
-                    tell(told);
-                    wait = begin.elapsed();
                 }
             }
-            if let Some(bar) = bar {
-                bar.finish_and_clear();
-            }
+            bar.finish_and_clear();
         });
         let result = work();
         drop(running);
@@ -63,10 +59,7 @@ pub fn counted<T>(parts: usize, what: &str, work: impl FnOnce(&(dyn Fn() + Sync)
 /// Steps of a bar.
 const PARTS: u64 = 1000;
 
-fn new_bar() -> ProgressBar {
-    let bar = ProgressBar::new(PARTS);
-    if let Ok(style) = ProgressStyle::with_template("{bar:32} {msg}") {
-        bar.set_style(style);
-    }
-    bar
+fn style() -> ProgressStyle {
+    let style = ProgressStyle::with_template("{bar:32} {msg}");
+    style.unwrap_or_else(|_| ProgressStyle::default_bar())
 }

@@ -1,22 +1,23 @@
 //! Sets one chapter: formulas, figures and claim tags become HTML or placeholders for it.
 
 use crate::appendix;
-use crate::chapters::Chapter;
+use crate::chapters::{COVER, Chapter};
 use crate::drawings::{Drawing, unknown_figure};
 use crate::formulas::{Formulas, Style};
-use crate::ledger::{Ledger, MarkKind, markdown_options, marks};
+use crate::ledger::{Ledger, Mark, MarkKind, markdown_options};
 use crate::pieces::{Pieces, inert};
 use crate::{Error, Result, live};
-use pulldown_cmark::{Event, Parser, Tag, TagEnd};
+use pulldown_cmark::{Event, Parser, Tag};
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 use std::path::Path;
 
 /// What all chapters share: the drawings and their numbers, the ledger, the pieces.
-#[derive(Debug)]
 pub struct Typesetter<'a> {
+    root: &'a Path,
     drawings: HashMap<&'a str, &'a Drawing>,
-    numbers: HashMap<String, usize>,
+    /// The figures shown so far: the first is Figure 1.
+    shown: Vec<&'static str>,
     ledger: &'a Ledger,
     formulas: Formulas,
     pieces: Pieces,
@@ -32,24 +33,27 @@ pub enum Medium {
     Ebook,
 }
 
-/// The cover may show a figure that belongs to a chapter; there it has no number.
-pub const COVER: &str = "index";
-
 /// What stops a figure that moves: for a finger, a mouse or a key.
 const PAUSE: &str = "<label class=\"pause\"><input type=\"checkbox\"> Pause</label>";
+
+/// The ids of pictures in the gallery.
+const SMALL: &str = "small";
 
 /// What is set, or what is wrong with it.
 type Told<T> = std::result::Result<T, String>;
 
-/// Replacements in a chapter's source.
-type Edits = Vec<(Range<usize>, String)>;
-
 impl<'a> Typesetter<'a> {
     /// A typesetter for one book.
-    pub fn new(drawings: &'a [Drawing], ledger: &'a Ledger, medium: Medium) -> Self {
+    pub fn new(
+        root: &'a Path,
+        drawings: &'a [Drawing],
+        ledger: &'a Ledger,
+        medium: Medium,
+    ) -> Self {
         Typesetter {
+            root,
             drawings: drawings.iter().map(|d| (d.entry.name, d)).collect(),
-            numbers: HashMap::new(),
+            shown: Vec::new(),
             ledger,
             formulas: Formulas::default(),
             pieces: Pieces::default(),
@@ -62,115 +66,102 @@ impl<'a> Typesetter<'a> {
         self.pieces
     }
 
-    /// The chapter as mdBook is to read it. `file` is its name in error messages, `folder` where its tables are, `pages` the
-    /// Markdown files of the book. Chapters must come in the order of the book, which numbers the figures.
-    pub fn set(
-        &mut self,
-        file: &str,
-        source: &str,
-        folder: &Path,
-        pages: &HashSet<String>,
-    ) -> Result<String> {
-        let (source, origin) = self.expanded(file, source, folder)?;
-        let fault = |offset: usize, message: String| {
-            let line = source[..offset].matches('\n').count();
-            let line = origin.get(line).copied().unwrap_or(line + 1);
-            Error::Input(format!("book/src/{file}:{line}: {message}"))
+    /// The chapter as mdBook is to read it; `file` is its name in `book/src`. Chapters must come in the order of the book, which numbers the figures.
+    pub fn set(&mut self, file: &str, source: &str) -> Result<String> {
+        let fault = |before: &str, why: String| {
+            let line = before.matches('\n').count() + 1;
+            Error::Input(format!("book/src/{file}:{line}: {why}"))
         };
-
+        let source = self.with_values(source, fault)?;
         let chapter = file.trim_end_matches(".md");
-        let mut edits = self.tags(chapter, &source, &fault)?;
-        let (mut in_heading, mut in_code) = (false, false);
-        let mut done_to = 0;
+        // Where a heading ends, and what is done.
+        let (mut heading, mut done) = (0, 0);
+        let mut seen = HashSet::new();
+        let mut edits: Vec<(Range<usize>, String)> = Vec::new();
         for (event, span) in Parser::new_ext(&source, markdown_options()).into_offset_iter() {
-            if span.start < done_to {
+            if span.start < done {
                 continue;
+            }
+            let fault = |why| fault(&source[..span.start], why);
+            if let Some(mark) = Mark::of(&event, span.clone(), &source) {
+                let tags = self.tags(chapter, &mark, &mut seen).map_err(fault)?;
+                if !source[..span.start].ends_with('\n') && span.start > 0 {
+                    let why =
+                        "what names claims stands at the left margin, not in a list or a line";
+                    return Err(fault(why.into()));
+                }
+                edits.push(match mark.kind {
+                    // The blank line before lets the tags follow a paragraph directly.
+                    MarkKind::Block => (span.start..span.start, format!("\n{tags}")),
+                    MarkKind::Comment => (span.clone(), tags),
+                });
             }
             let text = &source[span.clone()];
             let told: Told<Option<String>> = match event {
-                Event::Start(Tag::Heading { .. }) | Event::End(TagEnd::Heading(_)) => {
-                    in_heading = matches!(event, Event::Start(_));
+                Event::Start(Tag::Heading { .. }) => {
+                    heading = span.end;
                     Ok(None)
                 }
-                Event::Start(Tag::CodeBlock(_)) | Event::End(TagEnd::CodeBlock) => {
-                    in_code = matches!(event, Event::Start(_));
+                Event::Start(Tag::CodeBlock(_)) => {
+                    done = span.end;
                     Ok(None)
                 }
                 Event::Start(Tag::Paragraph) => self.directive(chapter, text.trim()),
-                Event::InlineMath(latex) | Event::DisplayMath(latex) if in_heading => Err(format!(
-                    "a heading holds the formula ${latex}$; headings have none"
-                )),
+                Event::InlineMath(latex) | Event::DisplayMath(latex) if span.start < heading => {
+                    Err(format!(
+                        "a heading holds the formula ${latex}$; headings have none"
+                    ))
+                }
                 Event::InlineMath(latex) => self.formula(&latex, Style::Inline).map(Some),
                 Event::DisplayMath(latex) => self.formula(&latex, Style::Display).map(Some),
-                Event::Text(_) if !in_code && text.contains("{{") => {
+                Event::Text(_) if text.contains("{{") => {
                     Err("a directive stands on a line of its own, between blank lines".into())
                 }
-                Event::Text(_) if !in_code && text.contains('$') => {
+                Event::Text(_) if text.contains('$') => {
                     Err("a dollar that neither opens nor closes a formula".into())
                 }
                 Event::Start(Tag::Link { dest_url, .. }) => {
                     let page = dest_url.split('#').next().unwrap_or_default();
-                    match page.ends_with(".md") && !pages.contains(page) {
+                    match page.ends_with(".md") && Chapter::of(page).is_none() {
                         true => Err(format!("the link leads to '{page}', which is no chapter")),
                         false => Ok(None),
                     }
                 }
                 _ => Ok(None),
             };
-            if let Some(html) = told.map_err(|why| fault(span.start, why))? {
-                done_to = span.end;
+            if let Some(html) = told.map_err(fault)? {
+                done = span.end;
                 edits.push((span, html));
             }
         }
-        let mut set = apply(&source, edits);
-        if let Some(foot) = Chapter::of(file).and_then(Chapter::foot) {
+        let mut set = edited(&source, edits);
+        if let Some(foot) = Chapter::of(file).and_then(|chapter| chapter.foot(self.root)) {
             set.push_str(&format!("\n{foot}\n"));
         }
         Ok(set)
     }
 
-    /// Expands lines `{{#include tables/NAME.md}}`, generated tables, so that their formulas are set as well, and `{{value FIGURE.NAME}}`,
-    /// a number that the figure computed; for each line of the result, the line of the chapter it comes from. Includes in code are left
-    /// to mdBook.
-    fn expanded(&self, file: &str, source: &str, folder: &Path) -> Result<(String, Vec<usize>)> {
-        let (mut out, mut origin) = (String::with_capacity(source.len()), Vec::new());
-        for (i, line) in source.lines().enumerate() {
-            let fault = |why: String| Error::Input(format!("book/src/{file}:{}: {why}", i + 1));
-            let table = line.strip_prefix("{{#include tables/");
-            let table = table.and_then(|rest| rest.strip_suffix(".md}}"));
-            let text = match table {
-                None => self.with_values(line).map_err(fault)?,
-                Some(name) => {
-                    let path = folder.join("tables").join(format!("{name}.md"));
-                    let told = |error| fault(format!("{}: {error}", path.display()));
-                    std::fs::read_to_string(&path).map_err(told)?
-                }
-            };
-            origin.resize(origin.len() + text.lines().count().max(1), i + 1);
-            out.push_str(text.trim_end_matches('\n'));
-            out.push('\n');
-        }
-        Ok((out, origin))
-    }
-
-    fn with_values(&self, line: &str) -> Told<String> {
-        let mut parts = line.split("{{value ");
+    /// The chapter with numbers that figures computed in place of `{{value FIGURE.NAME}}`.
+    fn with_values(&self, source: &str, fault: impl Fn(&str, String) -> Error) -> Result<String> {
+        let mut parts = source.split("{{value ");
         let mut out = parts.next().unwrap_or_default().to_owned();
         for part in parts {
             let (name, after) = part.split_once("}}").unwrap_or((part, ""));
-            let (figure, key) = name.trim().split_once('.').unwrap_or((name, ""));
-            let values = &self.drawing(figure)?.figure.values;
-            let Some((_, text)) = values.iter().find(|(known, _)| *known == key) else {
-                let known: Vec<_> = values.iter().map(|(known, _)| *known).collect();
-                let known = known.join(", ");
-                return Err(format!(
-                    "figure '{figure}' has no value '{key}': expected one of [{known}]"
-                ));
-            };
-            out.push_str(text);
-            out.push_str(after);
+            out += self.value(name.trim()).map_err(|why| fault(&out, why))?;
+            out += after;
         }
         Ok(out)
+    }
+
+    fn value(&self, name: &str) -> Told<&'a str> {
+        let (figure, key) = name.split_once('.').unwrap_or((name, ""));
+        let values = &self.drawing(figure)?.figure.values;
+        let found = values.iter().find(|(known, _)| *known == key);
+        found.map(|(_, text)| text.as_str()).ok_or_else(|| {
+            let known: Vec<_> = values.iter().map(|(known, _)| *known).collect();
+            let known = known.join(", ");
+            format!("figure '{figure}' has no value '{key}': expected one of [{known}]")
+        })
     }
 
     fn formula(&mut self, latex: &str, style: Style) -> Told<String> {
@@ -197,8 +188,19 @@ impl<'a> Typesetter<'a> {
             ["claims"] => Ok(Some(appendix::page(self.ledger) + "\n")),
             ["figure", name] => self.figure(chapter, name).map(Some),
             ["gallery"] => self.gallery().map(Some),
+            // What code includes is left to mdBook.
+            ["#include", file] if file.starts_with("tables/") => self.table(file).map(Some),
             _ => Ok(None),
         }
+    }
+
+    /// A generated table: its formulas are set as well.
+    fn table(&mut self, file: &str) -> Told<String> {
+        let path = self.root.join("book/src").join(file);
+        let table = std::fs::read_to_string(&path);
+        let table = table.map_err(|error| format!("{}: {error}", path.display()))?;
+        let set = self.set(file, &table).map_err(|error| error.to_string())?;
+        Ok(set.trim_end_matches('\n').to_owned() + "\n")
     }
 
     fn drawing(&self, name: &str) -> Told<&'a Drawing> {
@@ -208,19 +210,19 @@ impl<'a> Typesetter<'a> {
 
     fn figure(&mut self, chapter: &str, name: &str) -> Told<String> {
         let drawing = self.drawing(name)?;
+        let claim = self.caption(&drawing.figure.claim)?;
         if chapter == COVER {
-            let picture = self.picture(drawing, "cover", PAUSE);
-            let claim = self.caption(&drawing.figure.claim)?;
+            let picture = self.picture(drawing, "cover");
             return Ok(format!(
                 "<figure id=\"cover-{name}\">{picture}<figcaption>{claim}</figcaption></figure>\n\n"
             ));
         }
-        let next = self.numbers.len() + 1;
-        if self.numbers.insert(name.to_owned(), next).is_some() {
+        if self.shown.contains(&name) {
             return Err(format!("figure '{name}' is shown a second time"));
         }
-        let picture = self.picture(drawing, "fig", PAUSE);
-        let claim = self.caption(&drawing.figure.claim)?;
+        self.shown.push(drawing.entry.name);
+        let number = self.shown.len();
+        let picture = self.picture(drawing, "fig");
         let details = self.caption(&drawing.figure.details)?;
         let live = match (self.medium, drawing.entry.parameters) {
             (Medium::Ebook, _) | (_, []) => String::new(),
@@ -230,21 +232,21 @@ impl<'a> Typesetter<'a> {
             ),
         };
         Ok(format!(
-            "<figure id=\"fig-{name}\"{live}>{picture}<figcaption><span class=\"figure-number\">Figure {next}.</span> \
+            "<figure id=\"fig-{name}\"{live}>{picture}<figcaption><span class=\"figure-number\">Figure {number}.</span> \
              <strong>{claim}</strong> {details}</figcaption></figure>\n\n"
         ))
     }
 
-    /// A figure without its frame; before one that moves, `pause`. The print page shows all chapters: where a figure is shown again, its ids begin
-    /// otherwise.
-    fn picture(&mut self, Drawing { entry, figure }: &Drawing, ids: &str, pause: &str) -> String {
+    /// A figure without its frame; one that moves can be stopped, but for a small one. The print page shows all chapters: where a figure is shown again,
+    /// its ids begin otherwise.
+    fn picture(&mut self, Drawing { entry, figure }: &Drawing, ids: &str) -> String {
         let name = entry.name;
         let html = match self.medium {
             Medium::Pages => {
                 let [old, new] = ["fig", ids].map(|ids| format!("{ids}-{name}"));
                 let svg = figure.svg().trim_end().replace(&old, &new);
-                match svg.contains("@keyframes") {
-                    true => pause.to_owned() + &svg,
+                match svg.contains("@keyframes") && ids != SMALL {
+                    true => PAUSE.to_owned() + &svg,
                     false => svg,
                 }
             }
@@ -259,16 +261,14 @@ impl<'a> Typesetter<'a> {
     /// Every figure, small: its number, its claim, and the command that draws it.
     fn gallery(&mut self) -> Told<String> {
         let mut out = String::from("<div class=\"gallery\">\n");
-        let numbered = |entry: &figures::Entry| match self.numbers.get(entry.name) {
-            Some(&number) => Ok((number, self.drawing(entry.name)?)),
-            None => Err(format!("figure '{}' is in no chapter", entry.name)),
-        };
-        let shown = figures::all().iter().map(numbered);
-        let mut shown = shown.collect::<Told<Vec<_>>>()?;
-        shown.sort_unstable_by_key(|&(number, _)| number);
-        for (number, drawing) in shown {
-            let (name, chapter) = (drawing.entry.name, drawing.entry.chapter);
-            let picture = self.picture(drawing, "small", "");
+        let idle = |entry: &&figures::Entry| !self.shown.contains(&entry.name);
+        if let Some(idle) = figures::all().iter().find(idle) {
+            return Err(format!("figure '{}' is in no chapter", idle.name));
+        }
+        for (number, name) in (1..).zip(self.shown.clone()) {
+            let drawing = self.drawing(name)?;
+            let chapter = drawing.entry.chapter;
+            let picture = self.picture(drawing, SMALL);
             let claim = self.caption(&drawing.figure.claim)?;
             let keys = drawing.entry.parameters.iter().map(|one| one.key);
             let keys = match keys.collect::<Vec<_>>()[..] {
@@ -297,42 +297,25 @@ impl<'a> Typesetter<'a> {
         Ok(out)
     }
 
-    /// Links to the claims appendix, above each block and in place of each comment that names claims.
-    fn tags(
-        &self,
-        chapter: &str,
-        source: &str,
-        fault: &dyn Fn(usize, String) -> Error,
-    ) -> Result<Edits> {
-        let mut seen = HashSet::new();
-        let mut edits = Edits::new();
-        for mark in marks(source) {
-            let at = mark.span.start;
-            let mut links = Vec::new();
-            for id in &mark.claims {
-                let unknown = || fault(at, format!("'{id}' is no claim of book/claims.toml"));
-                let claim = self.ledger.claim(id).ok_or_else(unknown)?;
-                let anchor = match seen.insert(id.clone()) {
-                    true => format!(" id=\"{}\"", appendix::place_id(chapter, id)),
-                    false => String::new(),
-                };
-                links.push(format!(
-                    "<a class=\"claim-tag\"{anchor} href=\"claims.html#{id}\" title=\"A claim of the tutorial: {}\">{id}</a>",
-                    inert(&claim.title)
-                ));
-            }
-            let tags = format!("<p class=\"claim-tags\">{}</p>\n\n", links.join(" "));
-            if at > 0 && !source[..at].ends_with('\n') {
-                let why = "what names claims stands at the left margin, not in a list or a line";
-                return Err(fault(at, why.into()));
-            }
-            match mark.kind {
-                // The blank line before lets the tags follow a paragraph directly.
-                MarkKind::Block => edits.push((at..at, format!("\n{tags}"))),
-                MarkKind::Comment => edits.push((mark.span, tags)),
-            }
+    /// Links to the claims appendix, for those that a block or a comment names; `seen` are those that the chapter has named already.
+    fn tags(&self, chapter: &str, mark: &Mark, seen: &mut HashSet<String>) -> Told<String> {
+        let mut links = Vec::new();
+        for id in &mark.claims {
+            let unknown = || format!("'{id}' is no claim of book/claims.toml");
+            let claim = self.ledger.claim(id).ok_or_else(unknown)?;
+            let anchor = match seen.insert(id.clone()) {
+                true => format!(" id=\"{}\"", appendix::place_id(chapter, id)),
+                false => String::new(),
+            };
+            links.push(format!(
+                "<a class=\"claim-tag\"{anchor} href=\"claims.html#{id}\" title=\"A claim of the tutorial: {}\">{id}</a>",
+                inert(&claim.title)
+            ));
         }
-        Ok(edits)
+        Ok(format!(
+            "<p class=\"claim-tags\">{}</p>\n\n",
+            links.join(" ")
+        ))
     }
 }
 
@@ -340,26 +323,19 @@ impl<'a> Typesetter<'a> {
 pub fn without_code(chapter: &str) -> String {
     let blocks = Parser::new_ext(chapter, markdown_options()).into_offset_iter();
     let blocks = blocks.filter(|(event, _)| matches!(event, Event::Start(Tag::CodeBlock(_))));
-    apply(
-        chapter,
-        blocks.map(|(_, span)| (span, "\n".into())).collect(),
-    )
+    edited(chapter, blocks.map(|(_, span)| (span, "\n".into())))
 }
 
-fn apply(source: &str, mut edits: Edits) -> String {
-    edits.sort_by_key(|(span, _)| (span.start, span.end));
+/// The text with other words in these places, which come in its order.
+fn edited(source: &str, edits: impl IntoIterator<Item = (Range<usize>, String)>) -> String {
     let mut out = String::with_capacity(2 * source.len());
     let mut at = 0;
     for (span, text) in edits {
-        if span.start < at {
-            continue;
-        }
         out.push_str(&source[at..span.start]);
         out.push_str(&text);
         at = span.end;
     }
-    out.push_str(&source[at..]);
-    out
+    out + &source[at..]
 }
 
 #[cfg(test)]
@@ -379,12 +355,9 @@ mod tests {
             figure: figures::style::figure("cat-animated", 10.0, words, |_| ())
                 .value("tilt", "2.92"),
         };
-        Typesetter::new(&[top], &ledger, Medium::Pages).set(
-            "x.md",
-            source,
-            Path::new("/nowhere"),
-            &HashSet::new(),
-        )
+        let (nowhere, tops) = (Path::new("/nowhere"), [top]);
+        let mut typesetter = Typesetter::new(nowhere, &tops, &ledger, Medium::Pages);
+        typesetter.set("x.md", source)
     }
 
     #[test]

@@ -8,7 +8,7 @@ use spinning_bodies::scene::{Solver, files};
 
 use crate::pictures::Form;
 use crate::scenes::output::Format;
-use crate::scenes::plot::Panel;
+use crate::scenes::plot::{self, Panel};
 use crate::scenes::scan::{Over, Tell};
 
 /// Spinning Bodies, the executable edition: draws the figures and builds the book.
@@ -25,16 +25,10 @@ Without a command it draws every figure, builds the book, and prints where it is
 
 Examples:
   cargo run                              the whole job: figures/svg/*.svg and book/build/index.html
-  cargo run -- figures --list            the names of the figures and their chapters
-  cargo run -- figures --out my-figs     every figure into another folder
-  cargo run -- figures --check           do the committed figures still look the same?
   cargo run -- book --open               builds the book and opens it in the browser
-  cargo run -- book --watch              prints the pages again whenever a chapter is saved
-  cargo run -- sheets --paper letter     things to cut out and to print, at true size
-  cargo run -- scene book/scenes/racket.toml    simulates a scene file; `scene --help` shows one
-  cargo run --release -- accuracy --scene free-top    error against time, on your machine
-  cargo run -- live                      after a change of a figure: what redraws it on its page when a reader moves its numbers
-  cargo run -- claims                    every claim of the tutorial and where it is computed
+  cargo run -- figures --list            the names of the figures and their chapters
+  cargo run -- scene book/scenes/racket.toml    simulates a scene file
+  cargo run -- help scene                what a scene file may say; the other commands have examples, too
   cargo test                             runs every example of the book
 
 Exit status: 0 success, 2 wrong usage or a wrong source (one line says which), 1 anything else.";
@@ -157,29 +151,24 @@ pub struct Figures {
     /// Lists the figures instead of drawing them; of those named, what may be chosen
     #[arg(long, conflicts_with_all = ["out", "check", "set", "data", "theme", "transparent", "form"])]
     pub list: bool,
-    /// Form of the list; as JSON it tells claim and parameters of each, for programs [default: text]
-    #[arg(long, value_parser = ["text", "json"], requires = "list")]
-    pub format: Option<String>,
+    /// Form of the list; as JSON it tells claim and parameters of each, for programs
+    #[arg(long, value_parser = ["text", "json"], default_value = "text", requires = "list")]
+    pub format: String,
     /// Numbers of one figure, other than the book's
-    #[arg(
-        long,
-        value_name = "KEY=VALUE,…",
-        value_delimiter = ',',
-        conflicts_with = "check"
-    )]
+    #[arg(long, value_name = "KEY=VALUE,…", value_delimiter = ',')]
     pub set: Vec<String>,
     /// Writes the numbers that one figure draws, as CSV
-    #[arg(long, value_name = "FILE", conflicts_with = "check")]
+    #[arg(long, value_name = "FILE")]
     pub data: Option<PathBuf>,
-    /// Colours for light paper or dark [default: light]
-    #[arg(long, value_parser = ["light", "dark"], conflicts_with = "check")]
-    pub theme: Option<String>,
+    /// Colours for light paper or dark
+    #[arg(long, value_parser = ["light", "dark"], default_value = "light")]
+    pub theme: String,
     /// Leaves the background transparent
-    #[arg(long, conflicts_with = "check")]
+    #[arg(long)]
     pub transparent: bool,
-    /// Form of the files; all but svg need a build with `--features book/pictures` [default: svg]
-    #[arg(long = "as", value_enum, value_name = "FORM", conflicts_with = "check")]
-    pub form: Option<Form>,
+    /// Form of the files; all but svg need a build with `--features book/pictures`
+    #[arg(long = "as", value_enum, value_name = "FORM", default_value_t)]
+    pub form: Form,
     /// Width of a PDF in points [default: 432], or of a PNG in pixels [default: 1200]
     #[arg(long, value_name = "N", requires = "form", value_parser = clap::value_parser!(u16).range(16..=16384))]
     pub width: Option<u16>,
@@ -187,7 +176,7 @@ pub struct Figures {
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Writes nothing; compares fresh drawings with the files, one canvas unit allowed
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["set", "data", "theme", "transparent", "form"])]
     pub check: bool,
 }
 
@@ -233,7 +222,7 @@ pub struct Scene {
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pub columns: Vec<String>,
     /// Draws a picture instead: a panel for each COLUMN against time, or X:Y for one column against another
-    #[arg(long, value_name = "WHAT,…", value_delimiter = ',', conflicts_with_all = ["columns", "format"])]
+    #[arg(long, value_name = "WHAT,…", value_delimiter = ',', value_parser = plot::panel, conflicts_with_all = ["columns", "format"])]
     pub plot: Vec<Panel>,
     /// Films the moving body instead: one SVG that plays in any browser
     #[arg(long, conflicts_with_all = ["columns", "plot", "format"])]
@@ -244,9 +233,9 @@ pub struct Scene {
     /// Draws N pictures of the moving body into a new folder, at equal steps of time
     #[arg(long, num_args = 2, value_names = ["DIR", "N"], conflicts_with_all = ["columns", "plot", "film", "format", "output"])]
     pub frames: Vec<OsString>,
-    /// Form of these pictures; all but svg need a build with `--features book/pictures` [default: svg]
-    #[arg(long = "as", value_enum, value_name = "FORM", requires = "frames", conflicts_with_all = ["plot", "film"])]
-    pub form: Option<Form>,
+    /// Form of these pictures; all but svg need a build with `--features book/pictures`
+    #[arg(long = "as", value_enum, value_name = "FORM", default_value_t, requires = "frames", conflicts_with_all = ["plot", "film"])]
+    pub form: Form,
     #[command(flatten)]
     pub written: Written,
 }

@@ -4,6 +4,7 @@ use crate::binding::bind;
 use crate::chapters::CHAPTERS;
 use crate::drawings::Drawing;
 use crate::ledger::{is_rust, markdown_options};
+use crate::paths::files_below;
 use crate::writer::{say, tell};
 use crate::{Error, Result};
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
@@ -11,12 +12,9 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant, SystemTime};
 
-/// How often the files are looked at. Where the system tells of changes by itself, editors that write beside and rename, network
-/// folders and virtual machines each need care of their own.
-const PAUSE: Duration = Duration::from_millis(200);
-
-/// Files that have not changed for so long are saved.
-const SETTLED: Duration = Duration::from_millis(40);
+/// How often the files are looked at; what is alike twice is saved. Where the system tells of changes by itself, editors that write beside and
+/// rename, network folders and virtual machines each need care of their own.
+const PAUSE: Duration = Duration::from_millis(120);
 
 /// What pages are made of, and whether it is compiled in, so that only another run has it.
 const SOURCES: [(&str, bool); 10] = [
@@ -41,29 +39,16 @@ pub fn watch(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
     let (mut printed, mut examples) = (files(root), examples_of_all(root)?);
     say("watching; Ctrl-C ends it\n")?;
     loop {
-        std::thread::sleep(PAUSE);
-        let mut now = files(root);
-        // A file may be seen half-saved: empty first, then full.
-        while now != printed {
-            std::thread::sleep(SETTLED);
-            let later = files(root);
-            let settled = later == now;
-            now = later;
-            if settled {
-                break;
-            }
-        }
+        let now = changed(root, &printed);
         let all = now.keys().chain(printed.keys());
         let changed = all.filter(|file| now.get(*file) != printed.get(*file));
         let changed: Vec<PathBuf> = changed.cloned().collect();
         printed = now;
-        let name = |file: &Path| {
+        let name = |file: &PathBuf| {
             let file = file.strip_prefix(root).unwrap_or(file);
             file.display().to_string()
         };
-        let Some(first) = changed.first().map(|file| name(file)) else {
-            continue;
-        };
+        let first = changed.iter().map(name).next().unwrap_or_default();
         let stale = changed.iter().find(|file| is_compiled_in(root, file));
 
         let start = Instant::now();
@@ -100,24 +85,31 @@ fn is_compiled_in(root: &Path, file: &Path) -> bool {
     sources.any(|(source, _)| file.starts_with(root.join(source)))
 }
 
-/// Every file that pages are made of, with its time and length.
-fn files(root: &Path) -> BTreeMap<PathBuf, (SystemTime, u64)> {
-    fn collect(path: PathBuf, found: &mut BTreeMap<PathBuf, (SystemTime, u64)>) {
-        // What is not there, or not any more, is no file.
-        if let Ok(entries) = std::fs::read_dir(&path) {
-            entries
-                .flatten()
-                .for_each(|entry| collect(entry.path(), found));
-        } else if let Ok(data) = path.metadata() {
-            let time = data.modified().unwrap_or(SystemTime::UNIX_EPOCH);
-            found.insert(path, (time, data.len()));
+/// Files with their times and lengths.
+type Files = BTreeMap<PathBuf, (Option<SystemTime>, u64)>;
+
+/// The files, as soon as they are others than these and are saved: one that is may be seen half-written.
+fn changed(root: &Path, printed: &Files) -> Files {
+    let mut before = files(root);
+    loop {
+        std::thread::sleep(PAUSE);
+        let now = files(root);
+        if now == before && now != *printed {
+            return now;
         }
+        before = now;
     }
-    let mut found = BTreeMap::new();
-    for (source, _) in SOURCES {
-        collect(root.join(source), &mut found);
-    }
-    found
+}
+
+/// Every file that pages are made of. What is not there, or not any more, is no file.
+fn files(root: &Path) -> Files {
+    let below = |(source, _): &(&str, bool)| files_below(&root.join(source)).unwrap_or_default();
+    let files = SOURCES.iter().flat_map(below);
+    let files = files.filter_map(|path| {
+        let data = path.metadata().ok()?;
+        Some((path, (data.modified().ok(), data.len())))
+    });
+    files.collect()
 }
 
 /// The Rust blocks of each chapter.

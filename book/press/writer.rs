@@ -35,44 +35,11 @@ impl Target {
     /// # Errors
     /// [`Error::Input`] for a folder, a file in a folder that is not there, and the input itself; [`Error::File`].
     pub fn new(path: Option<&Path>, input: Option<&Path>) -> Result<Self> {
-        let Some(path) = path else {
-            return Ok(Self {
-                name: PathBuf::from("standard output"),
-                place: Place::StandardOutput,
-            });
+        let (name, place) = match path {
+            None => (Path::new("standard output"), Place::StandardOutput),
+            Some(path) => (path, Place::of(path, input)?),
         };
-        let refused = |told: &str| Error::Input(format!("{}: {told}", path.display()));
-        let there = std::fs::metadata(path).ok();
-        let place = match &there {
-            Some(there) if there.is_dir() => {
-                return Err(refused("a file is expected, not a folder"));
-            }
-            Some(there) if is_standard_output(there) => Place::StandardOutput,
-            Some(there) if !there.is_file() => Place::AsItIs,
-            _ => {
-                if there.is_some_and(|there| is_input(path, &there, input)) {
-                    return Err(refused("that is the input; its output needs another name"));
-                }
-                let file = followed(path).map_err(Error::file(path))?;
-                if file.file_name().is_none() {
-                    return Err(refused("a file is expected, not a folder"));
-                }
-                let folder = folder_of(&file);
-                if !folder.is_dir() {
-                    return Err(refused("there is no such folder"));
-                }
-                let (unfinished, new) = Unfinished::file(folder).map_err(Error::file(path))?;
-                if let Ok(there) = std::fs::metadata(&file) {
-                    // What may not be written may not be replaced either.
-                    let writable = OpenOptions::new().write(true).open(&file);
-                    writable.map_err(Error::file(path))?;
-                    let rights = new.set_permissions(there.permissions());
-                    rights.map_err(Error::file(path))?;
-                }
-                Place::Whole(file, unfinished, new)
-            }
-        };
-        let name = path.to_owned();
+        let name = name.to_owned();
         Ok(Self { name, place })
     }
 
@@ -96,7 +63,7 @@ impl Target {
                 opened.and_then(|file| into(file, contents))
             }
             Place::Whole(path, unfinished, file) => {
-                into(file, contents).and_then(|()| unfinished.become_file(&path))
+                into(file, contents).and_then(|()| unfinished.take(&path))
             }
         };
         written.map_err(|error| match error.downcast::<Error>() {
@@ -105,6 +72,43 @@ impl Target {
             Err(error) if error.kind() == ErrorKind::BrokenPipe => Error::OutputClosed,
             Err(error) => Error::file(&self.name)(error),
         })
+    }
+}
+
+impl Place {
+    fn of(path: &Path, input: Option<&Path>) -> Result<Self> {
+        let refused = |told: &str| Err(Error::Input(format!("{}: {told}", path.display())));
+        let there = std::fs::metadata(path).ok();
+        match &there {
+            Some(there) if there.is_dir() => {
+                return refused("a file is expected, not a folder");
+            }
+            Some(there) if is_standard_output(there) => return Ok(Self::StandardOutput),
+            Some(there) if !there.is_file() => return Ok(Self::AsItIs),
+            Some(there) if is_input(path, there, input) => {
+                return refused("that is the input; its output needs another name");
+            }
+            _ => {}
+        }
+        let file = followed(path).map_err(Error::file(path))?;
+        if file.file_name().is_none() {
+            return refused("a file is expected, not a folder");
+        }
+        if !folder_of(&file).is_dir() {
+            return refused("there is no such folder");
+        }
+        let begun = || {
+            let unfinished = Unfinished::within(folder_of(&file))?;
+            let new = File::create(unfinished.new_one())?;
+            if let Some(there) = there {
+                // What may not be written may not be replaced either.
+                OpenOptions::new().write(true).open(&file)?;
+                new.set_permissions(there.permissions())?;
+            }
+            Ok((unfinished, new))
+        };
+        let (unfinished, new) = begun().map_err(Error::file(path))?;
+        Ok(Self::Whole(file, unfinished, new))
     }
 }
 
@@ -148,7 +152,7 @@ pub fn write_if_changed(path: &Path, contents: &[u8]) -> Result<bool> {
 pub fn can_be_written_into(folder: &Path) -> Result<()> {
     let there = folder.ancestors().find(|folder| folder.exists());
     let there = there.filter(|there| *there != Path::new(""));
-    let tried = Unfinished::file(there.unwrap_or(Path::new(".")));
+    let tried = Unfinished::within(there.unwrap_or(Path::new(".")));
     tried.map(drop).map_err(Error::file(folder))
 }
 

@@ -17,7 +17,7 @@ use lab::accuracy::{JudgedScene, Measurement, NAMES, Problem, Trial, candidates,
 use spinning_bodies::scene::Solver;
 
 use crate::progress::watched;
-use crate::scenes::{self, output::Format};
+use crate::scenes::{self, Motion, output::Format};
 use crate::writer::{Target, tell};
 use crate::{Error, Result};
 use patience::PATIENCE;
@@ -159,22 +159,21 @@ const MOST_EVALUATIONS: u64 = 5_000_000;
 /// # Errors
 /// [`Error::Input`] for a file that is no scene, a scene that ends where it begins, or one that cannot be judged.
 pub fn measured(file: &Path, patience: f64, told: impl Fn(f64, String)) -> Result<Report> {
-    let (name, text) = scenes::source(file)?;
-    let (scene, request) = scenes::parse(&name, &text)?;
-    let end = request.times().iter().copied().fold(0.0, f64::max);
+    let motion = Motion::read(file)?;
+    let [_, end] = motion.ends();
+    let refused = |told: String| {
+        let name = &motion.name;
+        Error::Input(format!("{name}: keys `times`, `until` in [run]: {told}"))
+    };
     if end <= 0.0 {
-        return Err(Error::Input(format!(
-            "{name}: keys `times`, `until` in [run]: the last time must be positive for a motion to be measured"
-        )));
+        let told = "the last time must be positive for a motion to be measured";
+        return Err(refused(told.into()));
     }
-    let judged = JudgedScene::new(scene, end);
-    let judged = judged.map_err(|error| {
-        Error::Input(format!(
-            "{name}: keys `times`, `until` in [run]: a run to {end} s cannot be judged: {error}"
-        ))
-    })?;
+    let judged = JudgedScene::new(motion.scene, end);
+    let judged =
+        judged.map_err(|error| refused(format!("a run to {end} s cannot be judged: {error}")))?;
     warn_of_debug();
-    let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+    let stem = scenes::stem(file);
     let solvers: Vec<Solver> = Solver::all().collect();
     let mut swept = Vec::new();
     for (done, &solver) in solvers.iter().enumerate() {

@@ -11,7 +11,7 @@ use super::Swept;
 const PEER: &str = "dop853";
 
 /// The table of a motion: what tells of each method, then the winners, by evaluations where no clock ran; errors below the floor are not known.
-pub fn text(heading: &str, floor: f64, swept: &[Swept]) -> String {
+pub fn text<'a>(heading: &str, floor: f64, swept: &'a [Swept]) -> String {
     let mut text = format!(
         "{heading}\n\n{:>17} {:>10} {:>9} {:>9} {:>11} {:>10} {:>9} {:>9}\n",
         "method", "parameter", "error", "of omega", "evaluations", "steps", "time", "digits/us",
@@ -35,7 +35,13 @@ pub fn text(heading: &str, floor: f64, swept: &[Swept]) -> String {
     }
     text.push('\n');
     let all = || swept.iter().flat_map(|one| &one.rows);
-    let rows: Vec<Row<'_>> = kept(all()).map(ranked_by).collect();
+    let row = |row: &'a Measurement| Row {
+        problem: "",
+        method: &row.method,
+        error: worst(row),
+        price: price(row),
+    };
+    let rows: Vec<Row<'_>> = kept(all()).map(row).collect();
     let unit = match all().any(|row| row.seconds.is_some()) {
         true => duration,
         false => |evaluations: f64| format!("{evaluations} evaluations"),
@@ -55,16 +61,6 @@ pub fn text(heading: &str, floor: f64, swept: &[Swept]) -> String {
         let _ = writeln!(text, "{target:e}: {told}");
     }
     text + "\n"
-}
-
-/// What a run is ranked by.
-fn ranked_by(row: &Measurement) -> Row<'_> {
-    Row {
-        problem: "",
-        method: &row.method,
-        error: worst(row),
-        price: price(row),
-    }
 }
 
 /// The methods that tell their own error.

@@ -1,30 +1,24 @@
 //! A motion as the moving body itself: `--film`, and as stills of it: `--frames`.
 
 use std::f64::consts::FRAC_PI_2;
-use std::ffi::OsString;
-use std::path::{Path, PathBuf};
+use std::ffi::OsStr;
+use std::path::Path;
 
 use figures::film::Film;
 use nalgebra::{UnitQuaternion, Vector3};
 use spinning_bodies::scene::Sight;
 
-use super::output::Motion;
+use super::{Motion, stem};
 use crate::interrupt::Unfinished;
-use crate::pictures::{Copying, Form, file};
+use crate::pictures::{Form, file};
 use crate::progress::counted;
 use crate::writer::{can_be_written_into, folder_of, tell};
 use crate::{Error, Result};
 
 /// The motion at so many equal steps from the first of its times to the last, and the picture of it. The scene tells all of its columns.
-fn filmed<'a>(motion: &'a Motion<'_>, count: usize, speed: f64) -> Result<Film<'a>> {
+fn filmed<'a>(motion: &Motion, title: &'a str, count: usize, speed: f64) -> Result<Film<'a>> {
     let sights = |count: usize| {
-        let [first, last] = motion.ends();
-        let time = |k: usize| match k {
-            0 => first,
-            k if k + 1 == count => last,
-            k => first + (last - first) * (k as f64 / (count - 1) as f64),
-        };
-        let table = motion.table(&(0..count).map(time).collect::<Vec<_>>())?;
+        let table = motion.evenly(count)?;
         let sight = |(time, row): (f64, Vec<f64>)| {
             let sight = motion.scene.sight(&table.columns, &row);
             sight.map(|sight| (time, sight))
@@ -36,9 +30,8 @@ fn filmed<'a>(motion: &'a Motion<'_>, count: usize, speed: f64) -> Result<Film<'
         // The angle is told by its rate only: it is summed up in between.
         shots = turned(sights((count - 1) * BETWEEN + 1)?);
     }
-    let title = Path::new(motion.name).file_stem().unwrap_or_default();
     Ok(Film {
-        title: title.to_str().unwrap_or("motion"),
+        title,
         speed,
         shots,
     })
@@ -77,7 +70,7 @@ const MAY_LAST: [f64; 2] = [1.0, 60.0];
 ///
 /// # Errors
 /// [`Error::Input`] for a single time and for a speed at which the film would be too short or too long; what [`run`](super::run) says.
-pub fn film(motion: &Motion<'_>, speed: Option<f64>) -> Result<Vec<u8>> {
+pub fn film(motion: &Motion, speed: Option<f64>) -> Result<Vec<u8>> {
     let span = motion.span("--film")?;
     let speed = speed.unwrap_or(span / LASTS);
     let seconds = span / speed;
@@ -89,11 +82,12 @@ pub fn film(motion: &Motion<'_>, speed: Option<f64>) -> Result<Vec<u8>> {
             motion.name
         )));
     }
+    let title = &stem(&motion.name);
     // A few of its pictures tell how many there may be.
-    let bytes = filmed(motion, TRIED, speed)?.film(seconds).len();
+    let bytes = filmed(motion, title, TRIED, speed)?.film(seconds).len();
     let room = MOST_BYTES / bytes as f64 * TRIED as f64;
     let count = room.min(PER_SECOND * seconds).max(2.0) as usize;
-    let film = filmed(motion, count, speed)?;
+    let film = filmed(motion, title, count, speed)?;
     let speeds = film.shots.iter().map(|(_, sight)| sight.omega.norm());
     let fastest = speeds.fold(0.0, f64::max);
     let between = fastest * span / (count - 1) as f64;
@@ -109,69 +103,59 @@ pub fn film(motion: &Motion<'_>, speed: Option<f64>) -> Result<Vec<u8>> {
 /// Most stills.
 const MOST_STILLS: usize = 10_000;
 
-/// How many stills go into which folder: `--frames DIR N`.
-#[derive(Debug)]
-pub struct Stills {
-    folder: PathBuf,
-    count: usize,
-}
-
-impl Stills {
-    /// What stands after the option.
-    ///
-    /// # Errors
-    /// [`Error::Input`] for a number that is none, and for a folder that has something in it, or is none.
-    pub fn of(folder_and_count: &[OsString]) -> Result<Option<Self>> {
-        let [folder, count] = folder_and_count else {
-            return Ok(None);
-        };
-        let refused = |told: String| Error::Input(format!("--frames: {told}"));
-        let number = count.to_str().and_then(|count| count.parse().ok());
-        let Some(count) = number.filter(|count| (1..=MOST_STILLS).contains(count)) else {
-            let count = count.display();
-            let told = format!("N is '{count}', expected a whole number from 1 to {MOST_STILLS}");
-            return Err(refused(told));
-        };
-        let folder = PathBuf::from(folder);
-        let empty = std::fs::read_dir(&folder).map(|mut inside| inside.next().is_none());
-        if folder.exists() && !empty.unwrap_or(false) {
-            let folder = folder.display();
-            return Err(refused(format!(
-                "DIR is {folder}, expected an empty folder or a new one"
-            )));
-        }
-        can_be_written_into(folder_of(&folder))?;
-        Ok(Some(Self { folder, count }))
+/// Runs a scene, which tells all of its columns, and draws so many pictures of it into a folder, at equal steps of time: all of the folder is there at
+/// the end, or nothing. What the option says is judged before the scene is read.
+///
+/// # Errors
+/// [`Error::Input`] for a number that is none, and for a folder that has something in it, or is none; [`Error::File`]; as for [`file`](file()) and
+/// [`run`](super::run).
+pub fn stills(
+    folder: &Path,
+    count: &OsStr,
+    form: Form,
+    motion: impl FnOnce() -> Result<Motion>,
+) -> Result<String> {
+    let refused = |told: String| Err(Error::Input(format!("--frames: {told}")));
+    let number = count.to_str().and_then(|count| count.parse().ok());
+    let Some(count) = number.filter(|count| (1..=MOST_STILLS).contains(count)) else {
+        let count = count.display();
+        return refused(format!(
+            "N is '{count}', expected a whole number from 1 to {MOST_STILLS}"
+        ));
+    };
+    let empty = std::fs::read_dir(folder).map(|mut inside| inside.next().is_none());
+    if folder.exists() && !empty.unwrap_or(false) {
+        let folder = folder.display();
+        return refused(format!(
+            "DIR is {folder}, expected an empty folder or a new one"
+        ));
     }
-
-    /// Runs a scene, which tells all of its columns, and draws it at equal steps of time. All of the folder is there at the end, or nothing.
-    ///
-    /// # Errors
-    /// [`Error::File`]; as for [`file`](file()) and [`run`](super::run).
-    pub fn draw(&self, motion: &Motion<'_>, form: Form) -> Result<String> {
-        let Self { folder, count } = self;
-        if *count > 1 {
-            motion.span("--frames")?;
-        }
-        let film = filmed(motion, *count, 1.0)?;
-        let parent = folder_of(folder);
-        std::fs::create_dir_all(parent).map_err(Error::file(parent))?;
-        let beside = Unfinished::folder(parent).map_err(Error::file(parent))?;
-        let copying = Copying::of(form);
-        let digits = count.to_string().len();
-        counted(*count, "stills", |done| {
-            for (k, figure) in film.stills().enumerate() {
-                let name = format!("{:0digits$}.{}", k + 1, form.ending());
-                let path = beside.path().join(name);
-                std::fs::write(&path, file(&figure, copying)?).map_err(Error::file(&path))?;
-                done();
-            }
-            Ok::<_, Error>(())
-        })?;
-        // An empty folder gives way.
-        let _ = std::fs::remove_dir(folder);
-        beside.become_file(folder).map_err(Error::file(folder))?;
-        let stills = if *count == 1 { "still" } else { "stills" };
-        Ok(format!("{count} {stills} in {}\n", folder.display()))
+    let parent = folder_of(folder);
+    can_be_written_into(parent)?;
+    let motion = motion()?;
+    if count > 1 {
+        motion.span("--frames")?;
     }
+    let title = stem(&motion.name);
+    let film = filmed(&motion, &title, count, 1.0)?;
+    std::fs::create_dir_all(parent).map_err(Error::file(parent))?;
+    let beside = Unfinished::within(parent).map_err(Error::file(parent))?;
+    let stills = beside.new_one();
+    std::fs::create_dir(&stills).map_err(Error::file(&stills))?;
+    let digits = count.to_string().len();
+    counted(count, "stills", |done| {
+        for (k, figure) in film.stills().enumerate() {
+            let path = stills.join(format!("{:0digits$}.{}", k + 1, form.ending()));
+            std::fs::write(&path, file(&figure, form.into())?).map_err(Error::file(&path))?;
+            done();
+        }
+        Ok::<_, Error>(())
+    })?;
+    if folder.exists() {
+        // It was empty, and gives way if it is so still.
+        std::fs::remove_dir(folder).map_err(Error::file(folder))?;
+    }
+    beside.take(folder).map_err(Error::file(folder))?;
+    let stills = if count == 1 { "still" } else { "stills" };
+    Ok(format!("{count} {stills} in {}\n", folder.display()))
 }

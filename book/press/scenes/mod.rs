@@ -15,16 +15,155 @@ pub mod plot;
 pub mod prices;
 pub mod scan;
 
-use std::io::Read;
+use std::fs::File;
+use std::io::{Read, read_to_string, stdin};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use lab::general::DifferentialEquations;
-use spinning_bodies::scene::Request;
 use spinning_bodies::scene::files::{self, KeyRow};
 pub use spinning_bodies::scene::{AnyScene, Table};
+use spinning_bodies::scene::{Progress, Reached, Request};
 
+use crate::paths::files_below;
+use crate::progress::watched;
 use crate::{Error, Result};
+
+/// A scene that will be run.
+#[derive(Debug)]
+pub struct Motion {
+    /// The file's name.
+    pub name: String,
+    /// The scene.
+    pub scene: AnyScene,
+    /// What is asked of it.
+    pub request: Request,
+}
+
+impl Motion {
+    /// Of a scene file, `-` being standard input.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for a file that cannot be read; as for [`parse`].
+    pub fn read(path: &Path) -> Result<Self> {
+        let (name, text) = source(path)?;
+        Self::of(&name, &text)
+    }
+
+    /// Of a file of this name with this text.
+    ///
+    /// # Errors
+    /// As for [`parse`].
+    pub fn of(name: &str, text: &str) -> Result<Self> {
+        let (scene, request) = parse(name, text)?;
+        let name = name.to_owned();
+        Ok(Self {
+            name,
+            scene,
+            request,
+        })
+    }
+
+    /// The same with these columns, if there are any, for which an option asks.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for a column that it does not have.
+    pub fn telling<N: AsRef<str>>(mut self, option: &str, columns: &[N]) -> Result<Self> {
+        if !columns.is_empty() {
+            let name = &self.name;
+            let told = |told| Error::Input(format!("{option}: {name} {told}"));
+            self.scene = files::telling(self.scene, columns).map_err(told)?;
+        }
+        Ok(self)
+    }
+
+    /// The same with all of its columns: what a picture of the body is made of.
+    ///
+    /// # Errors
+    /// As for [`telling`](Self::telling).
+    pub fn telling_all(self) -> Result<Self> {
+        let columns = self.scene.columns().iter();
+        let names: Vec<&str> = columns.map(|column| column.name).collect();
+        self.telling("--film", &names)
+    }
+
+    /// The first and the last of the times that are asked for, s.
+    pub fn ends(&self) -> [f64; 2] {
+        let times = self.request.times().iter();
+        let [least, greatest] = [f64::INFINITY, f64::NEG_INFINITY];
+        times.fold([least, greatest], |[low, high], &t| {
+            [low.min(t), high.max(t)]
+        })
+    }
+
+    /// The time from the first to the last, s, for an option that draws what goes on in it.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for a single time.
+    pub fn span(&self, option: &str) -> Result<f64> {
+        let [first, last] = self.ends();
+        if last > first {
+            return Ok(last - first);
+        }
+        let name = &self.name;
+        let told = "key `until` or `times` in [run]: expected times that go on, got one";
+        Err(Error::Input(format!("{option}: {name}: {told}")))
+    }
+
+    /// The motion at these times, s.
+    ///
+    /// # Errors
+    /// As for [`run`].
+    pub fn at(&self, times: &[f64]) -> Result<Table> {
+        run(&self.name, &self.scene, &self.request.of_times(times))
+    }
+
+    /// The same, with a bar for whoever waits.
+    ///
+    /// # Errors
+    /// As for [`run`].
+    pub fn awaited(&self, times: &[f64]) -> Result<Table> {
+        let progress = Progress::default();
+        let request = self.request.of_times(times).watched(&progress);
+        let how_far = || how_far(&progress);
+        watched(how_far, || run(&self.name, &self.scene, &request))
+    }
+
+    /// The motion at so many equal steps from the first of its times to the last, with a bar for whoever waits.
+    ///
+    /// # Errors
+    /// As for [`run`].
+    pub fn evenly(&self, count: usize) -> Result<Table> {
+        let [first, last] = self.ends();
+        let time = |k: usize| match k {
+            0 => first,
+            k if k + 1 == count => last,
+            k => first + (last - first) * (k as f64 / (count - 1) as f64),
+        };
+        self.awaited(&(0..count).map(time).collect::<Vec<_>>())
+    }
+}
+
+/// What a picture of the motion of this file is called: its name without folder and ending.
+pub fn stem(name: impl AsRef<Path>) -> String {
+    let stem = name.as_ref().file_stem().unwrap_or_default();
+    stem.display().to_string()
+}
+
+/// How far a motion has come, for a bar and in words.
+fn how_far(progress: &Progress) -> (f64, String) {
+    let Reached {
+        evaluations,
+        most,
+        time,
+        until,
+    } = progress.reached();
+    let [evaluations, most] = [evaluations, most].map(|count| count as f64 / 1e6);
+    let told = format!(
+        "simulating: t = {time:.4e} of {until:.4e} s, {evaluations:.0} of at most {most:.0} million evaluations"
+    );
+    (time / until, told)
+}
 
 /// Runs a scene, `name` being that of its file. Every number of what it gives back is finite.
 ///
@@ -34,17 +173,16 @@ pub fn run(name: &str, scene: &AnyScene, request: &Request) -> Result<Table> {
     let table = scene
         .simulate(request)
         .map_err(|error| told(name, request.times(), error))?;
-    let not_finite = table.rows().find_map(|(t, row)| {
-        let mut pairs = table.columns.iter().zip(row);
-        let found = pairs.find(|(_, number)| !number.is_finite());
-        found.map(|(column, number)| (column.name, t, number))
-    });
-    match not_finite {
-        None => Ok(table),
-        Some((column, t, number)) => Err(Error::Failed(format!(
-            "{name}: `{column}` is {number} at t = {t:?} s: the motion leaves the range of doubles; other units, or an earlier end, may keep it within"
-        ))),
+    for (t, row) in table.rows() {
+        let mut row = table.columns.iter().zip(row);
+        if let Some((column, number)) = row.find(|(_, number)| !number.is_finite()) {
+            let column = column.name;
+            return Err(Error::Failed(format!(
+                "{name}: `{column}` is {number} at t = {t:?} s: the motion leaves the range of doubles; other units, or an earlier end, may keep it within"
+            )));
+        }
     }
+    Ok(table)
 }
 
 /// Reads a scene file, `-` being standard input, runs the scene, and gives what came of it with the seconds it took.
@@ -53,10 +191,9 @@ pub fn run(name: &str, scene: &AnyScene, request: &Request) -> Result<Table> {
 /// [`Error::Scene`] for a file that is not a scene, [`Error::Input`] for a scene that is impossible; [`Error::Failed`] where the motion could not be
 /// followed; [`Error::File`].
 pub fn simulate(path: impl AsRef<Path>) -> Result<(Table, f64)> {
-    let (name, text) = source(path.as_ref())?;
-    let (scene, request) = parse(&name, &text)?;
+    let motion = Motion::read(path.as_ref())?;
     let start = Instant::now();
-    let table = run(&name, &scene, &request)?;
+    let table = run(&motion.name, &motion.scene, &motion.request)?;
     Ok((table, start.elapsed().as_secs_f64()))
 }
 
@@ -71,23 +208,10 @@ pub fn file(root: &Path, name: &Path) -> Option<PathBuf> {
 
 /// What was looked for, for a name that no file has, and what was probably meant: a scene of the book, or one of these other words.
 pub fn not_found(root: &Path, name: &Path, others: &[&str]) -> String {
-    let stem = |path: &Path| {
-        path.file_stem()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned()
-    };
-    let files = std::fs::read_dir(root.join("book/scenes")).into_iter();
-    let stems: Vec<String> = files
-        .flatten()
-        .flatten()
-        .map(|file| stem(&file.path()))
-        .collect();
-    let all = stems
-        .iter()
-        .map(String::as_str)
-        .chain(others.iter().copied());
-    let near = files::meant(&stem(name), all);
+    let files = files_below(&root.join("book/scenes")).unwrap_or_default();
+    let stems: Vec<String> = files.iter().map(stem).collect();
+    let all = stems.iter().map(String::as_str);
+    let near = files::meant(&stem(name), all.chain(others.iter().copied()));
     let name = name.display();
     format!("there is no file '{name}', nor a scene of that name in book/scenes{near}")
 }
@@ -105,14 +229,12 @@ pub fn parse(name: &str, text: &str) -> Result<(AnyScene, Request)> {
 fn beside(name: &str) -> impl Fn(&str) -> std::result::Result<Vec<u8>, String> + use<> {
     let folder = Path::new(name).parent().map(Path::to_owned);
     move |file| {
-        let mut bytes = Vec::new();
         let path = folder.clone().unwrap_or_default().join(file);
-        let opened = std::fs::File::open(path);
-        let read =
-            opened.and_then(|opened| opened.take(MOST_OF_A_MESH + 1).read_to_end(&mut bytes));
-        match read {
+        let mut bytes = Vec::new();
+        let opened = File::open(path).map(|opened| opened.take(MOST_OF_A_MESH + 1));
+        match opened.and_then(|mut opened| opened.read_to_end(&mut bytes)) {
             Err(error) => Err(error.to_string()),
-            Ok(_) if bytes.len() as u64 > MOST_OF_A_MESH => Err(format!(
+            Ok(size) if size as u64 > MOST_OF_A_MESH => Err(format!(
                 "a mesh has at most {MOST_OF_A_MESH} bytes, this one has more"
             )),
             Ok(_) => Ok(bytes),
@@ -120,8 +242,9 @@ fn beside(name: &str) -> impl Fn(&str) -> std::result::Result<Vec<u8>, String> +
     }
 }
 
-/// Most bytes of a file that a scene file names.
+/// Most bytes of a file that a scene file names, and of a scene file.
 const MOST_OF_A_MESH: u64 = 200_000_000;
+const MOST_BYTES: u64 = 4_000_000;
 
 /// Keys as a table of Markdown, `of` being what its first column is: the table of the file, or the shape.
 pub fn key_table(of: &str, keys: &[KeyRow]) -> String {
@@ -156,16 +279,16 @@ pub fn keys(kind: &str) -> Result<String> {
     }
 }
 
-/// Most bytes of a scene file.
-const MOST_BYTES: u64 = 4_000_000;
-
+/// The name of a file, `-` being standard input, and its text.
 pub(crate) fn source(path: &Path) -> Result<(String, String)> {
+    // A little more of it than a scene file may have.
+    let text = |from: &mut dyn Read| read_to_string(from.take(MOST_BYTES + 1));
     let (name, read) = match path == Path::new("-") {
-        true => ("standard input".to_owned(), text_of(std::io::stdin())),
-        false => (
-            path.display().to_string(),
-            std::fs::File::open(path).and_then(text_of),
-        ),
+        true => ("standard input".to_owned(), text(&mut stdin())),
+        false => {
+            let read = File::open(path).and_then(|mut file| text(&mut file));
+            (path.display().to_string(), read)
+        }
     };
     match read {
         Ok(text) if text.len() as u64 > MOST_BYTES => Err(Error::Input(format!(
@@ -178,34 +301,27 @@ pub(crate) fn source(path: &Path) -> Result<(String, String)> {
     }
 }
 
-/// The text, or a little more of it than a scene file may have.
-fn text_of(from: impl Read) -> std::io::Result<String> {
-    let mut text = String::new();
-    from.take(MOST_BYTES + 1).read_to_string(&mut text)?;
-    Ok(text)
-}
-
 /// The file asks for something impossible, or the motion could not be followed: two exit statuses.
 fn told(name: &str, times: &[f64], error: spinning_bodies::Error) -> Error {
     use spinning_bodies::Error as Refusal;
+    let wrong = |told: String| Error::Input(format!("{name}: {told}"));
+    let failed = |more: &str| Error::Failed(format!("{name}: {error}{more}"));
     match error {
         // The numbers of a file are finite, so it is one of their products or powers.
-        Refusal::NotFinite { .. } => Error::Failed(format!(
-            "{name}: {error}: with numbers of this size it is beyond what doubles hold"
-        )),
+        Refusal::NotFinite { .. } => {
+            failed(": with numbers of this size it is beyond what doubles hold")
+        }
         Refusal::OutOfRange { value, .. } if times.contains(&value) => {
-            Error::Input(format!("{name}: keys `times`, `until` in [run]: {error}"))
+            wrong(format!("keys `times`, `until` in [run]: {error}"))
         }
         Refusal::Integration { .. }
         | Refusal::Budget { .. }
         | Refusal::Ledger { .. }
-        | Refusal::Amplified { .. } => Error::Failed(format!("{name}: {error}")),
-        Refusal::Accuracy { .. } => Error::Failed(format!(
-            "{name}: {error}; ask for less by `accuracy` in [run], or for a shorter time"
-        )),
-        Refusal::Solver { condition } => {
-            Error::Input(format!("{name}: key `solver` in [run]: {condition}"))
+        | Refusal::Amplified { .. } => failed(""),
+        Refusal::Accuracy { .. } => {
+            failed("; ask for less by `accuracy` in [run], or for a shorter time")
         }
-        other => Error::Input(format!("{name}: {other}")),
+        Refusal::Solver { condition } => wrong(format!("key `solver` in [run]: {condition}")),
+        _ => wrong(error.to_string()),
     }
 }

@@ -2,12 +2,13 @@
 
 use std::path::Path;
 
+use figures::Figure;
 use figures::own::{Quantity, diagram};
 
 use spinning_bodies::scene::Column;
 
-use super::output::Motion;
-use crate::pictures::{Copying, Form, file};
+use super::{Motion, stem};
+use crate::pictures::Form;
 use crate::{Error, Result};
 
 /// More rows than a picture can show.
@@ -16,37 +17,25 @@ const MOST: usize = 100_000;
 /// So many rows make a smooth line: a scene that asks for fewer is drawn at as many, evenly from its first time to its last.
 const SMOOTH: usize = 2001;
 
-/// What is drawn in a panel: `COLUMN` against time, or `X:Y`, the second against the first.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Panel {
-    across: String,
-    up: String,
-}
+/// What is drawn in a panel: the second column against the first, `t` being the time.
+pub type Panel = [String; 2];
 
-impl std::str::FromStr for Panel {
-    type Err = String;
-
-    fn from_str(text: &str) -> std::result::Result<Self, String> {
-        let (across, up) = text.split_once(':').unwrap_or(("t", text));
-        if across.is_empty() || up.is_empty() || up.contains(':') {
-            return Err("expected COLUMN, or X:Y for one against another".into());
-        }
-        Ok(Self {
-            across: across.into(),
-            up: up.into(),
-        })
+/// `COLUMN` against time, or `X:Y`, the second against the first.
+///
+/// # Errors
+/// What is expected.
+pub fn panel(text: &str) -> std::result::Result<Panel, String> {
+    let (across, up) = text.split_once(':').unwrap_or(("t", text));
+    if across.is_empty() || up.is_empty() || up.contains(':') {
+        return Err("expected COLUMN, or X:Y for one against another".into());
     }
+    Ok([across, up].map(str::to_owned))
 }
 
 /// The columns that the panels need.
-pub fn columns(panels: &[Panel]) -> Vec<String> {
-    let mut names: Vec<String> = Vec::new();
-    for name in panels.iter().flat_map(|panel| [&panel.across, &panel.up]) {
-        if name != "t" && !names.contains(name) {
-            names.push(name.clone());
-        }
-    }
-    names
+pub fn columns(panels: &[Panel]) -> Vec<&str> {
+    let names = panels.iter().flatten().map(String::as_str);
+    names.filter(|name| *name != "t").collect()
 }
 
 /// The form of the picture, of these, that a file's name ends with; the first on the standard output.
@@ -72,7 +61,7 @@ pub fn form(output: Option<&Path>, forms: &[Form]) -> Result<Form> {
 ///
 /// # Errors
 /// [`Error::Input`] for more rows than can be drawn; what [`run`](super::run) says.
-pub fn plot(motion: &Motion<'_>, panels: &[Panel], form: Form) -> Result<Vec<u8>> {
+pub fn plot(motion: &Motion, panels: &[Panel]) -> Result<Figure> {
     let rows = motion.request.times().len();
     if rows > MOST {
         return Err(Error::Input(format!(
@@ -80,14 +69,10 @@ pub fn plot(motion: &Motion<'_>, panels: &[Panel], form: Form) -> Result<Vec<u8>
             motion.name
         )));
     }
-    let span = motion.span("--plot")?;
+    motion.span("--plot")?;
     let table = match rows < SMOOTH {
-        true => {
-            let share = |k: usize| k as f64 / (SMOOTH - 1) as f64;
-            let times = (0..SMOOTH).map(|k| motion.ends()[0] + share(k) * span);
-            motion.table(&times.collect::<Vec<_>>())?
-        }
-        false => motion.table(motion.request.times())?,
+        true => motion.evenly(SMOOTH)?,
+        false => motion.awaited(motion.request.times())?,
     };
     let quantity = |name: &str| {
         let place = table.columns.iter().position(|column| column.name == name);
@@ -97,11 +82,9 @@ pub fn plot(motion: &Motion<'_>, panels: &[Panel], form: Form) -> Result<Vec<u8>
     };
     let pairs = panels
         .iter()
-        .map(|panel| [quantity(&panel.across), quantity(&panel.up)]);
-    let title = Path::new(motion.name).file_stem().unwrap_or_default();
-    let title = format!("The motion of {}", title.display());
-    let figure = diagram(&title, &pairs.collect::<Vec<_>>());
-    file(&figure, Copying::of(form))
+        .map(|panel| panel.each_ref().map(|name| quantity(name)));
+    let title = format!("The motion of {}", stem(&motion.name));
+    Ok(diagram(&title, &pairs.collect::<Vec<_>>()))
 }
 
 /// The values of a column as they are drawn; of none, times.

@@ -8,12 +8,12 @@ use std::str::FromStr;
 use figures::Figure;
 use figures::own::{Quantity, diagram, map};
 use rayon::prelude::*;
-use serde_json::{Value as Json, json};
-use spinning_bodies::scene::{AnyScene, Column, Request, files};
+use serde_json::{Map, Value as Json, json};
+use spinning_bodies::scene::{Column, files};
 
 use super::output::Format;
 use super::plot::quantity;
-use super::{parse, source};
+use super::{Motion, source, stem};
 use crate::writer::tell;
 use crate::{Error, Result};
 
@@ -35,44 +35,25 @@ impl FromStr for Over {
     type Err = String;
 
     fn from_str(text: &str) -> std::result::Result<Self, String> {
-        let refused = |told: &str| format!("`{text}` {told}");
-        let expected = || {
-            refused(
+        let refused = |told: &str| Err(format!("`{text}` {told}"));
+        let Some(over) = Self::read(text).filter(|over| (1..=MOST).contains(&over.count)) else {
+            return refused(
                 "should look like initial.omega.2=50..200:16, a number of the file, its range, and how many values; :log behind it for equal ratios, KEY=FROM..TO,KEY=FROM..TO:16 for numbers that vary together",
-            )
+            );
         };
-        let (rest, logarithmic) = match text.strip_suffix(":log") {
-            Some(rest) => (rest, true),
-            None => (text, false),
-        };
-        let (rest, count) = rest.rsplit_once(':').ok_or_else(expected)?;
-        let number = |text: &str| text.trim().parse::<f64>().ok().filter(|n| n.is_finite());
-        let range = |text: &str| {
-            let (path, range) = text.split_once('=')?;
-            let (from, to) = range.split_once("..")?;
-            // Three dots: one may be a decimal point, and nobody can tell which.
-            let path = Some(path.trim()).filter(|path| !path.is_empty() && !to.starts_with('.'))?;
-            Some((path.to_owned(), number(from)?, number(to)?))
-        };
-        let ranges: Option<Vec<_>> = rest.split(',').map(range).collect();
-        let over = Self {
-            ranges: ranges.ok_or_else(expected)?,
-            count: count.trim().parse().map_err(|_| expected())?,
-            logarithmic,
-        };
-        if !(1..=MOST).contains(&over.count) {
-            return Err(expected());
-        }
         if over.count == 1 && over.ranges.iter().any(|(_, from, to)| from != to) {
-            return Err(refused("asks for one value of a range of many"));
+            return refused("asks for one value of a range of many");
         }
-        if logarithmic && !over.ranges.iter().all(same_sign) {
-            return Err(refused(
-                "asks for equal ratios: both ends must be positive, or both negative",
-            ));
+        if over.logarithmic && !over.ranges.iter().all(same_sign) {
+            return refused("asks for equal ratios: both ends must be positive, or both negative");
         }
         Ok(over)
     }
+}
+
+/// A number that stands in an option.
+fn finite(text: &str) -> Option<f64> {
+    text.parse().ok().filter(|number: &f64| number.is_finite())
 }
 
 /// To fifteen digits: a tenth is 0.1 then, not an ulp less.
@@ -86,12 +67,32 @@ fn same_sign(&(_, from, to): &(String, f64, f64)) -> bool {
 }
 
 impl Over {
+    fn read(text: &str) -> Option<Self> {
+        let (rest, logarithmic) = match text.strip_suffix(":log") {
+            Some(rest) => (rest, true),
+            None => (text, false),
+        };
+        let (rest, count) = rest.rsplit_once(':')?;
+        let range = |text: &str| {
+            let (path, range) = text.split_once('=')?;
+            let (from, to) = range.split_once("..")?;
+            // Three dots: one may be a decimal point, and nobody can tell which.
+            let path = Some(path.trim()).filter(|path| !path.is_empty() && !to.starts_with('.'))?;
+            Some((path.to_owned(), finite(from.trim())?, finite(to.trim())?))
+        };
+        Some(Self {
+            ranges: rest.split(',').map(range).collect::<Option<_>>()?,
+            count: count.trim().parse().ok()?,
+            logarithmic,
+        })
+    }
+
     fn paths(&self) -> impl Iterator<Item = &str> {
         self.ranges.iter().map(|(path, ..)| path.as_str())
     }
 
     /// The values at a place of the grid; the ends are met exactly.
-    fn values(&self, place: usize) -> impl Iterator<Item = (&str, f64)> {
+    fn values(&self, place: usize) -> impl Iterator<Item = f64> {
         let part = place as f64 / (self.count - 1).max(1) as f64;
         let value = move |from: f64, to: f64| match part {
             0.0 => from,
@@ -101,7 +102,7 @@ impl Over {
             _ => from * (1.0 - part) + to * part,
         };
         let ranges = self.ranges.iter();
-        ranges.map(move |(path, from, to)| (path.as_str(), value(*from, *to)))
+        ranges.map(move |(_, from, to)| value(*from, *to))
     }
 }
 
@@ -122,38 +123,38 @@ enum What {
     Crossing(f64),
 }
 
+impl Tell {
+    fn last(column: &str) -> Self {
+        Self {
+            column: column.to_owned(),
+            what: What::Last,
+        }
+    }
+
+    fn read(text: &str) -> Option<Self> {
+        let (what, column) = text.split_once(':').unwrap_or(("last", text));
+        let (column, what) = match (what, column.split_once('=')) {
+            ("first", None) => (column, What::First),
+            ("last", None) => (column, What::Last),
+            ("least", None) => (column, What::Least),
+            ("greatest", None) => (column, What::Greatest),
+            ("crossing", Some((column, level))) => (column, What::Crossing(finite(level)?)),
+            _ => return None,
+        };
+        let column = column.to_owned();
+        (!column.is_empty()).then_some(Self { column, what })
+    }
+}
+
 impl FromStr for Tell {
     type Err = String;
 
     fn from_str(text: &str) -> std::result::Result<Self, String> {
-        let expected = || {
+        Self::read(text).ok_or_else(|| {
             format!(
                 "`{text}` should be a column, or first:, last:, least:, greatest: and a column, or crossing:COLUMN=LEVEL for the time when it is there"
             )
-        };
-        let (what, column) = text.split_once(':').unwrap_or(("last", text));
-        let (column, level) = match column.split_once('=') {
-            Some((column, level)) => (column, Some(level)),
-            None => (column, None),
-        };
-        let what = match (what, level) {
-            ("first", None) => What::First,
-            ("last", None) => What::Last,
-            ("least", None) => What::Least,
-            ("greatest", None) => What::Greatest,
-            ("crossing", Some(level)) => {
-                let level = level.parse::<f64>().ok().filter(|level| level.is_finite());
-                What::Crossing(level.ok_or_else(expected)?)
-            }
-            _ => return Err(expected()),
-        };
-        match column {
-            "" => Err(expected()),
-            _ => Ok(Self {
-                column: column.to_owned(),
-                what,
-            }),
-        }
+        })
     }
 }
 
@@ -176,9 +177,9 @@ pub struct Scan {
     name: String,
     text: String,
     overs: Vec<Over>,
-    /// Nothing: the last row.
-    tells: Vec<Tell>,
-    /// The columns that are told.
+    /// What is told of a motion, and of which place in a row that begins with the time.
+    tells: Vec<(usize, Tell)>,
+    /// The columns of a row after the time.
     columns: Vec<Column>,
 }
 
@@ -186,37 +187,40 @@ pub struct Scan {
 type Outcome = Result<Vec<Option<f64>>>;
 
 /// The varied numbers of a point, and what came of them.
-type Point<'a> = (Vec<(&'a str, f64)>, Outcome);
+type Point = (Vec<f64>, Outcome);
 
 impl Scan {
-    /// The scan of a file.
+    /// The scan of a file; without anything to tell, of the last row of each motion.
     ///
     /// # Errors
     /// [`Error::Input`] for a file that is not a scene, a number or a column that it does not have, a number that is to be varied twice, and more than a
     /// million points.
     pub fn new(path: &Path, overs: Vec<Over>, tells: Vec<Tell>) -> Result<Self> {
         let (name, text) = source(path)?;
-        let (scene, _) = parse(&name, &text)?;
+        let motion = Motion::of(&name, &text)?;
+        let refused = |told: String| Err(Error::Input(format!("{name}: {told}")));
         let all: Vec<&str> = overs.iter().flat_map(Over::paths).collect();
         for (place, path) in all.iter().enumerate() {
             set(&name, &text, path, 0.0)?;
             if all[..place].contains(path) {
-                let told = format!("{name}: `{path}` stands twice after --over");
-                return Err(Error::Input(told));
+                return refused(format!("`{path}` stands twice after --over"));
             }
         }
         let counts = overs.iter().map(|over| over.count);
         if counts.fold(1_usize, usize::saturating_mul) > MOST {
-            let told = format!("{name}: a scan has at most {MOST} points");
-            return Err(Error::Input(told));
+            return refused(format!("a scan has at most {MOST} points"));
         }
         let named: Vec<&str> = tells.iter().map(|tell| tell.column.as_str()).collect();
-        let scene = match named.is_empty() {
-            true => scene,
-            false => files::telling(scene, &named)
-                .map_err(|told| Error::Input(format!("--tell, --plot: {name} {told}")))?,
+        let motion = motion.telling("--tell, --plot", &named)?;
+        let columns: Vec<Column> = motion.scene.told().collect();
+        let tells = match tells.is_empty() {
+            true => {
+                let names = columns.iter().map(|column| column.name);
+                let all = std::iter::once("t").chain(names);
+                all.map(Tell::last).enumerate().collect()
+            }
+            false => (1..).zip(tells).collect(),
         };
-        let columns = scene.told().collect();
         Ok(Self {
             name,
             text,
@@ -232,7 +236,7 @@ impl Scan {
     }
 
     /// The varied numbers of a point; those named last run fastest.
-    fn varied(&self, mut point: usize) -> Vec<(&str, f64)> {
+    fn varied(&self, mut point: usize) -> Vec<f64> {
         let mut varied = Vec::new();
         for over in self.overs.iter().rev() {
             varied.splice(0..0, over.values(point % over.count));
@@ -241,58 +245,47 @@ impl Scan {
         varied
     }
 
-    fn outcome(&self, varied: &[(&str, f64)]) -> Outcome {
+    fn paths(&self) -> impl Iterator<Item = &str> {
+        self.overs.iter().flat_map(Over::paths)
+    }
+
+    fn outcome(&self, varied: &[f64]) -> Outcome {
         let mut text = self.text.clone();
-        for &(path, value) in varied {
+        for (path, &value) in self.paths().zip(varied) {
             text = set(&self.name, &text, path, value)?;
         }
-        let (scene, request) = parse(&self.name, &text)?;
+        let mut motion = Motion::of(&self.name, &text)?;
         let names: Vec<&str> = self.columns.iter().map(|column| column.name).collect();
-        let scene = scene.telling(&names)?;
-        let motion = super::run(&self.name, &scene, &request)?;
-        let mut rows: Vec<(f64, Vec<f64>)> = motion.rows().collect();
-        rows.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let told = |(place, tell): (usize, &Tell)| {
-            let column = || rows.iter().map(|(_, row)| row[place]);
+        motion.scene = motion.scene.telling(&names)?;
+        let table = motion.at(motion.request.times())?;
+        let row = |(t, row): (f64, Vec<f64>)| [vec![t], row].concat();
+        let mut rows: Vec<Vec<f64>> = table.rows().map(row).collect();
+        rows.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let told = |(place, tell): &(usize, Tell)| {
+            let mut numbers = rows.iter().map(|row| row[*place]);
             Ok(match tell.what {
-                What::First => column().next(),
-                What::Last => column().next_back(),
-                What::Least => column().reduce(f64::min),
-                What::Greatest => column().reduce(f64::max),
+                What::First => numbers.next(),
+                What::Last => numbers.next_back(),
+                What::Least => numbers.reduce(f64::min),
+                What::Greatest => numbers.reduce(f64::max),
                 What::Crossing(level) => {
-                    let crossing = Crossing {
-                        name: &self.name,
-                        scene: &scene,
-                        request: &request,
-                        place,
-                        level,
-                    };
-                    let rows: Vec<(f64, f64)> =
-                        rows.iter().map(|(t, row)| (*t, row[place])).collect();
-                    crossing.first(&rows)?
+                    let rows: Vec<_> = rows.iter().map(|row| (row[0], row[*place])).collect();
+                    crossing(&motion, *place, level, &rows)?
                 }
             })
         };
-        if self.tells.is_empty() {
-            let last = rows.pop().map(|(t, row)| std::iter::once(t).chain(row));
-            return Ok(last.into_iter().flatten().map(Some).collect());
-        }
-        self.tells.iter().enumerate().map(told).collect()
+        self.tells.iter().map(told).collect()
     }
 
-    /// The heads of the numbers that are told of a point.
+    /// The heads of all numbers: those of the varied ones, and of what is told.
     fn heads(&self) -> Vec<String> {
-        if self.tells.is_empty() {
-            let time = std::iter::once("t".to_owned());
-            let names = self.columns.iter().map(|column| column.name.to_owned());
-            return time.chain(names).collect();
-        }
-        self.tells.iter().map(Tell::to_string).collect()
+        let told = self.tells.iter().map(|(_, tell)| tell.to_string());
+        self.paths().map(str::to_owned).chain(told).collect()
     }
 
     /// Runs the scene at every point of the grid, on all cores, and tells how that went: whether any point could be run. `done` is called after each.
     /// Warnings go to standard error.
-    fn ran(&self, done: impl Fn() + Sync) -> (Vec<Point<'_>>, Result<()>) {
+    fn ran(&self, done: impl Fn() + Sync) -> (Vec<Point>, Result<()>) {
         self.warn();
         let points = (0..self.points()).into_par_iter().map(|point| {
             let varied = self.varied(point);
@@ -300,11 +293,9 @@ impl Scan {
             done();
             (varied, outcome)
         });
-        let points: Vec<Point<'_>> = points.collect();
-        let refusals = points
-            .iter()
-            .filter_map(|(_, outcome)| outcome.as_ref().err());
-        let refusals: Vec<&Error> = refusals.collect();
+        let points: Vec<Point> = points.collect();
+        let outcomes = points.iter().map(|(_, outcome)| outcome.as_ref());
+        let refusals: Vec<&Error> = outcomes.filter_map(std::result::Result::err).collect();
         let (refused, all) = (refusals.len(), points.len());
         let ran = match refusals[..] {
             [] => Ok(()),
@@ -352,20 +343,18 @@ impl Scan {
         }
         let (points, ran) = self.ran(done);
         ran?;
-        let value = |(_, outcome): &Point<'_>| match outcome.as_deref() {
+        let value = |(_, outcome): &Point| match outcome.as_deref() {
             Ok(&[Some(first), ..]) => first,
             _ => f64::NAN,
         };
         // A crossing is told by its time.
-        let times = |tell: &Tell| matches!(tell.what, What::Crossing(_));
-        let column = match self.tells.iter().any(times) {
-            true => None,
-            false => self.columns.first(),
-        };
+        let (_, tell) = &self.tells[0];
+        let is_time = matches!(tell.what, What::Crossing(_));
+        let column = self.columns.first().filter(|_| !is_time);
         let values = points.iter().map(value).collect();
-        let told = quantity(&self.heads()[0], column, values);
+        let told = quantity(&tell.to_string(), column, values);
         let axis = |over: &Over| {
-            let first = |place: usize| Some(over.values(place).next()?.1);
+            let first = |place: usize| over.values(place).next();
             let name = over.paths().next().unwrap_or_default();
             Quantity {
                 unit: "",
@@ -373,29 +362,24 @@ impl Scan {
                 ..quantity(name, None, (0..over.count).filter_map(first).collect())
             }
         };
-        let title = Path::new(&self.name).file_stem().unwrap_or_default();
-        let title = format!("Many motions of {}", title.display());
+        let title = format!("Many motions of {}", stem(&self.name));
         Ok(match &self.overs[..] {
             [x, y] => map(&title, &[axis(x), axis(y)], &told),
             overs => diagram(&title, &[[axis(&overs[0]), told]]),
         })
     }
 
-    fn csv(&self, points: &[Point<'_>]) -> String {
-        let heads = self.heads();
-        let paths = self.overs.iter().flat_map(Over::paths);
-        let all = paths.chain(heads.iter().map(String::as_str));
-        let mut text = all.chain(["status"]).collect::<Vec<_>>().join(",") + "\n";
+    fn csv(&self, points: &[Point]) -> String {
+        let mut text = self.heads().join(",") + ",status\n";
         for (varied, outcome) in points {
             let (told, status) = match outcome {
                 Ok(told) => (told.clone(), "ok".to_owned()),
                 Err(error) => {
                     let told = error.to_string().replace('"', "\"\"").replace('\n', "; ");
-                    (vec![None; heads.len()], format!("\"{told}\""))
+                    (vec![None; self.tells.len()], format!("\"{told}\""))
                 }
             };
-            let varied = varied.iter().map(|&(_, value)| Some(value));
-            for number in varied.chain(told) {
+            for number in varied.iter().copied().map(Some).chain(told) {
                 text += &number.map_or(String::new(), |number| format!("{number:?}"));
                 text += ",";
             }
@@ -404,58 +388,48 @@ impl Scan {
         text
     }
 
-    fn json(&self, points: &[Point<'_>]) -> String {
+    fn json(&self, points: &[Point]) -> String {
         let heads = self.heads();
-        let (mut rows, mut refused) = (Vec::new(), Vec::new());
+        let mut lines = [Vec::new(), Vec::new()];
         for (varied, outcome) in points {
-            let mut line = serde_json::Map::new();
-            for &(path, value) in varied {
-                line.insert(path.to_owned(), json!(value));
+            let told = outcome.iter().flatten().map(|number| json!(number));
+            let numbers = varied.iter().map(|number| json!(number)).chain(told);
+            let mut line: Map<String, Json> = heads.iter().cloned().zip(numbers).collect();
+            if let Err(error) = outcome {
+                line.insert("reason".to_owned(), json!(error.to_string()));
             }
-            let lines = match outcome {
-                Ok(told) => {
-                    for (head, number) in heads.iter().zip(told) {
-                        line.insert(head.clone(), json!(number));
-                    }
-                    &mut rows
-                }
-                Err(error) => {
-                    line.insert("reason".to_owned(), json!(error.to_string()));
-                    &mut refused
-                }
-            };
-            lines.push(Json::Object(line).to_string());
+            lines[usize::from(outcome.is_err())].push(Json::Object(line).to_string());
         }
-        let list = |lines: Vec<String>| match lines.is_empty() {
+        let [rows, refused] = lines.map(|lines| match lines.is_empty() {
             true => "[]".to_owned(),
             false => format!("[\n    {}\n  ]", lines.join(",\n    ")),
-        };
-        format!(
-            "{{\n  \"rows\": {},\n  \"refused\": {}\n}}\n",
-            list(rows),
-            list(refused)
-        )
+        });
+        format!("{{\n  \"rows\": {rows},\n  \"refused\": {refused}\n}}\n")
     }
 
     /// Says what a reader of the rows must know: the mass alone varies, beside an inertia that is not per mass.
     fn warn(&self) {
-        let is = |path: &str, key: &str| path.split('.').take(2).eq(["body", key]);
-        let varies = |key: &str| {
-            let mut paths = self.overs.iter().flat_map(Over::paths);
-            paths.any(|path| is(path, key))
-        };
+        let varied: Vec<&str> = self.paths().filter_map(key_of_body).collect();
+        if !varied.contains(&"mass") || ABSOLUTE.iter().any(|key| varied.contains(key)) {
+            return;
+        }
         let numbers = files::numbers(&self.text);
-        let there = |key: &&str| numbers.iter().any(|path| is(path, key));
-        let stays = ABSOLUTE.into_iter().find(there);
-        if let (Some(stays), true, false) =
-            (stays, varies("mass"), ABSOLUTE.into_iter().any(varies))
-        {
+        let there: Vec<&str> = numbers
+            .iter()
+            .filter_map(|path| key_of_body(path))
+            .collect();
+        if let Some(stays) = ABSOLUTE.iter().find(|key| there.contains(key)) {
             let name = &self.name;
             tell(format_args!(
                 "warning: {name}: `body.mass` varies and `{stays}` in [body] stays as it is: each row is another body, not the same one made heavier"
             ));
         }
     }
+}
+
+/// The key of the table [body] that a path leads to.
+fn key_of_body(path: &str) -> Option<&str> {
+    path.strip_prefix("body.")?.split('.').next()
 }
 
 /// The keys that say how a body resists being turned, whatever its mass.
@@ -478,67 +452,44 @@ fn set(name: &str, text: &str, path: &str, value: f64) -> Result<String> {
     })
 }
 
-/// The time when a column is first at a level.
-struct Crossing<'a> {
-    name: &'a str,
-    scene: &'a AnyScene,
-    request: &'a Request,
-    /// The column's place in a row.
-    place: usize,
-    level: f64,
-}
-
 /// Between two rows the scene is asked at so many times, and between two of those again, so often; what is left is a straight line.
 const PARTS: usize = 64;
 const ROUNDS: usize = 3;
 
-impl Crossing<'_> {
-    /// Where between two rows it is reached, as a part of the way. A jump over the level, as at a bounce, counts; an angle that goes round is at π and −π at
-    /// once.
-    fn between(&self, a: f64, b: f64) -> Option<f64> {
-        let goes_round = self
-            .scene
-            .told()
-            .nth(self.place)
-            .is_some_and(|column| column.goes_round);
+/// The first of the times at which what stands at this place of a row is at a level; the rows are times and what stands there. A jump over the level,
+/// as at a bounce, counts; an angle that goes round is at π and −π at once.
+fn crossing(motion: &Motion, place: usize, level: f64, rows: &[(f64, f64)]) -> Result<Option<f64>> {
+    let column = motion.scene.told().nth(place - 1);
+    let goes_round = column.is_some_and(|column| column.goes_round);
+    // Where between two rows, as a part of the way.
+    let part = |a: f64, b: f64| {
         let leaps = goes_round && (b - a).abs() > PI;
         let b = if leaps { b - TAU.copysign(b - a) } else { b };
         let levels: &[f64] = if leaps { &[0.0, TAU, -TAU] } else { &[0.0] };
-        let mut levels = levels.iter().map(|turn| self.level + turn);
+        let mut levels = levels.iter().map(|turn| level + turn);
         let level = levels.find(|&level| a <= level && b > level || a >= level && b < level)?;
         Some((level - a) / (b - a))
-    }
-
-    /// The first of the times at which it is there.
-    fn first(&self, rows: &[(f64, f64)]) -> Result<Option<f64>> {
-        let between = |pair: &&[(f64, f64)]| self.between(pair[0].1, pair[1].1).is_some();
-        let Some(mut pair) = rows.windows(2).find(between).map(<[_]>::to_vec) else {
-            // In the only row, or in the last.
-            let there = rows.iter().find(|row| row.1 == self.level);
-            return Ok(there.map(|row| row.0));
-        };
-        for _ in 0..ROUNDS {
-            let [(from, _), (to, _)] = pair[..] else {
-                break;
-            };
-            let at = |k: usize| from + (to - from) * (k as f64 / PARTS as f64);
-            let times: Vec<f64> = (1..PARTS).map(at).collect();
-            let motion = super::run(self.name, self.scene, &self.request.of_times(&times))?;
-            let inner = motion.rows().map(|(t, row)| (t, row[self.place]));
-            let all: Vec<_> = [pair[0]]
-                .into_iter()
-                .chain(inner)
-                .chain([pair[1]])
-                .collect();
-            match all.windows(2).find(between) {
-                Some(closer) => pair = closer.to_vec(),
-                None => break,
-            }
+    };
+    let first = |rows: &[(f64, f64)]| {
+        let mut pairs = rows.windows(2).map(|pair| (pair[0], pair[1]));
+        pairs.find_map(|(from, to)| Some((from, to, part(from.1, to.1)?)))
+    };
+    let Some(mut found) = first(rows) else {
+        // In the only row, or in the last.
+        let there = rows.iter().find(|row| row.1 == level);
+        return Ok(there.map(|row| row.0));
+    };
+    for _ in 0..ROUNDS {
+        let (from, to, _) = found;
+        let at = |k: usize| from.0 + (to.0 - from.0) * (k as f64 / PARTS as f64);
+        let table = motion.at(&(1..PARTS).map(at).collect::<Vec<_>>())?;
+        let inner = table.rows().map(|(t, row)| (t, row[place - 1]));
+        let closer: Vec<_> = [from].into_iter().chain(inner).chain([to]).collect();
+        match first(&closer) {
+            Some(closer) => found = closer,
+            None => break,
         }
-        let [(from, a), (to, b)] = pair[..] else {
-            return Ok(None);
-        };
-        let part = self.between(a, b).unwrap_or(1.0);
-        Ok(Some(from + (to - from) * part))
     }
+    let ((from, _), (to, _), part) = found;
+    Ok(Some(from + (to - from) * part))
 }

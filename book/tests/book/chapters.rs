@@ -102,7 +102,7 @@ fn every_figure_is_shown_once_in_its_chapter() {
             let Some(name) = name.map(str::trim) else {
                 continue;
             };
-            if chapter.name == press::typesetter::COVER {
+            if chapter.name == press::chapters::COVER {
                 let known = figures::all().iter().any(|entry| entry.name == name);
                 assert!(known, "the cover shows {name}, which is no figure");
             } else {
@@ -142,8 +142,8 @@ fn the_foot_of_a_page_names_files_that_exist() {
     let mut named = HashSet::new();
     let mut faults = Vec::new();
     for chapter in CHAPTERS {
-        let foot = chapter.foot().unwrap_or_default();
-        for file in chapter.files() {
+        let foot = chapter.foot(&root).unwrap_or_default();
+        for file in chapter.files(&root) {
             let path = root.join(&file);
             let (folder, name) = (file.ends_with('/'), chapter.name);
             let right = path.exists() && path.is_dir() == folder;
@@ -164,7 +164,7 @@ fn the_foot_of_a_page_names_files_that_exist() {
         let chapter = CHAPTERS
             .iter()
             .find(|chapter| chapter.name == entry.chapter);
-        let mut files = chapter.unwrap().files();
+        let mut files = chapter.unwrap().files(&root).into_iter();
         if !files.any(|file| file.starts_with("figures/src/")) {
             faults.push(format!("no chapter says where '{}' is drawn", entry.name));
         }

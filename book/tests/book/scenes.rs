@@ -5,7 +5,7 @@ use std::path::Path;
 
 use press::chapters::CHAPTERS;
 use press::scenes::prices::PRICED;
-use press::scenes::{output, parse, prices, simulate};
+use press::scenes::{Motion, output, parse, prices, simulate};
 use spinning_bodies::integrators::Method;
 use spinning_bodies::scene::files::{KeyRow, keys};
 use spinning_bodies::scene::{Progress, Solver};
@@ -67,12 +67,7 @@ fn the_columns_of_a_table_are_found_by_name() {
 
 /// What is written of the scene that a text describes.
 fn written(text: &str, format: output::Format) -> String {
-    let (scene, request) = parse("scene", text).unwrap();
-    let motion = output::Motion {
-        name: "scene",
-        scene: &scene,
-        request: &request,
-    };
+    let motion = Motion::of("scene", text).unwrap();
     let mut written = Vec::new();
     format.write(&motion, &mut written).unwrap();
     String::from_utf8(written).unwrap()

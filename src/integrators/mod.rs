@@ -18,6 +18,27 @@ pub use problem::{
 
 use crate::error::Result;
 
+/// Between a number for which a condition holds and one for which it does not: two that are no further apart than `width`, or neighbours, of which the
+/// same is true. By halving.
+pub(crate) fn halved(
+    [mut holds, mut fails]: [f64; 2],
+    width: f64,
+    condition: impl Fn(f64) -> Result<bool>,
+) -> Result<[f64; 2]> {
+    while (fails - holds).abs() > width {
+        let middle = 0.5 * (holds + fails);
+        if middle == holds || middle == fails {
+            break;
+        }
+        if condition(middle)? {
+            holds = middle;
+        } else {
+            fails = middle;
+        }
+    }
+    Ok([holds, fails])
+}
+
 /// States at times in any order, from those that `follow` gives: first of the times before 0, from there backward, then of the others in ascending order.
 pub(crate) fn both_ways<Y: Clone>(
     times: &[f64],

@@ -8,6 +8,7 @@ use super::holonomy::ShapePlane;
 use super::quadrature::periodic;
 use crate::error::{Error, Result, finite, positive, within};
 use crate::frame::{Attitude, BodyVector};
+use crate::integrators::halved;
 use crate::precise::power_of_two_below;
 
 /// One half of a cat: a body of revolution, its spine its axis.
@@ -335,10 +336,7 @@ impl EqualHalves {
     /// ```
     pub fn turn_of_uneven_swing(&self, forward: f64, back: f64) -> Result<f64> {
         let (forward, back) = (bendable(forward)?, bendable(back)?);
-        periodic(
-            |psi| self.turn_back(0.5 * (forward + back) + 0.5 * (forward - back) * psi.cos()),
-            TAU,
-        )
+        periodic(|psi| self.turn_back(0.5 * (forward + back) + 0.5 * (forward - back) * psi.cos()))
     }
 
     /// The bend γ_back, radians, that makes the uneven swing half a turn, or nothing if none does. The turn grows with the bend, so
@@ -359,21 +357,12 @@ impl EqualHalves {
     pub fn back_bend_for_half_turn(&self, forward: f64) -> Result<Option<f64>> {
         let excess =
             |back: f64| Ok::<f64, Error>(self.turn_of_uneven_swing(forward, back)? - 0.5 * TAU);
-        let (mut low, mut high) = (0.0, core::f64::consts::PI);
-        if excess(low)? > 0.0 || excess(high)? < 0.0 {
+        let most = core::f64::consts::PI;
+        if excess(0.0)? > 0.0 || excess(most)? < 0.0 {
             return Ok(None);
         }
-        loop {
-            let middle = 0.5 * (low + high);
-            if middle <= low || middle >= high {
-                return Ok(Some(middle));
-            }
-            if excess(middle)? < 0.0 {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
+        let [less, more] = halved([0.0, most], 0.0, |back| Ok(excess(back)? < 0.0))?;
+        Ok(Some(0.5 * (less + more)))
     }
 }
 

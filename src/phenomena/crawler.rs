@@ -69,29 +69,15 @@ impl Strokes {
         number
     }
 
-    /// The acceleration of the gap in a piece, m/s².
-    fn acceleration(&self, number: u64) -> f64 {
-        match number % 4 {
-            0 => 4.0 * self.length / (self.push * self.push),
-            1 => -4.0 * self.length / (self.push * self.push),
-            2 => -4.0 * self.length / (self.pull * self.pull),
-            _ => 4.0 * self.length / (self.pull * self.pull),
-        }
-    }
-
     /// The gap at a time within the piece of this number.
     pub(crate) fn at(&self, number: u64, time: f64) -> Gap {
         let acceleration = self.acceleration(number);
-        let (since, left) = (
-            time - self.beginning(number),
-            time - self.beginning(number + 1),
-        );
-        // From the end of the piece at which the rate is zero.
-        let (base, elapsed) = match number % 4 {
-            0 => (self.gap, since),
-            1 => (self.gap + self.length, left),
-            2 => (self.gap + self.length, since),
-            _ => (self.gap, left),
+        // From the end of the piece at which the rate is zero: of every other it is the second.
+        let elapsed = time - self.beginning(number + number % 2);
+        let base = if wide(number) {
+            self.gap + self.length
+        } else {
+            self.gap
         };
         Gap {
             gap: base + 0.5 * acceleration * elapsed * elapsed,
@@ -99,6 +85,18 @@ impl Strokes {
             acceleration,
         }
     }
+
+    /// The acceleration of the gap in a piece, m/s².
+    fn acceleration(&self, number: u64) -> f64 {
+        let stroke = if number % 4 < 2 { self.push } else { self.pull };
+        let size = 4.0 * self.length / (stroke * stroke);
+        if wide(number) { -size } else { size }
+    }
+}
+
+/// Whether the gap is at its greatest at an end of this piece.
+fn wide(number: u64) -> bool {
+    matches!(number % 4, 1 | 2)
 }
 
 /// Which way a foot moves.
@@ -183,13 +181,14 @@ impl Crawler {
         self.masses[0] + self.masses[1]
     }
 
-    /// Places of rear and front foot, m.
+    /// The velocity of the centre, m/s, that leaves this foot at rest while the gap opens at this rate; of accelerations the same.
+    pub(crate) fn holding(&self, foot: usize, gap_rate: f64) -> f64 {
+        [self.masses[1], -self.masses[0]][foot] / self.mass() * gap_rate
+    }
+
+    /// Places of rear and front foot, m; of velocities the same.
     pub(crate) fn feet(&self, center: f64, gap: f64) -> [f64; 2] {
-        let [rear, front] = self.masses;
-        [
-            center - front / self.mass() * gap,
-            center + rear / self.mass() * gap,
-        ]
+        [0, 1].map(|foot| center - self.holding(foot, gap))
     }
 
     /// Kinetic energy, J.
@@ -203,52 +202,33 @@ impl Crawler {
     /// `feet` says which feet were slipping so far; `sliding` is μg (m/s²) of a foot that slips, `holding` the same of one at rest: it holds if
     /// the force that this takes is no more than that times its mass, and otherwise sets off against it.
     pub(crate) fn leg(&self, feet: [Foot; 2], gap: &Gap, sliding: f64, holding: f64) -> Leg {
-        let [rear, front] = self.masses;
-        let alpha = gap.acceleration;
-        let feet = match feet {
-            [Foot::Holds, Foot::Holds] => {
-                // The other foot sets off: outward when the gap opens.
-                let outward = [Foot::toward(-alpha), Foot::toward(alpha)];
-                if front * (alpha.abs() + sliding) <= rear * holding {
-                    [Foot::Holds, outward[1]]
-                } else if rear * (alpha.abs() + sliding) <= front * holding {
-                    [outward[0], Foot::Holds]
-                } else {
-                    outward
-                }
+        let (masses, alpha) = (self.masses, gap.acceleration);
+        // With which acceleration each foot sees the other part from it.
+        let parting = [alpha, -alpha];
+        let held = |feet: &[Foot; 2]| feet.iter().position(|&foot| foot == Foot::Holds);
+        let mut feet = feet;
+        if feet == [Foot::Holds; 2] {
+            // One holds and the other sets off, or both do: outward when the gap opens.
+            let strength = alpha.abs() + sliding;
+            let holds = |&foot: &usize| masses[1 - foot] * strength <= masses[foot] * holding;
+            feet = [Foot::toward(-alpha), Foot::toward(alpha)];
+            if let Some(foot) = [0, 1].into_iter().find(holds) {
+                feet[foot] = Foot::Holds;
             }
-            [Foot::Holds, moving] => {
-                let needed = front * (alpha + sliding * moving.sign());
-                if needed.abs() <= rear * holding {
-                    feet
-                } else {
-                    [Foot::toward(-needed), moving]
-                }
+        } else if let Some(foot) = held(&feet) {
+            let other = 1 - foot;
+            let needed = masses[other] * (parting[foot] + sliding * feet[other].sign());
+            if needed.abs() > masses[foot] * holding {
+                feet[foot] = Foot::toward(-needed);
             }
-            [moving, Foot::Holds] => {
-                let needed = rear * (-alpha + sliding * moving.sign());
-                if needed.abs() <= front * holding {
-                    feet
-                } else {
-                    [moving, Foot::toward(-needed)]
-                }
-            }
-            both => both,
-        };
-        let slides = [
-            -sliding * rear * feet[0].sign(),
-            -sliding * front * feet[1].sign(),
-        ];
-        let (center, ground) = match feet {
-            [Foot::Holds, _] => {
-                let center = front / self.mass() * alpha;
-                (center, [front * alpha - slides[1], slides[1]])
-            }
-            [_, Foot::Holds] => {
-                let center = -rear / self.mass() * alpha;
-                (center, [slides[0], -rear * alpha - slides[0]])
-            }
-            _ => ((slides[0] + slides[1]) / self.mass(), slides),
+        }
+        let mut ground = [0, 1].map(|foot| -sliding * masses[foot] * feet[foot].sign());
+        let center = if let Some(foot) = held(&feet) {
+            let other = 1 - foot;
+            ground[foot] = masses[other] * parting[foot] - ground[other];
+            self.holding(foot, alpha)
+        } else {
+            (ground[0] + ground[1]) / self.mass()
         };
         Leg {
             feet,
@@ -303,15 +283,5 @@ impl Crawler {
             heat + self.heating(leg, self.feet(advance, opened)),
             work + self.muscle(leg) * opened,
         ]
-    }
-
-    /// The velocity of the centre that leaves this foot at rest, m/s.
-    pub(crate) fn holding(&self, foot: usize, gap_rate: f64) -> f64 {
-        let [rear, front] = self.masses;
-        if foot == 0 {
-            front / self.mass() * gap_rate
-        } else {
-            -rear / self.mass() * gap_rate
-        }
     }
 }

@@ -1,7 +1,5 @@
 //! The geometric phase: turning by going round a loop of shapes (tutorial 1.1).
 
-use core::f64::consts::TAU;
-
 use super::quadrature::{integral, periodic};
 use crate::error::{Result, finite};
 
@@ -69,7 +67,7 @@ pub fn turn_along(plane: &impl ShapePlane, path: impl Fn(f64) -> Step) -> Result
         let step = path(s);
         -plane.turn_back(step.shape[0]) * step.rate[1]
     };
-    periodic(rate, TAU)
+    periodic(rate)
 }
 
 /// The turn −∬ a′ dx dψ over what a closed smooth path encloses, radians: the same number as [`turn_along`], from the curvature alone.
@@ -106,5 +104,5 @@ pub fn turn_within(plane: &impl ShapePlane, path: impl Fn(f64) -> Step, hub: Hub
             }
         }
     };
-    periodic(ray, TAU)
+    periodic(ray)
 }

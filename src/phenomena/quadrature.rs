@@ -1,5 +1,7 @@
 //! Integrals of smooth functions, to rounding.
 
+use core::f64::consts::TAU;
+
 use crate::error::{Error, Result, finite};
 
 /// ∫ f from `from` to `to`, for a function that is smooth between them.
@@ -28,17 +30,16 @@ pub(crate) fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64, accuracy: f64
     halving.settled([from, to], whole, size * accuracy.max(1e-14), 40)
 }
 
-/// ∮ f(s) ds over one period from 0, for a smooth function of period `period`.
+/// ∮ f(s) ds over one turn, for a smooth function of period 2π.
 ///
 /// The trapezoidal rule, which for such functions gains digits in proportion to its points; doubled until it settles to 1e-15 of the
 /// largest value met. Observed error: 2e-16 of ∮ |f|.
 ///
 /// # Errors
 /// [`Error::NotFinite`]; [`Error::Accuracy`] if 2^16 points do not settle it.
-pub(crate) fn periodic(f: impl Fn(f64) -> f64, period: f64) -> Result<f64> {
-    finite("the period", period)?;
+pub(crate) fn periodic(f: impl Fn(f64) -> f64) -> Result<f64> {
     let mean = |points: u32, shift: f64| -> (f64, f64) {
-        let values = (0..points).map(|k| f(period * (f64::from(k) + shift) / f64::from(points)));
+        let values = (0..points).map(|k| f(TAU * (f64::from(k) + shift) / f64::from(points)));
         let (sum, size) = values.fold((0.0, 0.0_f64), |(sum, size), value| {
             (sum + value, size.max(value.abs()))
         });
@@ -55,7 +56,7 @@ pub(crate) fn periodic(f: impl Fn(f64) -> f64, period: f64) -> Result<f64> {
         finite("an integral over a period", whole)?;
         // The two sums differ by twice the error of the first; the next is nearly the square of it.
         if apart <= 1e-15 * size {
-            return Ok(period * whole);
+            return Ok(TAU * whole);
         }
         points *= 2;
     }
@@ -63,11 +64,6 @@ pub(crate) fn periodic(f: impl Fn(f64) -> f64, period: f64) -> Result<f64> {
         asked: 1e-15,
         reached: apart / size,
     })
-}
-
-/// Gauss and Legendre's sum with 20 points over one interval: the integral, where f has no singularity nearby.
-pub(crate) fn panel(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
-    sums(f, from, to).0
 }
 
 /// The sum over one interval, of f and of |f|, and the greatest |f|.

@@ -309,7 +309,7 @@ impl Playing {
                 let stops = torque.map_or(f64::INFINITY, |torque| toy.inertia() * omega / torque);
                 let duration = self.play.sleep.unwrap_or(0.0).min(stops);
                 lasting(duration, ahead, |t| {
-                    let left = torque.map(|torque| sleeping_spin(&toy, omega, t, torque, 0.0));
+                    let left = torque.map(|torque| sleeping_spin(&toy, omega, t, torque));
                     let left = left.unwrap_or(omega);
                     let mut now = now(0.0, left);
                     lose(

@@ -25,16 +25,9 @@ pub struct YoYo {
     inertia: f64,
     length: f64,
     axle: f64,
-    winding: Winding,
-}
-
-/// How thick the string is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Winding {
-    /// It always leaves at the radius of the axle.
-    Thin,
-    /// It leaves at a radius r(x) with r² = r_w² − q x; q > 0.
-    Thick { wound_squared: f64, slope: f64 },
+    /// The string leaves at a radius r(x) with r² = r_w² − q x: r_w², and q, which is 0 of a thin string.
+    wound_squared: f64,
+    slope: f64,
 }
 
 impl YoYo {
@@ -59,7 +52,8 @@ impl YoYo {
             inertia: positive("the moment of inertia of the yo-yo", inertia)?,
             length,
             axle,
-            winding: Winding::Thin,
+            wound_squared: axle * axle,
+            slope: 0.0,
         })
     }
 
@@ -94,15 +88,8 @@ impl YoYo {
     pub fn wound_to(mut self, radius: f64) -> Result<Self> {
         let most = 0.5 * self.length;
         within("the radius of the wound string", radius, self.axle, most)?;
-        let slope = (radius - self.axle) * (radius + self.axle) / self.length;
-        self.winding = if slope > 0.0 {
-            Winding::Thick {
-                wound_squared: radius * radius,
-                slope,
-            }
-        } else {
-            Winding::Thin
-        };
+        self.wound_squared = radius * radius;
+        self.slope = (radius - self.axle) * (radius + self.axle) / self.length;
         Ok(self)
     }
 
@@ -136,34 +123,19 @@ impl YoYo {
         self.inertia / self.mass
     }
 
-    pub(crate) const fn winding(&self) -> Winding {
-        self.winding
-    }
-
     /// r², m², at a depth between 0 and the length of the string.
     pub(crate) fn radius_squared(&self, depth: f64) -> f64 {
-        match self.winding {
-            Winding::Thin => self.axle * self.axle,
-            // From the nearer end, so that both ends are exact.
-            Winding::Thick {
-                wound_squared,
-                slope,
-            } => {
-                if depth < 0.5 * self.length {
-                    wound_squared - slope * depth
-                } else {
-                    self.axle * self.axle + slope * (self.length - depth)
-                }
-            }
+        // From the nearer end, so that both ends are exact.
+        if depth < 0.5 * self.length {
+            self.wound_squared - self.slope * depth
+        } else {
+            self.axle * self.axle + self.slope * (self.length - depth)
         }
     }
 
     /// −d(r²)/dx, m.
-    pub(crate) fn thinning(&self) -> f64 {
-        match self.winding {
-            Winding::Thin => 0.0,
-            Winding::Thick { slope, .. } => slope,
-        }
+    pub(crate) const fn thinning(&self) -> f64 {
+        self.slope
     }
 
     /// The radius at which the string leaves, m, at a depth between 0 and the length of the string.

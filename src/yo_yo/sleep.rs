@@ -2,36 +2,19 @@
 
 use super::YoYo;
 
-/// Spin, rad/s, `time` seconds after falling asleep with spin `omega`, under a constant torque of the axle's friction (N m) and a torque
-/// c ω² of the air (`air` = c, kg m²): I ω' = −torque − c ω², and zero once it has stopped.
-///
-/// Linear, hyperbolic, or a tangent, by what is zero. No error; not a number if an argument is none. All arguments not negative.
+/// Spin, rad/s, `time` seconds after falling asleep with spin `omega`, under a constant torque of the axle's friction (N m): I ω' = −torque, and zero
+/// once it has stopped.
 ///
 /// ```
 /// use spinning_bodies::yo_yo::{YoYo, sleeping_spin};
 /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
 /// // 3 mN m over 0.3 g m²: 10 rad/s every second.
-/// assert!((sleeping_spin(&toy, 100.0, 1.0, 3e-3, 0.0) - 90.0).abs() < 1e-13);
-/// assert_eq!(sleeping_spin(&toy, 100.0, 11.0, 3e-3, 0.0), 0.0);
+/// assert!((sleeping_spin(&toy, 100.0, 1.0, 3e-3) - 90.0).abs() < 1e-13);
+/// assert_eq!(sleeping_spin(&toy, 100.0, 11.0, 3e-3), 0.0);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
-pub fn sleeping_spin(toy: &YoYo, omega: f64, time: f64, torque: f64, air: f64) -> f64 {
-    let inertia = toy.inertia();
-    if air == 0.0 {
-        return (omega - torque * time / inertia).max(0.0);
-    }
-    if torque == 0.0 {
-        return omega / (1.0 + air * omega * time / inertia);
-    }
-    // tan(a − b) by the tangents of both, so that a small torque does no harm: with s = √(torque·air)/I,
-    // tan(s t) = s t times something near one.
-    let terminal = (torque / air).sqrt();
-    let angle = (torque * air).sqrt() / inertia * time;
-    if angle >= (omega / terminal).atan() {
-        return 0.0;
-    }
-    let tangent = angle.tan();
-    (omega - terminal * tangent) / (1.0 + tangent * (omega / terminal))
+pub fn sleeping_spin(toy: &YoYo, omega: f64, time: f64, torque: f64) -> f64 {
+    (omega - torque * time / toy.inertia()).max(0.0)
 }
 
 /// Spin, rad/s, after a jerk has made the string grip: I ω = (I + m r²)ω'.

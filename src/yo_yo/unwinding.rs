@@ -1,9 +1,8 @@
 //! Down the string and up again.
 
-use super::{Winding, YoYo};
-use crate::elliptic::Parameter;
+use super::YoYo;
+use crate::elliptic::{rd, rf};
 use crate::error::{Error, Result, finite, not_negative, positive, within};
-use crate::phenomena::quadrature;
 
 /// A way down the string, or, run backwards, a way up: from its upper end to the end of the string.
 ///
@@ -12,7 +11,8 @@ use crate::phenomena::quadrature;
 ///
 /// * on a thin string that of a constant acceleration;
 /// * on a thick one √(2(P + ε)/g) [E(φ|m) − E(φ₀|m)], tan²φ = (x + ε)/(p − x), ε = e/g, p and P the depths at which r² and r² + k²
-///   would be zero, m = (p + ε)/(P + ε); the radius that shrinks is an ellipse that straightens;
+///   would be zero, m = (p + ε)/(P + ε); the radius that shrinks is an ellipse that straightens. Here as one integral from x₀ to x by Carlson's
+///   functions (*A table of elliptic integrals of the second kind*, Math. Comp. 49, 1987): all terms are positive, and no difference is taken;
 /// * on a thick one without gravity an inverse hyperbolic sine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unwinding {
@@ -27,110 +27,76 @@ pub struct Unwinding {
 enum Law {
     /// Speed at the upper end, acceleration.
     Uniform { speed: f64, acceleration: f64 },
-    /// √(2(P + ε)/g), and how φ and E grow.
-    Elliptic { scale: f64, arc: Arc },
+    /// From the upper end on.
+    Elliptic(Arc),
     /// √(2e).
     Free { speed: f64 },
 }
 
-/// A stretch of the elliptic integral of the second kind: by how much E(φ|m) grows while φ does, from the upper end on.
+/// The way of a thick string under gravity from its upper end on, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Arc {
-    parameter: Parameter,
-    /// p − top and ε + top: as cos² and sin² of φ at the upper end.
-    left: f64,
+    gravity: f64,
+    /// ε + x₀: from where it would be at rest to the upper end.
     above: f64,
-    /// φ at the upper end, and what it lacks of a quarter turn; by how much φ and E grow to the end of the string.
-    angle: f64,
-    rest: f64,
-    turned: f64,
-    whole: f64,
+    /// p − x₀, to where r² would be zero; and P − p, from there to where r² + k² would be.
+    left: f64,
+    beyond: f64,
 }
 
 impl Arc {
-    fn new(parameter: Parameter, left: f64, above: f64, length: f64) -> Self {
-        let mut arc = Self {
-            parameter,
-            left,
-            above,
-            angle: above.sqrt().atan2(left.sqrt()),
-            rest: left.sqrt().atan2(above.sqrt()),
-            turned: 0.0,
-            whole: 0.0,
-        };
-        arc.turned = arc.turned_at(length);
-        arc.whole = arc.growth(arc.turned);
-        arc
-    }
-
-    /// By how much φ has grown on this way (m): from its sine and cosine, of which all terms have one sign.
-    fn turned_at(&self, way: f64) -> f64 {
+    /// The time of this way, s: ∫ √((P − x)/(2g(x + ε)(p − x))) dx.
+    fn time(&self, way: f64) -> Result<f64> {
         if way == 0.0 {
-            return 0.0;
+            return Ok(0.0);
         }
-        let [sine, cosine] = [way + self.above, (self.left - way).max(0.0)].map(f64::sqrt);
-        let [sine_before, cosine_before] = [self.above, self.left].map(f64::sqrt);
-        let across = way / (sine * cosine_before + cosine * sine_before);
-        let along = (cosine * cosine_before + sine * sine_before) / (self.left + self.above);
-        across.atan2(along)
-    }
-
-    /// The way on which φ grows so much: D(sin²φ − sin²φ₀), and no difference of squares.
-    fn way(&self, turned: f64) -> f64 {
-        // The same sine twice, from the smaller angle.
-        let sum = if self.angle < self.rest {
-            2.0 * self.angle + turned
-        } else {
-            2.0 * self.rest - turned
+        let roots = |way: f64| {
+            let left = (self.left - way).max(0.0);
+            [left, self.above + way, self.beyond + left].map(f64::sqrt)
         };
-        (self.left + self.above) * turned.sin() * sum.sin()
+        let ([a, b, c], [a0, b0, c0]) = (roots(way), roots(0.0));
+        // Over this sum nothing vanishes or overflows where the way is short.
+        let (sum, s) = (b + b0, way / (b + b0));
+        let [x, y, z] = [
+            a * b * c0 + a0 * b0 * c,
+            a * c * b0 + a0 * c0 * b,
+            a * b0 * c0 + a0 * b * c,
+        ]
+        .map(|x| x / sum);
+        let second = (self.left + self.above) / 3.0 * s * s * rd(x * x, y * y, z * z)?;
+        let first = rf(x * x, y * y, z * z)?;
+        let integral = s * (self.beyond * (first + second) + a * a0 / z);
+        Ok(integral * (2.0 / self.gravity).sqrt())
     }
 
-    /// Δ = √(1 − m sin²φ).
-    fn delta(&self, turned: f64) -> f64 {
-        let cosine = (self.rest - turned).sin();
-        let (m, mc) = (self.parameter.m(), self.parameter.mc());
-        m.mul_add(cosine * cosine, mc).sqrt()
-    }
-
-    /// By how much E has grown when φ has: sums with 20 points over stretches no longer than the distance to the next singularity of Δ, on which
-    /// they are exact (their error is 10⁻²⁵). Singularities are where sin²φ = 1/m, asinh √(mc/m) off the real axis at a quarter turn, so a
-    /// stretch can be the longer the earlier it ends.
-    fn growth(&self, turned: f64) -> f64 {
-        let off_axis = (self.parameter.mc() / self.parameter.m()).sqrt().asinh();
-        let (mut sum, mut to) = (0.0, turned);
-        while to > 0.0 {
-            let from = (to - off_axis.hypot(self.rest - to)).max(0.0);
-            sum += quadrature::panel(&|turned| self.delta(turned), from, to);
-            if from == to {
-                break;
-            }
-            to = from;
-        }
-        sum
-    }
-
-    /// By how much φ has grown when E has.
-    fn turned_when(&self, grown: f64) -> f64 {
-        // Δ falls, so Newton's steps come from below after the first and cannot overshoot.
-        newton(self.turned * (grown / self.whole), self.turned, |turned| {
-            (self.growth(turned) - grown) / self.delta(turned)
-        })
+    /// The way that takes this time, up to the longest with its duration: by Newton's method in s, with way = s(s + 2√above), in which the motion from
+    /// rest is no exception.
+    fn way(&self, time: f64, [longest, duration]: [f64; 2]) -> Result<f64> {
+        let root = self.above.sqrt();
+        let way = |s: f64| s * (s + 2.0 * root);
+        let most = longest / ((self.above + longest).sqrt() + root);
+        // The time bends upward, so that steps come from above after the first and cannot overshoot.
+        let s = newton(most * (time / duration), most, |s| {
+            let left = self.left - way(s);
+            let pace = (2.0 * (self.beyond + left) / (self.gravity * left)).sqrt();
+            Ok((self.time(way(s))? - time) / pace)
+        })?;
+        Ok(way(s))
     }
 }
 
 /// Newton's method between 0 and `most`, to rounding.
-fn newton(first: f64, most: f64, correction: impl Fn(f64) -> f64) -> f64 {
+fn newton(first: f64, most: f64, correction: impl Fn(f64) -> Result<f64>) -> Result<f64> {
     let mut root = first;
     for _ in 0..100 {
-        let next = (root - correction(root)).clamp(0.0, most);
+        let next = (root - correction(root)?).clamp(0.0, most);
         let step = (next - root).abs();
         root = next;
         if step <= 2.0 * f64::EPSILON * root {
             break;
         }
     }
-    root
+    Ok(root)
 }
 
 impl Unwinding {
@@ -158,7 +124,7 @@ impl Unwinding {
                 value: energy,
             });
         }
-        let law = law(&toy, gravity, e, top)?;
+        let law = law(&toy, gravity, e, top);
         Ok(Self {
             toy,
             gravity,
@@ -232,7 +198,7 @@ impl Unwinding {
                     2.0 * way / (speed + (speed * speed + 2.0 * acceleration * way).sqrt())
                 }
             }
-            Law::Elliptic { scale, arc } => scale * arc.growth(arc.turned_at(depth - self.top)),
+            Law::Elliptic(arc) => arc.time(depth - self.top)?,
             Law::Free { speed } => self.free_time(depth) / speed,
         })
     }
@@ -298,10 +264,10 @@ impl Unwinding {
                 speed,
                 acceleration,
             } => time * (speed + 0.5 * acceleration * time),
-            Law::Elliptic { scale, arc } => arc.way(arc.turned_when(time / scale)),
+            Law::Elliptic(arc) => arc.way(time, [length - self.top, duration])?,
             Law::Free { speed } => newton(length * (time / duration), length, |depth| {
-                (self.free_time(depth) / speed - time) * self.speed(depth)
-            }),
+                Ok((self.free_time(depth) / speed - time) * self.speed(depth))
+            })?,
         };
         let depth = (self.top + way).clamp(self.top, length);
         Ok([depth, self.omega_below(depth, way.max(0.0))])
@@ -329,35 +295,26 @@ impl Unwinding {
 }
 
 /// The law of the way from `top` on, for this energy over the mass.
-fn law(toy: &YoYo, gravity: f64, e: f64, top: f64) -> Result<Law> {
-    let k2 = toy.gyration_squared();
-    Ok(match toy.winding() {
-        Winding::Thin => {
-            let acceleration = gravity / (1.0 + toy.inertia_factor());
-            Law::Uniform {
-                // From rest below the hand.
-                speed: (2.0 * e.max(0.0) / (1.0 + toy.inertia_factor())).sqrt(),
-                acceleration,
-            }
+fn law(toy: &YoYo, gravity: f64, e: f64, top: f64) -> Law {
+    let slope = toy.thinning();
+    if slope == 0.0 {
+        let factor = 1.0 + toy.inertia_factor();
+        Law::Uniform {
+            // From rest below the hand.
+            speed: (2.0 * e.max(0.0) / factor).sqrt(),
+            acceleration: gravity / factor,
         }
-        Winding::Thick { .. } if gravity == 0.0 => Law::Free {
+    } else if gravity == 0.0 {
+        Law::Free {
             speed: (2.0 * e).sqrt(),
-        },
-        Winding::Thick {
-            wound_squared,
-            slope,
-        } => {
-            let height = e / gravity;
-            // P + ε times q, of three parts that do not cancel: ε is not below −l, and q l < r_w².
-            let whole = wound_squared + k2 + slope * height;
-            let parameter = Parameter::from_complement(k2 / whole)?;
-            let bare = wound_squared / slope;
-            // Zero, not nearly zero, where the yo-yo starts from rest.
-            let above = if e <= 0.0 { 0.0 } else { height };
-            Law::Elliptic {
-                scale: (2.0 * whole / (slope * gravity)).sqrt(),
-                arc: Arc::new(parameter, bare - top, above, toy.length - top),
-            }
         }
-    })
+    } else {
+        Law::Elliptic(Arc {
+            gravity,
+            // Zero, not nearly zero, where the yo-yo starts from rest.
+            above: if e <= 0.0 { 0.0 } else { e / gravity },
+            left: toy.radius_squared(top) / slope,
+            beyond: toy.gyration_squared() / slope,
+        })
+    }
 }

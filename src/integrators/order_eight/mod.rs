@@ -15,7 +15,7 @@ mod walk;
 use super::{Cost, Effort, Event, Passage, Solution, Stop, System, both_ways};
 use crate::error::{Result, finite, positive};
 use event::Watch;
-use walk::{MOST_STEPS, Pace, Taken, Walk, too_many};
+use walk::{MOST_STEPS, Taken, Walk, too_many};
 
 pub use leg::{Kept, Leg};
 
@@ -62,11 +62,11 @@ impl<const N: usize, S: System<N> + ?Sized> Leg<'_, N, S> {
         for &component in self.start.1 {
             finite("the state at the start", component)?;
         }
-        let pace = match effort {
-            Effort::Step(step) => Pace::Even(positive("the step", step)?),
-            Effort::Tolerance(tolerance) => Pace::Free(positive("the tolerance", tolerance)?),
+        match effort {
+            Effort::Step(step) => positive("the step", step)?,
+            Effort::Tolerance(tolerance) => positive("the tolerance", tolerance)?,
         };
-        Walk::new(self).follow(event, pace)
+        Walk::new(self).follow(event, effort)
     }
 }
 
@@ -112,26 +112,27 @@ pub fn order_eight<const N: usize, S: System<N> + ?Sized>(
 const FEW: usize = 2;
 
 impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
-    fn follow(mut self, event: Option<&dyn Event<N>>, pace: Pace) -> Result<Passage<[f64; N]>> {
+    fn follow(mut self, event: Option<&dyn Event<N>>, effort: Effort) -> Result<Passage<[f64; N]>> {
         let leg = self.leg;
         let first = leg.start.1;
         while leg.times.get(self.states.len()) == Some(&leg.start.0) {
             self.states.push(*first);
         }
         let mut watch = event.map(|event| Watch::new(event, &self));
-        if let Pace::Free(tolerance) = pace {
-            self.length = self.first_length(tolerance);
-        } else if let Pace::Even(longest) = pace {
-            let count = (self.left().abs() / longest).ceil();
-            if count > MOST_STEPS as f64 {
-                return Err(too_many(leg.start.0));
+        self.length = match effort {
+            Effort::Tolerance(tolerance) => self.first_length(tolerance),
+            Effort::Step(longest) => {
+                let count = (self.left().abs() / longest).ceil();
+                if count > MOST_STEPS as f64 {
+                    return Err(too_many(leg.start.0));
+                }
+                self.left().abs() / count.max(1.0)
             }
-            self.length = self.left().abs() / count.max(1.0);
-        }
+        };
         while self.left() * self.sense > 0.0 {
-            let taken = match pace {
-                Pace::Even(_) => self.even(),
-                Pace::Free(tolerance) => self.free(tolerance)?,
+            let taken = match effort {
+                Effort::Step(_) => self.even(),
+                Effort::Tolerance(tolerance) => self.free(tolerance)?,
             };
             leg.system.reached(self.time.values[0])?;
             if self.cost.steps > MOST_STEPS {
@@ -172,7 +173,6 @@ impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
         let count = times.partition_point(|&t| (t - until) * self.sense <= 0.0);
         let end = taken.time + taken.length;
         let inner = times[..count].partition_point(|&t| (t - end) * self.sense < 0.0);
-        let state = |walk: &Self| walk.state.values;
         if inner > FEW {
             let between = self.between(taken);
             for &t in &times[..inner] {
@@ -186,7 +186,7 @@ impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
             }
         }
         for _ in inner..count {
-            self.states.push(state(self));
+            self.states.push(self.state.values);
         }
     }
 }

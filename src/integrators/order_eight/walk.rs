@@ -6,12 +6,6 @@ use crate::error::{Error, Result};
 use crate::integrators::real::Sums;
 use crate::integrators::{Cost, System};
 
-#[derive(Clone, Copy)]
-pub(super) enum Pace {
-    Even(f64),
-    Free(f64),
-}
-
 /// Most steps of one run; about a minute of computing.
 pub(super) const MOST_STEPS: u64 = 200_000_000;
 

@@ -5,6 +5,7 @@ use core::f64::consts::PI;
 use super::fall::{Coefficients, Fall, Regime, Start};
 use super::plate::Plate;
 use crate::error::{Error, Result, positive};
+use crate::integrators::halved;
 
 /// Where flutter goes over into tumbling, as a Froude number: measured value and its uncertainty.
 ///
@@ -171,15 +172,6 @@ pub fn transition(
             });
         }
     }
-    let (mut low, mut high) = (low, high);
-    // A bracket of neighbouring numbers cannot be halved.
-    while high - low > accuracy.max(f64::EPSILON * high) {
-        let middle = 0.5 * (low + high);
-        if flutters(middle)? {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
+    let [low, high] = halved([low, high], accuracy, flutters)?;
     Ok(0.5 * (low + high))
 }

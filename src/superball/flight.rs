@@ -300,24 +300,17 @@ impl Flight {
             (whole, later) = (whole - 1.0, later + flight);
         }
         let count = whole as u64;
-        let (motion, way, surface) = if ceiling.is_some() {
+        let (motion, way) = if ceiling.is_some() {
             let rotation = BounceRotation::new(self.kappa)?;
             // Ceiling first is floor first in a mirror.
-            let mirror = |m: Motion<f64>| match first {
-                Surface::Floor => m,
-                Surface::Ceiling => Motion {
-                    rim_speed: -m.rim_speed,
-                    ..m
-                },
+            let sense = if first == Surface::Floor { 1.0 } else { -1.0 };
+            let mirror = |m: Motion<f64>| Motion {
+                rim_speed: sense * m.rim_speed,
+                ..m
             };
             let seen = mirror(start.motion);
             let way = flight.value() * rotation.place(seen, count);
-            let surface = if count.is_multiple_of(2) {
-                first
-            } else {
-                first.opposite()
-            };
-            (mirror(rotation.after(seen, count + 1)), way, surface)
+            (mirror(rotation.after(seen, count + 1)), way)
         } else {
             // The floor alone: two motions by turns, the first bounce's and the start's.
             let v = start.motion.velocity;
@@ -330,7 +323,12 @@ impl Flight {
             } else {
                 start.motion
             };
-            (motion, (flight * way).value(), first)
+            (motion, (flight * way).value())
+        };
+        let surface = if ceiling.is_none() || count.is_multiple_of(2) {
+            first
+        } else {
+            first.opposite()
         };
         let speed = match (surface, ceiling) {
             (Surface::Ceiling, Some(speed)) => speed,
@@ -429,13 +427,10 @@ impl Flight {
         for &(t, count) in samples {
             let t = not_negative("the time", t)?;
             let over = pile.filter(|&(.., last)| t >= last);
-            if let Some((begun, first, last)) = over
-                && self.grip.is_none()
+            let summed = over.filter(|_| self.grip.is_none());
+            while summed.is_none()
+                && let Some((wait, surface, speed)) = next
             {
-                states.push(self.piled(&first, last - begun, t - last)?);
-                continue;
-            }
-            while let Some((wait, surface, speed)) = next {
                 let (then, wait) = (now + wait, wait.value());
                 let later = count.map_or(then.value() > t, |count| ball.bounces >= count);
                 if over.is_none() && later {
@@ -453,6 +448,9 @@ impl Flight {
                 next = self.contact(&ball);
             }
             states.push(match over {
+                Some((begun, first, last)) if self.grip.is_none() => {
+                    self.piled(&first, last - begun, t - last)?
+                }
                 Some((.., last)) => {
                     let left = (DoubleDouble::from(last) - now).value();
                     let landed = ball.position + left * ball.motion.velocity;
@@ -491,25 +489,17 @@ impl Flight {
     fn on_the_floor(&self, ball: &InFlight, landed: f64, t: f64) -> Result<InFlight> {
         let [_, tangential] = self.restitution();
         let motion = ball.motion;
-        let (position, motion) = if self.grip.is_some() {
+        let (way, [velocity, rim_speed]) = if self.grip.is_some() {
             let start = Moment::moving(motion.velocity, motion.rim_speed);
             let load = Load::weight(self.gravity());
             let course = Course::new(self.kappa, load, (self.grip, None, None), start, t)?;
             let end = course.at(t);
-            let motion = Motion {
-                velocity: end.velocity,
-                rim_speed: end.rim_speed,
-            };
-            (landed + end.position, motion)
+            (end.position, [end.velocity, end.rim_speed])
         } else if tangential.abs() < 1.0 || motion.contact_speed(Surface::Floor) == 0.0 {
             let common = self.common(&motion);
-            let motion = Motion {
-                velocity: common,
-                rim_speed: common,
-            };
-            (landed + t * common, motion)
+            (t * common, [common; 2])
         } else if tangential == -1.0 {
-            (landed + t * motion.velocity, motion)
+            (t * motion.velocity, [motion.velocity, motion.rim_speed])
         } else {
             return Err(Error::Condition {
                 condition: "after infinitely many reversals of the contact speed there is no motion to speak of; tangential restitution must be below 1",
@@ -517,10 +507,13 @@ impl Flight {
             });
         };
         Ok(InFlight {
-            position,
+            position: landed + way,
             height: 0.0,
             climb: 0.0,
-            motion,
+            motion: Motion {
+                velocity,
+                rim_speed,
+            },
             bounces: ball.bounces,
         })
     }

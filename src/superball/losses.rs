@@ -3,7 +3,8 @@
 use num_traits::Num;
 
 use super::{Motion, Surface};
-use crate::error::{Error, Result, not_negative, positive, within};
+use crate::error::{Error, Result, positive, within};
+use crate::integrators::halved;
 use crate::rolling::Coulomb;
 
 /// What is left of the two speeds of the contact point.
@@ -40,56 +41,6 @@ impl Restitution {
     /// e_t.
     pub(crate) fn tangential(&self) -> f64 {
         self.tangential
-    }
-
-    /// Up and down, how far a ball travels in all its bounces after a drop from `height`, in the unit of the height: h(1+e_n²)/(1−e_n²), Zeno's sum.
-    ///
-    /// Infinite for e_n = 1. Error: 2 ε, next to 1 as well, for 1 − e_n is exact there. When the bounces end, [`Flight::last_contact`](super::Flight::last_contact) tells.
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`], [`Error::Negative`] for the height.
-    ///
-    /// ```
-    /// let path = spinning_bodies::superball::Restitution::new(0.5, 1.0)?.path_of_a_drop(3.0)?;
-    /// assert_eq!(path, 5.0);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn path_of_a_drop(&self, height: f64) -> Result<f64> {
-        let e = self.normal;
-        let height = not_negative("the height of the drop", height)?;
-        if height == 0.0 {
-            return Ok(0.0);
-        }
-        Ok(height * (1.0 + e * e) / ((1.0 - e) * (1.0 + e)))
-    }
-
-    /// After how many bounces a ball that first meets the floor at `speed` leaves it no faster than `least`, both in m/s: the least n with e_nⁿ·speed ≤ least.
-    ///
-    /// None if it never does: e_n = 1, or `least` = 0 with e_n > 0. Where eⁿ meets the ratio of the speeds within 4 units in the last place of n, it counts as met.
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`]; [`Error::Negative`] for a speed.
-    ///
-    /// ```
-    /// let ball = spinning_bodies::superball::Restitution::new(0.5, 1.0)?;
-    /// assert_eq!(ball.bounces_down_to(8.0, 1.0)?, Some(3));
-    /// assert_eq!(ball.bounces_down_to(8.0, 0.99)?, Some(4));
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn bounces_down_to(&self, speed: f64, least: f64) -> Result<Option<u64>> {
-        let speed = not_negative("the speed of the ball", speed)?;
-        let least = not_negative("the least speed", least)?;
-        if speed <= least {
-            return Ok(Some(0));
-        }
-        if self.normal == 0.0 {
-            return Ok(Some(1));
-        }
-        // Logarithms of the exact difference from one: next to e = 1 nothing is lost.
-        let wanted = (least / speed).ln() / (self.normal - 1.0).ln_1p();
-        Ok(wanted
-            .is_finite()
-            .then(|| (wanted * (1.0 - 4.0 * f64::EPSILON)).ceil() as u64))
     }
 }
 
@@ -178,25 +129,15 @@ pub fn return_threshold(kappa: f64) -> Result<f64> {
     positive("the inertia factor", kappa)?;
     within("the inertia factor", kappa, 0.0, 2.0 / 3.0)?;
     let (b, c) = (1.0 - 3.0 * kappa, (1.0 - kappa) * (1.0 - kappa));
-    let (mut low, mut high) = (0.0, 2.0 / (1.0 + kappa));
+    let most = 2.0 / (1.0 + kappa);
     // The slope 3 + 2ba + 3ca² has the discriminant 4b² − 36c, which is negative for κ < 2/3.
     let value = |a: f64| kappa * a * (3.0 + a * (b + a * c)) - 1.0;
-    if value(high) < 0.0 {
+    if value(most) < 0.0 {
         return Err(Error::Condition {
             condition: "the inertia factor must be large enough that a superball of it comes back at all",
             value: kappa,
         });
     }
-    for _ in 0..200 {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            break;
-        }
-        if value(middle) < 0.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    Ok(high * (1.0 + kappa) - 1.0)
+    let [_, root] = halved([0.0, most], 0.0, |a| Ok(value(a) < 0.0))?;
+    Ok(root * (1.0 + kappa) - 1.0)
 }

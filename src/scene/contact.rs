@@ -400,9 +400,7 @@ impl OnTheTable {
         match (mode, self.coulomb()) {
             (Mode::Airborne(_), _) => Contact::none(&table.body, &pose.omega),
             (Mode::Rolling, _) => table.rolls(pose),
-            (Mode::Leaving, Some(law)) => {
-                table.leaving(&pose.up, &pose.omega, &pose.level, law.kinetic())
-            }
+            (Mode::Leaving, Some(law)) => table.leaving(pose, law.kinetic()),
             _ => table.slides(pose),
         }
     }

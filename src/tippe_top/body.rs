@@ -159,21 +159,15 @@ impl ConvexBody {
         if self.surface.radius().is_none() {
             return false;
         }
-        let along = self.center;
-        let size = self.inertia.amax();
-        let close = |vector: Vector3<f64>, scale: f64| vector.amax() <= 8.0 * f64::EPSILON * scale;
-        if along.amax() == 0.0 {
+        let Some(axis) = self.center.try_normalize(0.0) else {
             // K = C: ⟨L, z⟩, which friction changes only through the arm R z, parallel to z.
             return true;
-        }
-        let axis = along / along.norm();
-        let image = self.inertia * axis;
-        let axial = axis.dot(&image);
+        };
+        let axial = axis.dot(&(self.inertia * axis));
         let transverse = 0.5 * (self.inertia.trace() - axial);
         let symmetric =
             Matrix3::identity() * transverse + axis * axis.transpose() * (axial - transverse);
-        close(image - axis * axial, size)
-            && (self.inertia - symmetric).amax() <= 8.0 * f64::EPSILON * size
+        (self.inertia - symmetric).amax() <= 8.0 * f64::EPSILON * self.inertia.amax()
     }
 
     pub(super) fn principal(&self) -> PrincipalAxes {

@@ -60,6 +60,16 @@ pub(crate) struct Pose {
 }
 
 impl Pose {
+    /// As the body sees itself; how it has turned about the vertical makes no difference to it.
+    pub(crate) fn seen(up: Vector3<f64>, omega: Vector3<f64>, level: Vector3<f64>) -> Self {
+        Self {
+            turn: UnitQuaternion::identity(),
+            up,
+            omega,
+            level,
+        }
+    }
+
     pub(crate) fn of(y: &Numbers) -> Self {
         let turn = UnitQuaternion::from_quaternion(Quaternion::new(y[0], y[1], y[2], y[3]));
         let rotation: Matrix3<f64> = turn.to_rotation_matrix().into_inner();
@@ -98,15 +108,15 @@ struct Touch {
 
 impl Table {
     #[inline]
-    fn touch(&self, up: &Vector3<f64>, omega: &Vector3<f64>, level: &Vector3<f64>) -> Touch {
-        let body = &self.body;
+    fn touch(&self, pose: &Pose) -> Touch {
+        let (body, up, omega) = (&self.body, &pose.up, &pose.omega);
         let (support, rate) = body.surface.support_and_rate(up, &up.cross(omega));
         let arm = body.center - support;
         let swing = omega.cross(&arm);
         Touch {
             arm,
             // C moves up or down as the contact asks, which cancels the vertical part of the swing.
-            slip: level + swing - up * up.dot(&swing),
+            slip: pose.level + swing - up * up.dot(&swing),
             whirl: omega.cross(&(swing - rate)),
             free: body.inverse * omega.cross(&(body.inertia * omega)),
             couple: self.resistance.map(|law| law.couple(omega, up)),
@@ -115,15 +125,10 @@ impl Table {
 
     /// Sliding: accelerations, reaction and slip.
     #[inline]
-    pub(crate) fn sliding(
-        &self,
-        up: &Vector3<f64>,
-        omega: &Vector3<f64>,
-        level: &Vector3<f64>,
-    ) -> Contact {
-        let touch = self.touch(up, omega, level);
+    pub(crate) fn slides(&self, pose: &Pose) -> Contact {
+        let touch = self.touch(pose);
         let traction = self.friction.map(|law| law.traction(&touch.slip));
-        self.pushed(up, omega, &touch, traction)
+        self.pushed(pose, &touch, traction)
     }
 
     /// Under this level force per normal one.
@@ -131,13 +136,8 @@ impl Table {
     /// The reaction N is linear in the accelerations it causes, since friction and couple are N times functions of the velocities:
     /// the vertical acceleration of the point in contact is zero, one linear equation for N.
     #[inline]
-    fn pushed(
-        &self,
-        up: &Vector3<f64>,
-        omega: &Vector3<f64>,
-        touch: &Touch,
-        traction: Option<Vector3<f64>>,
-    ) -> Contact {
+    fn pushed(&self, pose: &Pose, touch: &Touch, traction: Option<Vector3<f64>>) -> Contact {
+        let (up, omega) = (&pose.up, &pose.omega);
         let (arm, body) = (&touch.arm, &self.body);
         let mut push = *up;
         let mut power = 0.0;
@@ -164,9 +164,9 @@ impl Table {
     }
 
     /// Pure rolling: V = −Ω∧ρ at all times, and the force that this takes.
-    pub(crate) fn rolling(&self, up: &Vector3<f64>, omega: &Vector3<f64>) -> Contact {
-        let body = &self.body;
-        let touch = self.touch(up, omega, &Vector3::zeros());
+    pub(crate) fn rolls(&self, pose: &Pose) -> Contact {
+        let (body, up, omega) = (&self.body, &pose.up, &pose.omega);
+        let touch = self.touch(pose);
         let push = self.yielding(up, &touch).holding();
         let reaction = up.dot(&push);
         let mut torque = touch.arm.cross(&push);
@@ -189,32 +189,29 @@ impl Table {
     /// While the slip s is so small, friction turns it into its own direction within s/μg, much less than anything else takes: no
     /// method of explicit steps follows that. To first order in s the direction e is the one in which the slip turns as e itself does,
     /// ẇ⊥(e) = s φ̇, where ẇ is the acceleration of the point in contact and φ̇ the rate at which the direction for s = 0 turns.
-    pub(crate) fn leaving(
-        &self,
-        up: &Vector3<f64>,
-        omega: &Vector3<f64>,
-        level: &Vector3<f64>,
-        mu: f64,
-    ) -> Contact {
+    pub(crate) fn leaving(&self, pose: &Pose, mu: f64) -> Contact {
         let body = &self.body;
-        let touch = self.touch(up, omega, level);
+        let Pose {
+            up, omega, level, ..
+        } = pose;
+        let touch = self.touch(pose);
         let yielding = self.yielding(up, &touch);
         let along = yielding.gives_way(mu);
-        let contact = self.pushed(up, omega, &touch, Some(along * -mu));
+        let contact = self.pushed(pose, &touch, Some(along * -mu));
         // The same a moment later.
         let moment = MOMENT / (omega.norm() + body.speed_scale(self.gravity) / body.surface.size());
         let push = contact.traction * (contact.reaction / body.mass);
-        let later = |now: &Vector3<f64>, rate: Vector3<f64>| now + rate * moment;
-        let up_later = later(up, up.cross(omega)).normalize();
-        let omega_later = later(omega, contact.omega_rate);
-        let level_later = later(level, push - omega.cross(level));
-        let touch_later = self.touch(&up_later, &omega_later, &level_later);
-        let along_later = self.yielding(&up_later, &touch_later).gives_way(mu);
+        let later = Pose::seen(
+            (up + up.cross(omega) * moment).normalize(),
+            omega + contact.omega_rate * moment,
+            level + (push - omega.cross(level)) * moment,
+        );
+        let along_later = self.yielding(&later.up, &self.touch(&later)).gives_way(mu);
         let turned = (along_later - along) / moment + omega.cross(&along);
         let turning = turned.dot(&up.cross(&along));
         let slip = touch.slip.dot(&along);
         let along = yielding.direction(mu, &along, slip * turning);
-        self.pushed(up, omega, &touch, Some(along * -mu))
+        self.pushed(pose, &touch, Some(along * -mu))
     }
 
     /// How the point in contact answers a force.
@@ -229,16 +226,6 @@ impl Table {
             free: touch.whirl - touch.free.cross(arm) - up * self.gravity,
             up: *up,
         }
-    }
-
-    /// What is known of the contact of a body that slides.
-    pub(crate) fn slides(&self, pose: &Pose) -> Contact {
-        self.sliding(&pose.up, &pose.omega, &pose.level)
-    }
-
-    /// What is known of the contact of a body that rolls.
-    pub(crate) fn rolls(&self, pose: &Pose) -> Contact {
-        self.rolling(&pose.up, &pose.omega)
     }
 
     /// The rates of a state with this contact.

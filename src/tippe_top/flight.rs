@@ -1,22 +1,21 @@
 //! Off the table and back: a free body in closed form, and the blow with which it lands.
 
-use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Vector3};
 
 use super::body::ConvexBody;
 use super::equations::{Numbers, Pose, Table, Yielding};
 use super::friction::Friction;
 use crate::error::{Error, Result};
-use crate::euler_top::EulerTop;
-use crate::frame::{Attitude, BodyVector};
-use crate::integrators::{Effort, Kept, Leg, System};
+use crate::euler_top::{FreeBody, State};
+use crate::frame::BodyVector;
+use crate::integrators::{Effort, Kept, Leg, System, halved};
 
 /// A free body with its centre of mass on a parabola.
 #[derive(Debug, Clone)]
 pub(crate) struct Flight {
     body: ConvexBody,
-    /// In principal axes; `None` where the body is at rest, which an Euler top cannot be.
-    top: Option<EulerTop>,
-    principal: UnitQuaternion<f64>,
+    /// `None` where the body is at rest, which a free top cannot be.
+    turning: Option<FreeBody>,
     start: Numbers,
     takeoff: TakeOff,
     gravity: f64,
@@ -54,24 +53,15 @@ impl Flight {
         takeoff: TakeOff,
     ) -> Result<Self> {
         let pose = Pose::of(start);
-        let axes = body.principal();
-        let principal =
-            UnitQuaternion::from_matrix_eps(&axes.axes, 1e-15, 100, UnitQuaternion::identity());
-        let l = axes.axes.tr_mul(&(body.inertia * pose.omega));
-        let top = if l.amax() == 0.0 {
+        let turning = if pose.omega.amax() == 0.0 {
             None
         } else {
-            let attitude = (pose.turn * principal).into_inner();
-            Some(EulerTop::new(
-                axes.moments,
-                BodyVector::from_components(l),
-                Attitude::from_unit(attitude),
-            )?)
+            let omega = BodyVector::from_components(pose.omega);
+            Some(FreeBody::new(body.inertia(), omega, pose.attitude())?)
         };
         Ok(Self {
             body: *body,
-            top,
-            principal,
+            turning,
             start: *start,
             takeoff,
             gravity,
@@ -82,13 +72,13 @@ impl Flight {
     pub(crate) fn at(&self, time: f64) -> Result<Numbers> {
         let t = time - self.takeoff.time;
         let mut y = self.start;
-        if let Some(top) = &self.top {
-            let state = top.at(t)?;
-            let q: Quaternion<f64> =
-                (state.attitude.quaternion() * self.principal.inverse()).into_inner();
-            let omega = self.principal * state.omega.components();
+        if let Some(turning) = &self.turning {
+            let State {
+                attitude, omega, ..
+            } = turning.at(t)?;
+            let q = attitude.quaternion();
             (y[0], y[1], y[2], y[3]) = (q.w, q.i, q.j, q.k);
-            (y[4], y[5], y[6]) = (omega.x, omega.y, omega.z);
+            (y[4], y[5], y[6]) = (omega.x(), omega.y(), omega.z());
         }
         y[9] += y[7] * t;
         y[10] += y[8] * t;
@@ -119,7 +109,8 @@ impl Flight {
         for _ in 0..MOST_SAMPLES {
             let gap = self.gap(after)?;
             if gap <= 0.0 {
-                return self.located(before, after).map(Some);
+                let [_, touches] = halved([before, after], 0.0, |t| Ok(self.gap(t)? > 0.0))?;
+                return Ok(Some(touches));
             }
             if after >= until {
                 return Ok(None);
@@ -140,19 +131,6 @@ impl Flight {
             reason: "the body turns too often before it lands; end the run earlier",
             time: before,
         })
-    }
-
-    /// Bisection: 50 halvings of a stride are below a unit in the last place of any time that matters.
-    fn located(&self, mut open: f64, mut closed: f64) -> Result<f64> {
-        for _ in 0..50 {
-            let middle = 0.5 * (open + closed);
-            if self.gap(middle)? > 0.0 {
-                open = middle;
-            } else {
-                closed = middle;
-            }
-        }
-        Ok(closed)
     }
 }
 

@@ -3,7 +3,7 @@
 use nalgebra::{Complex, SMatrix, SVector, Vector3, Vector4};
 
 use super::body::ConvexBody;
-use super::equations::Table;
+use super::equations::{Pose, Table};
 use super::friction::Friction;
 use crate::error::{Error, Result, finite, positive};
 
@@ -74,7 +74,7 @@ pub fn quasi_steady(
         x = newton(&table, spin, x)?;
     }
     let (up, level) = steady(&table, &x);
-    let contact = table.sliding(&up, &(up * spin), &level);
+    let contact = table.slides(&Pose::seen(up, up * spin, level));
     let growth_rates = growth_rates(&table, up, [level.x, level.y], spin)?;
     let [slow_swing, ..] = sorted(growth_rates, |a, b| {
         a.frequency.abs().total_cmp(&b.frequency.abs())
@@ -106,7 +106,7 @@ fn newton(table: &Table, spin: f64, start: Vector4<f64>) -> Result<Vector4<f64>>
     let residual = |x: &Vector4<f64>| {
         let (up, level) = steady(table, x);
         let omega = up * spin;
-        let contact = table.sliding(&up, &omega, &level);
+        let contact = table.slides(&Pose::seen(up, omega, level));
         let push = contact.traction * (contact.reaction / table.body.mass);
         let drift = (push - omega.cross(&level)) / size;
         let turn = contact.omega_rate - up * up.dot(&contact.omega_rate);
@@ -165,7 +165,7 @@ fn growth_rates(table: &Table, up: Vector3<f64>, [a, b]: [f64; 2], spin: f64) ->
         let up = upright(x[0], x[1]);
         let omega = Vector3::new(x[2], x[3], x[4]);
         let level = tangent(&up, [x[5], x[6]]);
-        let contact = table.sliding(&up, &omega, &level);
+        let contact = table.slides(&Pose::seen(up, omega, level));
         let turn = up.cross(&omega);
         // V minus its vertical part, seen from the body.
         let drift = contact.traction * (contact.reaction / body.mass) - omega.cross(&level);
@@ -179,11 +179,9 @@ fn growth_rates(table: &Table, up: Vector3<f64>, [a, b]: [f64; 2], spin: f64) ->
     let omega = up * spin;
     let x = SVector::from([up.x, up.y, omega.x, omega.y, omega.z, a, b]);
     let jacobian = jacobian(rate, x, [n, n, w, w, w, v, v]);
-    // Each coordinate over its scale, so that the eigenvalue solver sees numbers of one size.
     let turn = spin.abs();
-    let scales = [1.0, 1.0, turn, turn, turn, swing, swing];
-    let scaled = SMatrix::<f64, 7, 7>::from_fn(|i, j| jacobian[(i, j)] * scales[j] / scales[i]);
-    let values: [Complex<f64>; 7] = finite_matrix(scaled)?.complex_eigenvalues().into();
+    let scaled = scaled(jacobian, [1.0, 1.0, turn, turn, turn, swing, swing])?;
+    let values: [Complex<f64>; 7] = scaled.complex_eigenvalues().into();
     let [_, rest @ ..] = sorted(values, |a, b| a.norm().total_cmp(&b.norm()));
     Ok(sorted(rest, |a, b| b.re.total_cmp(&a.re)).map(Rate::from))
 }
@@ -205,7 +203,12 @@ fn sorted<T, const N: usize>(
     values
 }
 
-fn finite_matrix<const N: usize>(matrix: SMatrix<f64, N, N>) -> Result<SMatrix<f64, N, N>> {
+/// Each coordinate over its scale, so that the eigenvalue solver sees numbers of one size.
+fn scaled<const N: usize>(
+    matrix: SMatrix<f64, N, N>,
+    scales: [f64; N],
+) -> Result<SMatrix<f64, N, N>> {
+    let matrix = SMatrix::<f64, N, N>::from_fn(|i, j| matrix[(i, j)] * scales[j] / scales[i]);
     if matrix.iter().all(|x| x.is_finite()) {
         Ok(matrix)
     } else {
@@ -260,7 +263,7 @@ pub fn rolling_growth_rates(body: &ConvexBody, gravity: f64, spin: f64) -> Resul
     let rate = |x: &Vector4<f64>| {
         let up = upright(x[0], x[1]);
         let omega = Vector3::new(x[2], x[3], spin);
-        let contact = table.rolling(&up, &omega);
+        let contact = table.rolls(&Pose::seen(up, omega, Vector3::zeros()));
         let turn = up.cross(&omega);
         Vector4::new(turn.x, turn.y, contact.omega_rate.x, contact.omega_rate.y)
     };
@@ -276,8 +279,7 @@ pub fn rolling_growth_rates(body: &ConvexBody, gravity: f64, spin: f64) -> Resul
     let turn = natural.max(spin.abs());
     let strides = [1e-3, 1e-3, 1e-3 * turn, 1e-3 * turn];
     let jacobian = jacobian(rate, Vector4::zeros(), strides);
-    let scales = [1.0, 1.0, turn, turn];
-    let scaled = SMatrix::<f64, 4, 4>::from_fn(|i, j| jacobian[(i, j)] * scales[j] / scales[i]);
-    let values: [Complex<f64>; 4] = finite_matrix(scaled)?.complex_eigenvalues().into();
+    let scaled = scaled(jacobian, [1.0, 1.0, turn, turn])?;
+    let values: [Complex<f64>; 4] = scaled.complex_eigenvalues().into();
     Ok(sorted(values, |a, b| b.re.total_cmp(&a.re)).map(Rate::from))
 }

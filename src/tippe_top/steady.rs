@@ -8,7 +8,7 @@ use super::bodies::eccentric_ball;
 use super::bodies::offset;
 use super::body::ConvexBody;
 use crate::error::{Result, finite, positive};
-use crate::frame::BodyVector;
+use crate::integrators::halved;
 
 /// An axisymmetric top on a sphere: mass M, radius R, C at α R from the centre, moments I1 across the axis and I3 about it.
 ///
@@ -154,15 +154,7 @@ impl TippeTop {
             + self.mass * self.gravity * self.radius * (1.0 - self.alpha * cos)
     }
 
-    /// The rate of precession φ̇ (rad/s) of the steady state at tilt θ strictly between 0 and π, φ̇² = M g α R/(I3 α − (I3 − I1) cos θ),
-    /// if there is one: no slip, C at rest, Ω = φ̇ (z − α e).
-    pub(crate) fn steady_precession(&self, tilt: f64) -> Option<f64> {
-        let steadying = self.steadying(tilt.cos());
-        let pull = self.mass * self.gravity * self.alpha * self.radius;
-        (steadying > 0.0).then(|| (pull / steadying).sqrt())
-    }
-
-    /// λ = R φ̇ D(θ) of the steady state at tilt θ, if there is one.
+    /// λ = R φ̇ D(θ) of the steady state at tilt θ, if there is one: no slip, C at rest, Ω = φ̇ (z − α e), φ̇² = M g α R/(I3 α − (I3 − I1) cos θ).
     ///
     /// At θ = 0 it is the least λ at which the top does not stay upright with C low, λ² = M g R³ I3 α (1−α)⁴/(γ − 1 + α); at θ = π the least
     /// at which it stands on its head, √(M g R³ I3 α) (1+α)²/√(1 + α − γ).
@@ -179,26 +171,11 @@ impl TippeTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn steady_jellett(&self, tilt: f64) -> Option<f64> {
-        let inertia = self.effective_inertia(tilt.cos());
-        self.steady_precession(tilt)
-            .map(|rate| self.radius * rate * inertia)
-    }
-
-    /// The vertical and Ω (rad/s) in the body's axes in the steady state at tilt θ, if there is one.
-    ///
-    /// ```
-    /// use spinning_bodies::tippe_top::TippeTop;
-    /// let unit = 0.02 * 0.02 * 0.02; // MR²
-    /// let top = TippeTop::new(0.02, 0.02, 0.3, 131.0 / 350.0 * unit, 0.4 * unit, 9.81)?;
-    /// let (up, _) = top.steady_state(1.0).unwrap();
-    /// assert!((up.z() - 1.0_f64.cos()).abs() < 1e-15 && (up.norm() - 1.0).abs() < 1e-15);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn steady_state(&self, tilt: f64) -> Option<(BodyVector, BodyVector)> {
-        let rate = self.steady_precession(tilt)?;
-        let up = BodyVector::new(tilt.sin(), 0.0, tilt.cos());
-        let axis = BodyVector::new(0.0, 0.0, self.alpha);
-        Some((up, (up - axis) * rate))
+        let cos = tilt.cos();
+        let steadying = self.steadying(cos);
+        let pull = self.mass * self.gravity * self.alpha * self.radius;
+        let precession = || (pull / steadying).sqrt();
+        (steadying > 0.0).then(|| self.radius * precession() * self.effective_inertia(cos))
     }
 
     /// Least spin (rad/s) about the upright axis at which it rises, if any.
@@ -264,24 +241,17 @@ impl TippeTop {
             lambda * lambda * self.steadying(cos) - pull * inertia * inertia
         };
         let rising = lift(start) > 0.0;
-        let (goal, steps) = (if rising { PI } else { 0.0 }, 4096);
-        let mut here = start;
-        for step in 1..=steps {
-            let next = start + (goal - start) * f64::from(step) / f64::from(steps);
-            if (lift(next) > 0.0) != rising {
-                let (mut before, mut after) = (here, next);
-                for _ in 0..60 {
-                    let middle = 0.5 * (before + after);
-                    if (lift(middle) > 0.0) == rising {
-                        before = middle;
-                    } else {
-                        after = middle;
-                    }
-                }
-                return Ok(0.5 * (before + after));
-            }
-            here = next;
-        }
-        Ok(goal)
+        let still = |tilt: f64| (lift(tilt) > 0.0) == rising;
+        let goal = if rising { PI } else { 0.0 };
+        let tilt = |step: u32| start + (goal - start) * f64::from(step) / f64::from(STEPS);
+        let Some(step) = (1..=STEPS).find(|&step| !still(tilt(step))) else {
+            return Ok(goal);
+        };
+        let bracket = [tilt(step - 1), tilt(step)];
+        let [before, after] = halved(bracket, 0.0, |tilt| Ok(still(tilt)))?;
+        Ok(0.5 * (before + after))
     }
 }
+
+/// In which the way of the tilt is looked at.
+const STEPS: u32 = 4096;

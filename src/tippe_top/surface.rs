@@ -99,13 +99,7 @@ impl Surface {
 
     /// The support map S(n): from the centre to the point whose outward normal is the unit vector n (models of tutorial 4.7).
     pub(crate) fn support(&self, n: &Vector3<f64>) -> Vector3<f64> {
-        match self.0 {
-            Shape::Sphere { radius } => n * radius,
-            Shape::Ellipsoid { squares } => {
-                let image = squares * n;
-                image / n.dot(&image).sqrt()
-            }
-        }
+        self.support_and_rate(n, &Vector3::zeros()).0
     }
 
     /// The support map, and its rate where n changes at `rate`, which is perpendicular to n.

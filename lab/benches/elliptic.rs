@@ -9,13 +9,13 @@ use std::hint::black_box;
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
-use std::time::Instant;
 
-use shared::only_tested;
+use lab::stopwatch::{in_turn, least};
+use shared::{head, numbers, only_tested};
 use spinning_bodies::Result;
 use spinning_bodies::elliptic::{
-    Characteristic, Jacobi, Modulus, Parameter, incomplete_first, incomplete_second,
-    incomplete_third, rc, rd, rf, rj, sn_cn_dn,
+    Characteristic, Modulus, Parameter, incomplete_first, incomplete_second, incomplete_third, rc,
+    rd, rf, rj, sn_cn_dn,
 };
 use support::Uniform;
 
@@ -27,12 +27,10 @@ fn main() -> Result<()> {
     if only_tested() {
         return Ok(());
     }
-    println!(
-        "sn, cn, dn; ns each, and the part of GSL's time; from scratch the parameter is made from m and mc within the clock"
-    );
-    println!(
-        "{:>28} {:>8} {:>16} {:>16} {:>16} {:>16}",
-        "set", "GSL", "prepared", "and am", "from scratch", "batch"
+    let columns = ["GSL", "prepared", "and am", "from scratch", "batch"];
+    head(
+        "sn, cn, dn; ns each; from scratch the parameter is made from m and mc within the clock",
+        &columns,
     );
     let mut uniform = Uniform(3);
     type Draw<'a> = &'a dyn Fn(&mut Uniform) -> Result<(Parameter, f64)>;
@@ -129,36 +127,36 @@ fn third([phi, m, n, _]: &[f64; 4]) -> Result<f64> {
 }
 
 fn integrals(uniform: &mut Uniform) -> Result<()> {
-    println!("\nintegrals; ns each, and our part of the peer's time");
-    println!(
-        "{:>4} {:>14} {:>8} {:>16} {:>16}",
-        "", "arguments", "ours", "Boost, 64 bits", "GSL, 53 bits"
-    );
+    let columns = [
+        "ours",
+        "Boost, 64 bits",
+        "ours/Boost",
+        "GSL, 53 bits",
+        "ours/GSL",
+    ];
+    head("integrals; ns each", &columns);
     for (function, name, draw, ours) in INTEGRALS {
         let rows: Vec<[f64; 4]> = (0..ARGUMENTS).map(|_| draw(uniform)).collect();
-        let lines: Vec<String> = rows
+        let lines = rows
             .iter()
-            .map(|[a, b, c, d]| format!("{a:e} {b:e} {c:e} {d:e}\n"))
-            .collect();
+            .map(|[a, b, c, d]| format!("{a:e} {b:e} {c:e} {d:e}\n"));
+        let lines: String = lines.collect();
         let mut best = [f64::INFINITY; 3];
         for _ in 0..5 {
-            for _ in 0..8 {
-                let start = Instant::now();
-                for row in &rows {
-                    black_box(ours(black_box(row))?);
-                }
-                best[0] = best[0].min(start.elapsed().as_secs_f64() * 1e9 / ARGUMENTS as f64);
-            }
-            let times = told("elliptic_integrals", &[function], &lines.concat());
-            for (best, time) in best[1..].iter_mut().zip(times) {
+            let seconds = least(|| {
+                rows.iter()
+                    .for_each(|row| drop(black_box(ours(black_box(row)))))
+            });
+            let peers = told("elliptic_integrals", &[function], &lines);
+            let times = [1e9 * seconds / ARGUMENTS as f64].into_iter().chain(peers);
+            for (best, time) in best.iter_mut().zip(times) {
                 *best = best.min(time);
             }
         }
         let [ours, boost, gsl] = best;
-        println!(
-            "{function:>4} {name:>14} {ours:>8.1} {boost:>8.1} {:>7.3} {gsl:>8.1} {:>7.3}",
-            ours / boost,
-            ours / gsl
+        numbers(
+            &format!("{function}, {name}"),
+            &[ours, boost, ours / boost, gsl, ours / gsl],
         );
     }
     Ok(())
@@ -167,84 +165,34 @@ fn integrals(uniform: &mut Uniform) -> Result<()> {
 type Group = (Parameter, Vec<f64>);
 
 fn measure(name: &str, groups: &[Group]) -> Result<()> {
-    let prepared: Vec<Modulus> = groups.iter().map(|(p, _)| Modulus::new(*p)).collect();
-    let mut out = vec![
-        Jacobi {
-            sn: 0.0,
-            cn: 0.0,
-            dn: 0.0,
-            am: 0.0
-        };
-        ARGUMENTS
-    ];
+    let moduli: Vec<Modulus> = groups.iter().map(|(p, _)| Modulus::new(*p)).collect();
     let [mut sn, mut cn, mut dn] = [const { [0.0; ARGUMENTS] }; 3];
-    let mut best = [f64::INFINITY; 5];
-    for _ in 0..4 {
-        if let Some(time) = peer(groups) {
-            best[0] = best[0].min(time);
-        }
-        for _ in 0..10 {
-            best[1] = best[1].min(each(|| {
-                for (modulus, (_, arguments)) in prepared.iter().zip(groups) {
-                    for (&u, out) in arguments.iter().zip(&mut out) {
-                        *out = modulus.jacobi(u)?;
-                    }
-                    black_box(&out);
-                }
-                Ok(())
-            })?);
-            best[4] = best[4].min(each(|| {
-                for (modulus, (_, arguments)) in prepared.iter().zip(groups) {
-                    for (i, &u) in arguments.iter().enumerate() {
-                        (sn[i], cn[i], dn[i]) = modulus.sn_cn_dn(u)?;
-                    }
-                    black_box((&sn, &cn, &dn));
-                }
-                Ok(())
-            })?);
-            best[2] = best[2].min(each(|| {
-                for (parameter, arguments) in groups {
-                    let both = [parameter.m(), parameter.mc()];
-                    for (i, &u) in arguments.iter().enumerate() {
-                        let [m, mc] = black_box(both);
-                        (sn[i], cn[i], dn[i]) = sn_cn_dn(u, Parameter::new(m, mc)?)?;
-                    }
-                    black_box((&sn, &cn, &dn));
-                }
-                Ok(())
-            })?);
-            best[3] = best[3].min(each(|| {
-                for (modulus, (_, arguments)) in prepared.iter().zip(groups) {
-                    modulus.jacobi_batch(arguments, &mut sn, &mut cn, &mut dn)?;
-                    black_box((&sn, &cn, &dn));
-                }
-                Ok(())
-            })?);
-        }
-    }
-    let column = |time: f64| {
-        if best[0].is_finite() {
-            format!("{time:8.1} {:7.3}", time / best[0])
-        } else {
-            format!("{time:8.1}        ")
+    let each = |work: &dyn Fn(&Modulus, Parameter, f64)| {
+        for (modulus, (parameter, arguments)) in moduli.iter().zip(groups) {
+            arguments.iter().for_each(|&u| work(modulus, *parameter, u));
         }
     };
-    println!(
-        "{name:>28} {:>8.1} {} {} {} {}",
-        best[0],
-        column(best[4]),
-        column(best[1]),
-        column(best[2]),
-        column(best[3]),
-    );
+    let seconds = in_turn([
+        &mut || each(&|modulus, _, u| drop(black_box(modulus.sn_cn_dn(u)))),
+        &mut || each(&|modulus, _, u| drop(black_box(modulus.jacobi(u)))),
+        &mut || {
+            each(&|_, parameter, u| {
+                let [m, mc] = black_box([parameter.m(), parameter.mc()]);
+                let _ = black_box(Parameter::new(m, mc).and_then(|p| sn_cn_dn(u, p)));
+            });
+        },
+        &mut || {
+            for (modulus, (_, arguments)) in moduli.iter().zip(groups) {
+                let _ = black_box(modulus.jacobi_batch(arguments, &mut sn, &mut cn, &mut dn));
+            }
+        },
+    ]);
+    let [prepared, with_am, scratch, batch] =
+        seconds.map(|seconds| 1e9 * seconds / (ARGUMENTS * MODULI) as f64);
+    let peers = (0..5).filter_map(|_| peer(groups));
+    let gsl = peers.reduce(f64::min).unwrap_or(f64::NAN);
+    numbers(name, &[gsl, prepared, with_am, scratch, batch]);
     Ok(())
-}
-
-/// Nanoseconds a triple of one run over all groups.
-fn each(mut work: impl FnMut() -> Result<()>) -> Result<f64> {
-    let start = Instant::now();
-    work()?;
-    Ok(start.elapsed().as_secs_f64() * 1e9 / (ARGUMENTS * MODULI) as f64)
 }
 
 /// The peer's time for the same list, if it was built.

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use shared::only_tested;
+use shared::{head, numbers, only_tested};
 use spinning_bodies::elliptic::{
     Characteristic, Parameter, complete_b, complete_d, complete_first, complete_first_excess,
     complete_second, complete_third, incomplete_first, incomplete_second, incomplete_third, rc, rd,
@@ -40,48 +40,58 @@ fn main() {
             }
         }
     }
-    println!("greatest error in eps of the finite answers, and how often there was none");
-    println!(
-        "{:>4} {:<22} {:>4} {:>9} {:>17} {:>17}",
-        "", "region", "rows", "ours", "ellip(m, n)", "ellip(kc, nc)"
+    let columns = [
+        "rows",
+        "ours",
+        "none",
+        "ellip(m, n)",
+        "none",
+        "ellip(kc, nc)",
+        "none",
+    ];
+    head(
+        "greatest error in eps of the finite answers, and how often there was none",
+        &columns,
     );
     for ((function, kind), (worst, missing)) in worst {
+        let [a, b, c, rows] = missing.map(f64::from);
         let [ours, plain, complementary] = worst;
-        let [none, no_plain, no_complementary, rows] = missing;
-        println!(
-            "{function:>4} {kind:<22} {rows:>4} {ours:>5.2} {none:>3} {plain:>12.2e} {no_plain:>4} {complementary:>12.2e} {no_complementary:>4}"
+        numbers(
+            &format!("{function} {kind}"),
+            &[rows, ours, a, plain, b, complementary, c],
         );
     }
 }
 
+/// m or n, and what it is less than 1.
 fn pair(text: &str) -> (f64, f64) {
     let (name, value) = text.split_once(':').expect("name:value");
-    let value = hexadecimal(value);
+    let (value, rest) = (hexadecimal(value), 1.0 - hexadecimal(value));
     if name.ends_with('c') {
-        (1.0 - value, value)
+        (rest, value)
     } else {
-        (value, 1.0 - value)
+        (value, rest)
     }
 }
 
 fn parameter(text: &str) -> Parameter {
     let (m, mc) = pair(text);
-    if text.starts_with("mc") {
+    let exact = if text.starts_with("mc") {
         Parameter::from_complement(mc)
     } else {
         Parameter::from_parameter(m)
-    }
-    .expect("a parameter")
+    };
+    exact.expect("a parameter")
 }
 
 fn characteristic(text: &str) -> Characteristic {
     let (n, nc) = pair(text);
-    if text.starts_with("nc") {
+    let exact = if text.starts_with("nc") {
         Characteristic::from_complement(nc)
     } else {
         Characteristic::from_characteristic(n)
-    }
-    .expect("a characteristic")
+    };
+    exact.expect("a characteristic")
 }
 
 /// Ours, the peer's from m and n, and the peer's from the complements.

@@ -1,61 +1,61 @@
 //! What a step costs: geometric methods beside the classical Runge–Kutta method, ours and the crate's, and DOP853.
 //!
-//! `cargo bench -p lab --bench integrators`. Times are the least of several runs.
+//! `cargo bench -p lab --bench integrators`; `-- steps`, `-- eight` or `-- long` for one part alone. Times are the least of several runs.
+
+mod shared;
 
 use std::hint::black_box;
 
 use lab::follow::{DormandPrince8, Follow};
 use lab::general::GeneralMethod;
-use shared::{angle, least, only_tested};
+use lab::stopwatch::{in_turn, least};
+use shared::{head, numbers, only_tested};
 use spinning_bodies::Result;
-use spinning_bodies::euler_equations::quaternion_rate;
 use spinning_bodies::euler_top::EulerTop;
-use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::frame::Attitude;
 use spinning_bodies::integrators::geometric::{
     DoubleDouble, FreeSplitting, GroupMidpoint, HeavySplitting, Integrator, MoserVeselov,
-    MuntheKaas, Order, Phase, Real, VeselovOrder, Weight,
+    MuntheKaas, Order, Phase, Real, Torque, VeselovOrder, Weight,
 };
 use spinning_bodies::integrators::{Effort, Method};
-
-mod shared;
+use support::{cross, dot, runge_kutta, turned, vector};
 
 /// The asymmetric body of Hairer and Vilmart (2006).
 const MOMENTS: [f64; 3] = [0.6, 0.8, 1.0];
-const START: [f64; 3] = [1.8, 0.4, -0.9];
-const UPRIGHT: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
+const START: Phase = Phase {
+    l: [1.8, 0.4, -0.9],
+    q: [1.0, 0.0, 0.0, 0.0],
+};
 /// A heavy symmetric top.
 const TOP: [f64; 3] = [1.0, 1.0, 0.6];
 const LEVER: [f64; 3] = [0.0, 0.0, 1.5];
+const STEP: f64 = 0.01;
 
 fn main() -> Result<()> {
     if only_tested() {
         return Ok(());
     }
-    // `-- steps` or `-- long` for one part alone.
-    let asked = |part: &str| {
-        let mut named = std::env::args()
-            .skip(1)
-            .filter(|argument| !argument.starts_with('-'))
-            .peekable();
-        named.peek().is_none() || named.any(|argument| argument == part)
-    };
-    if asked("steps") {
-        steps()?;
-    }
-    if asked("eight") {
-        order_eight()?;
-    }
-    if asked("long") {
-        long_runs()?;
+    let asked: Vec<String> = std::env::args()
+        .skip(1)
+        .filter(|word| !word.starts_with('-'))
+        .collect();
+    let parts: [(&str, fn() -> Result<()>); 3] = [
+        ("steps", steps),
+        ("eight", order_eight),
+        ("long", long_runs),
+    ];
+    for (name, part) in parts {
+        if asked.is_empty() || asked.iter().any(|word| word == name) {
+            part()?;
+        }
     }
     Ok(())
 }
 
-/// The attitude of the free body in closed form.
-fn exact_attitude(t: f64) -> Result<nalgebra::UnitQuaternion<f64>> {
-    let l = BodyVector::from_components(START.into());
-    let top = EulerTop::new(MOMENTS, l, Attitude::identity())?;
-    Ok(top.at(t)?.attitude.quaternion())
+/// The angle between the attitude of a phase and that of the free body in closed form.
+fn off(phase: &Phase, t: f64) -> Result<f64> {
+    let top = EulerTop::new(MOMENTS, vector(START.l), Attitude::identity())?;
+    Ok(phase.attitude()?.angle_to(&top.at(t)?.attitude))
 }
 
 fn free_methods() -> Result<Vec<Box<dyn Integrator>>> {
@@ -83,136 +83,99 @@ fn heavy_methods() -> Result<Vec<Box<dyn Integrator>>> {
     Ok(all)
 }
 
-/// The plain method of Runge and Kutta for L and the quaternion, nothing shared, nothing spared.
-fn plain(y: &[f64; 7], h: f64) -> [f64; 7] {
-    let [i1, i2, i3] = MOMENTS;
-    let rate = |y: &[f64; 7]| -> [f64; 7] {
-        let [a, b, c, w, x, z, v] = *y;
-        let [o1, o2, o3] = [a / i1, b / i2, c / i3];
-        let [p, q, r, s] = quaternion_rate([w, x, z, v], BodyVector::new(o1, o2, o3));
-        [
-            b * o3 - c * o2,
-            c * o1 - a * o3,
-            a * o2 - b * o1,
-            p,
-            q,
-            r,
-            s,
-        ]
+/// So many steps of the plain method of Runge and Kutta for L and the quaternion, nothing shared, nothing spared.
+fn plain(phase: &Phase, steps: u32) -> Phase {
+    let rate = |_: f64, [a, b, c, w, x, y, z]: [f64; 7]| {
+        let (l, [i1, i2, i3]) = ([a, b, c], MOMENTS);
+        let omega = [a / i1, b / i2, c / i3];
+        let ([p, q, r], [dw, dx, dy, dz]) = (cross(l, omega), turned([w, x, y, z], omega));
+        [p, q, r, dw, dx, dy, dz]
     };
-    let moved = |h: f64, k: &[f64; 7]| -> [f64; 7] { core::array::from_fn(|i| y[i] + h * k[i]) };
-    let a = rate(y);
-    let b = rate(&moved(0.5 * h, &a));
-    let c = rate(&moved(0.5 * h, &b));
-    let d = rate(&moved(h, &c));
-    core::array::from_fn(|i| y[i] + h / 6.0 * (a[i] + 2.0 * (b[i] + c[i]) + d[i]))
+    let ([a, b, c], [w, x, y, z]) = (phase.l, phase.q);
+    let start = [a, b, c, w, x, y, z];
+    let [a, b, c, q @ ..] = runge_kutta(rate, start, (steps, black_box(STEP)), |_| ());
+    Phase { l: [a, b, c], q }
+}
+
+/// So many steps from the start.
+fn run<T: Real>(method: &dyn Integrator<T>, count: u64) -> Result<Phase<T>> {
+    let mut stepper = method.start(&black_box(START).cast(), T::from_double(STEP))?;
+    stepper.advance(count)?;
+    stepper.phase()
 }
 
 fn steps() -> Result<()> {
     // Short runs, many of them: on a busy machine only those shorter than a time slice are undisturbed.
     const COUNT: u64 = 10_000;
-    let (h, t) = (0.01, 10.0);
-    let start = Phase {
-        l: START,
-        q: UPRIGHT,
-    };
-    let exact = exact_attitude(t)?;
-    let exact = [exact.w, exact.i, exact.j, exact.k];
-    println!(
-        "free body 0.6, 0.8, 1.0: ns a step, and the attitude's error at t = 10 with 1000 steps"
+    let each = |seconds: f64| 1e9 * seconds / COUNT as f64;
+    let (t, few) = (10.0, 1000);
+    let columns = ["of a run", "alone", "phase seen", "error at t = 10"];
+    head(
+        "free body 0.6, 0.8, 1.0: ns a step, and the attitude's error with 1000 steps",
+        &columns,
     );
-    let report = |name: &str, time: f64, q: [f64; 4]| {
-        let error = angle(q, exact);
-        println!(
-            "{name:>30} {:>9.1} {error:>10.1e}",
-            time / COUNT as f64 * 1e9
-        );
-    };
-    let time = least(60, || {
-        let mut y = [1.8, 0.4, -0.9, 1.0, 0.0, 0.0, 0.0];
-        for _ in 0..COUNT {
-            y = plain(&y, black_box(h));
-        }
-        black_box(y);
+    let none = f64::NAN;
+    let time = least(|| {
+        black_box(plain(&START, COUNT as u32));
     });
-    let mut y = [1.8, 0.4, -0.9, 1.0, 0.0, 0.0, 0.0];
-    for _ in 0..1000 {
-        y = plain(&y, h);
-    }
-    report("plain Runge-Kutta", time, [y[3], y[4], y[5], y[6]]);
+    numbers(
+        "plain Runge-Kutta",
+        &[each(time), none, none, off(&plain(&START, few), t)?],
+    );
     for method in free_methods()? {
-        let time = least(60, || run(&*method, &start, h, COUNT));
-        let mut stepper = method.start(&start, h)?;
-        let alone = least(60, || {
-            for _ in 0..COUNT {
-                let _ = black_box(black_box(&mut stepper).step());
-            }
-        });
-        let seen = least(60, || {
-            for _ in 0..COUNT {
-                let _ = black_box(black_box(&mut stepper).step());
-                let _ = black_box(stepper.phase());
-            }
-        });
-        let mut stepper = method.start(&start, h)?;
-        stepper.advance(1000)?;
-        report(&method.name(), time, stepper.phase()?.q);
-        println!(
-            "{:>30} {:>9.1}, with the phase looked at {:.1}",
-            "one by one",
-            alone / COUNT as f64 * 1e9,
-            seen / COUNT as f64 * 1e9
-        );
+        let [mut alone, mut seen] = [method.start(&START, STEP)?, method.start(&START, STEP)?];
+        let seconds = in_turn([
+            &mut || drop(black_box(run(&*method, COUNT))),
+            &mut || {
+                for _ in 0..COUNT {
+                    let _ = black_box(black_box(&mut alone).step());
+                }
+            },
+            &mut || {
+                for _ in 0..COUNT {
+                    let _ = black_box(black_box(&mut seen).step());
+                    let _ = black_box(seen.phase());
+                }
+            },
+        ]);
+        let [run_of, alone, seen] = seconds.map(each);
+        let error = off(&run(&*method, few.into())?, t)?;
+        numbers(&method.name(), &[run_of, alone, seen, error]);
     }
-    for (name, time) in [
-        ("rotations 2, f32", of_type::<f32>(COUNT)?),
-        (
-            "rotations 2, two words",
-            of_type::<DoubleDouble>(COUNT / 10)? * 10.0,
-        ),
-    ] {
-        println!("{name:>30} {:>9.1}", time / COUNT as f64 * 1e9);
-    }
-    for (method, effort) in [
-        (Method::Rk4, Effort::Step(h)),
-        (Method::Dop853, Effort::Tolerance(1e-10)),
-    ] {
-        let general = GeneralMethod::new(MOMENTS, (), method)?;
-        let end = if method == Method::Rk4 {
-            h * COUNT as f64
-        } else {
-            50.0
-        };
-        let steps = general.follow(&start, &[end], effort)?.cost.steps;
-        let time = least(60, || {
-            let _ = black_box(general.follow(&start, &[end], effort));
-        });
-        let course = general.follow(&start, &[t], effort)?;
-        let time = time / steps as f64 * COUNT as f64;
-        report(
-            &format!("{} of the crate", method.name()),
-            time,
-            course.states[0].q,
-        );
-    }
-    println!("\nheavy bodies: ns a step");
+    let method = FreeSplitting::new(MOMENTS, Order::Two)?;
+    let single = least(|| drop(black_box(run::<f32>(&method, COUNT))));
+    let words = least(|| drop(black_box(run::<DoubleDouble>(&method, COUNT))));
+    numbers("rotations 2, f32", &[each(single)]);
+    numbers("rotations 2, two words", &[each(words)]);
+    general(MOMENTS, ())?;
+    head("heavy bodies: ns a step", &["of a run"]);
     for method in heavy_methods()? {
-        let time = least(60, || run(&*method, &start, h, COUNT / 10));
-        println!("{:>30} {:>9.1}", method.name(), time / COUNT as f64 * 1e10);
+        numbers(
+            &method.name(),
+            &[each(least(|| drop(black_box(run(&*method, COUNT)))))],
+        );
     }
+    general(TOP, Weight::new(LEVER)?)
+}
+
+/// What a step of the crate's methods costs.
+fn general(moments: [f64; 3], torque: impl Torque<f64> + Copy) -> Result<()> {
     for (method, effort) in [
-        (Method::Rk4, Effort::Step(h)),
+        (Method::Rk4, Effort::Step(STEP)),
         (Method::Dop853, Effort::Tolerance(1e-10)),
     ] {
-        let general = GeneralMethod::new(TOP, Weight::new(LEVER)?, method)?;
-        let steps = general.follow(&start, &[20.0], effort)?.cost.steps;
-        let time = least(60, || {
-            let _ = black_box(general.follow(&start, &[20.0], effort));
+        let general = GeneralMethod::new(moments, torque, method)?;
+        let steps = general.follow(&START, &[50.0], effort)?.cost.steps;
+        let time = least(|| {
+            drop(black_box(general.follow(
+                black_box(&START),
+                &[50.0],
+                effort,
+            )))
         });
-        println!(
-            "{:>30} {:>9.1}",
-            format!("{} of the crate", method.name()),
-            time / steps as f64 * 1e9
+        numbers(
+            &format!("{} of the crate", method.name()),
+            &[1e9 * time / steps as f64],
         );
     }
     Ok(())
@@ -220,11 +183,7 @@ fn steps() -> Result<()> {
 
 /// Ours and the crate's method of order 8: time a step, and time at the same error by interpolation between tolerances.
 fn order_eight() -> Result<()> {
-    let start = Phase {
-        l: START,
-        q: UPRIGHT,
-    };
-    let weight = Weight::new(LEVER)?;
+    let (t, weight) = (50.0, Weight::new(LEVER)?);
     let free: [Box<dyn Follow>; 2] = [
         Box::new(GeneralMethod::new(MOMENTS, (), Method::Dop853)?),
         Box::new(DormandPrince8::new(MOMENTS, ())?),
@@ -233,35 +192,31 @@ fn order_eight() -> Result<()> {
         Box::new(GeneralMethod::new(MOMENTS, weight, Method::Dop853)?),
         Box::new(DormandPrince8::new(MOMENTS, weight)?),
     ];
-    let t = 50.0;
-    let exact = exact_attitude(t)?;
-    let truth = DormandPrince8::new(MOMENTS, weight)?;
-    let truth = truth.follow(&start, &[t], Effort::Tolerance(1e-15))?;
-    println!(
-        "\norder 8 over {t} s: tolerance, error, steps, microseconds, ns a step; then the ratio of times at the same error"
-    );
-    for (what, methods, exact) in [
-        ("free", free, [exact.w, exact.i, exact.j, exact.k]),
-        ("heavy, unequal moments", heavy, truth.states[0].q),
-    ] {
-        println!("{what}");
+    for (what, methods) in [("free", free), ("heavy, unequal moments", heavy)] {
+        head(
+            &format!("order 8 over {t} s: {what}"),
+            &["tolerance", "error", "steps", "us", "ns a step"],
+        );
+        // The library's own at its tightest judges a body that has no closed form.
+        let truth = methods[1]
+            .follow(&START, &[t], Effort::Tolerance(1e-15))?
+            .states[0];
         let mut curves: Vec<Vec<(f64, f64)>> = Vec::new();
         for method in &methods {
             let mut curve = Vec::new();
-            for decade in 2..15 {
-                let effort = Effort::Tolerance(10.0_f64.powi(-decade));
-                let course = method.follow(&start, &[t], effort)?;
-                let steps = course.cost.steps;
-                let error = angle(course.states[0].q, exact);
-                let time = least(60, || {
-                    let _ = black_box(method.follow(black_box(&start), &[t], effort));
-                });
-                println!(
-                    "{:>20} {:>8.0e} {error:>9.1e} {steps:>6} {:>9.2} {:>7.0}",
-                    method.name(),
-                    10.0_f64.powi(-decade),
-                    time * 1e6,
-                    time / steps as f64 * 1e9
+            for tolerance in (2..15).map(|decade| 10.0_f64.powi(-decade)) {
+                let effort = Effort::Tolerance(tolerance);
+                let course = method.follow(&START, &[t], effort)?;
+                let (found, steps) = (course.states[0], course.cost.steps as f64);
+                let error = match what {
+                    "free" => off(&found, t)?,
+                    _ => found.attitude()?.angle_to(&truth.attitude()?),
+                };
+                let time =
+                    least(|| drop(black_box(method.follow(black_box(&START), &[t], effort))));
+                numbers(
+                    &method.name(),
+                    &[tolerance, error, steps, 1e6 * time, 1e9 * time / steps],
                 );
                 curve.push((error.ln(), time.ln()));
             }
@@ -277,78 +232,39 @@ fn order_eight() -> Result<()> {
                 })
             };
             let ratio = (at(&curves[1]) - at(&curves[0])).exp();
-            println!(
-                "{:>20} 1e-{decade}: ours takes {ratio:.2} of the crate's time",
-                ""
-            );
+            numbers(&format!("at 1e-{decade}, ours over the crate's"), &[ratio]);
         }
     }
     Ok(())
 }
 
-fn of_type<T: Real>(count: u64) -> Result<f64> {
-    let method = FreeSplitting::new(MOMENTS, Order::Two)?;
-    let start = Phase {
-        l: START,
-        q: UPRIGHT,
-    }
-    .cast::<T>();
-    let h = T::from_double(0.01);
-    Ok(least(60, || run(&method, &start, h, count)))
-}
-
-/// So many steps from this phase.
-fn run<T: Real>(method: &dyn Integrator<T>, start: &Phase<T>, h: T, count: u64) {
-    let _ = black_box(method.start(black_box(start), h).and_then(|mut stepper| {
-        stepper.advance(count)?;
-        stepper.phase()
-    }));
-}
-
 /// |L| and the energy over 10⁷ steps: the spread of the first and of the last tenth, and by how much their means differ.
 fn long_runs() -> Result<()> {
-    println!(
-        "\n10^7 steps of 0.01 s, sampled 10^4 times: relative, spread in the first tenth, in the last, and the means' difference"
+    let columns = [
+        "|L|: first",
+        "last tenth",
+        "means apart",
+        "E: first",
+        "last tenth",
+        "means apart",
+        "|q| - 1",
+    ];
+    head(
+        "10^7 steps of 0.01 s, sampled 10^4 times, relative",
+        &columns,
     );
-    println!(
-        "{:>30} {:>28} {:>28} {:>10}",
-        "method", "|L|", "E", "|q| - 1"
-    );
-    let free = free_methods()?;
-    for method in &free {
-        drift_of(&**method, MOMENTS, [0.0; 3])?;
-    }
-    for method in &heavy_methods()?[..3] {
-        drift_of(&**method, TOP, LEVER)?;
+    let (free, heavy) = (free_methods()?, heavy_methods()?);
+    let free = free.iter().map(|method| (method, MOMENTS, [0.0; 3]));
+    for (method, moments, lever) in free.chain(heavy[..3].iter().map(|method| (method, TOP, LEVER)))
+    {
+        let mut stepper = method.start(&START, STEP)?;
+        drift(&method.name(), moments, lever, |_| {
+            (0..1000).try_for_each(|_| stepper.step())?;
+            stepper.phase()
+        })?;
     }
     drift("plain Runge-Kutta", MOMENTS, [0.0; 3], |phase| {
-        let ([a, b, c], [w, x, y, z]) = (phase.l, phase.q);
-        let mut p = [a, b, c, w, x, y, z];
-        for _ in 0..1000 {
-            p = plain(&p, 0.01);
-        }
-        let [a, b, c, w, x, y, z] = p;
-        *phase = Phase {
-            l: [a, b, c],
-            q: [w, x, y, z],
-        };
-        Ok(())
-    })
-}
-
-/// Step by step.
-fn drift_of(method: &dyn Integrator, moments: [f64; 3], lever: [f64; 3]) -> Result<()> {
-    let start = Phase {
-        l: START,
-        q: UPRIGHT,
-    };
-    let mut stepper = method.start(&start, 0.01)?;
-    drift(&method.name(), moments, lever, |phase| {
-        for _ in 0..1000 {
-            stepper.step()?;
-        }
-        *phase = stepper.phase()?;
-        Ok(())
+        Ok(plain(phase, 1000))
     })
 }
 
@@ -356,53 +272,39 @@ fn drift(
     name: &str,
     moments: [f64; 3],
     lever: [f64; 3],
-    mut advance: impl FnMut(&mut Phase) -> Result<()>,
+    mut advance: impl FnMut(&Phase) -> Result<Phase>,
 ) -> Result<()> {
-    let mut phase = Phase {
-        l: START,
-        q: UPRIGHT,
-    };
+    let mut phase = START;
     let mut values: [Vec<f64>; 2] = [Vec::new(), Vec::new()];
     for _ in 0..10_000 {
-        advance(&mut phase)?;
-        let up = phase.up();
+        phase = advance(&phase)?;
+        let (l, up) = (phase.l, phase.up());
         // Of a heavy top, L along the vertical stands for |L|.
         let heavy = lever != [0.0; 3];
-        let size: f64 = if heavy {
-            (0..3).map(|k| phase.l[k] * up[k]).sum()
-        } else {
-            phase.l.iter().map(|x| x * x).sum::<f64>().sqrt()
-        };
-        let kinetic: f64 = (0..3)
-            .map(|k| 0.5 * phase.l[k] * phase.l[k] / moments[k])
-            .sum();
-        let weight: f64 = (0..3).map(|k| lever[k] * up[k]).sum();
-        values[0].push(size);
-        values[1].push(kinetic + weight);
+        values[0].push(if heavy { dot(l, up) } else { dot(l, l).sqrt() });
+        let omega = [0, 1, 2].map(|k| l[k] / moments[k]);
+        values[1].push(0.5 * dot(l, omega) + dot(lever, up));
     }
-    let norm = phase.q.iter().map(|x| x * x).sum::<f64>().sqrt() - 1.0;
-    print!("{name:>30}");
+    let mut told = Vec::new();
     for values in values {
-        let scale = values[0].abs();
+        let first = values[0];
+        let off: Vec<f64> = values
+            .iter()
+            .map(|value| (value - first) / first.abs())
+            .collect();
         let spread = |part: &[f64]| {
-            let (least, most) = part
-                .iter()
-                .fold((f64::INFINITY, -f64::INFINITY), |(a, b), &v| {
-                    (a.min(v), b.max(v))
-                });
-            (most - least) / scale
+            let side = |sign: f64| {
+                part.iter()
+                    .map(|x| sign * x)
+                    .fold(f64::NEG_INFINITY, f64::max)
+            };
+            side(1.0) + side(-1.0)
         };
-        let mean = |part: &[f64]| {
-            part.iter().map(|v| v - values[0]).sum::<f64>() / part.len() as f64 / scale
-        };
-        let (first, last) = (&values[..1000], &values[9000..]);
-        print!(
-            " {:>8.1e} {:>8.1e} {:>10.1e}",
-            spread(first),
-            spread(last),
-            mean(last) - mean(first)
-        );
+        let mean = |part: &[f64]| part.iter().sum::<f64>() / part.len() as f64;
+        let (early, late) = (&off[..1000], &off[9000..]);
+        told.extend([spread(early), spread(late), mean(late) - mean(early)]);
     }
-    println!(" {norm:>10.1e}");
+    told.push(phase.q.iter().map(|x| x * x).sum::<f64>().sqrt() - 1.0);
+    numbers(name, &told);
     Ok(())
 }

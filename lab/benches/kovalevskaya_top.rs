@@ -2,35 +2,31 @@
 //!
 //! `cargo bench -p lab --bench kovalevskaya_top`, a minute. Errors are the greatest of the six components against power series in
 //! double-doubles; `cargo bench -p lab --bench kovalevskaya_top -- reference` computes those anew, which takes an hour. Times
-//! are the least of several runs. The integrators solve the library's own Euler–Poisson equations: its classical Runge–Kutta step, and
-//! DOP853 of the crate `differential-equations`, relative and absolute tolerance alike.
+//! are the least of several runs. The integrators solve Euler's equations under the weight and q′ = ½qΩ: the classical Runge–Kutta method and
+//! DOP853 of the crate `differential-equations`.
 
-#[path = "shared/heavy.rs"]
-#[allow(dead_code, reason = "the attitude is not asked for here")]
-mod heavy;
 mod shared;
 
 use std::hint::black_box;
 
-use differential_equations::ode::ODE;
-use heavy::dop853;
-use shared::{least, least_of_few, only_tested};
+use lab::follow::Follow;
+use lab::general::GeneralMethod;
+use lab::stopwatch::least;
+use shared::{head, numbers, only_tested};
 use spinning_bodies::Result;
-use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, TopState};
-use spinning_bodies::frame::BodyVector;
+use spinning_bodies::integrators::geometric::{Phase, Weight};
+use spinning_bodies::integrators::{Effort, Method};
 use spinning_bodies::kovalevskaya_top::KovalevskayaTop;
 use support::double_double::Dd;
-use support::power_series::Top;
+use support::kovalevskaya::{LEVER, MOMENTS, SERIES, top};
+use support::{greatest, vector};
 
 /// Ω and z along the body's axes.
 type Point = [f64; 6];
 
-/// Moments and MgC: c = MgC₁/I₃ = 1.
-const MOMENTS: [f64; 3] = [2.0, 2.0, 1.0];
-const LEVER: [f64; 3] = [1.0, 0.0, 0.0];
-
 /// The start of the table. |z| differs from 1 by 2e-17, which can make 2e-11 in a million seconds.
-const START: Point = [1.0, 0.5, 0.3, 0.6, 0.0, 0.8];
+const OMEGA: [f64; 3] = [1.0, 0.5, 0.3];
+const UP: [f64; 3] = [0.6, 0.0, 0.8];
 
 fn main() -> Result<()> {
     if only_tested() {
@@ -40,158 +36,108 @@ fn main() -> Result<()> {
         reference();
         return Ok(());
     }
-    times()?;
+    times();
     compared()
 }
 
-fn vector([x, y, z]: [f64; 3]) -> BodyVector {
-    BodyVector::new(x, y, z)
-}
-
-fn state([a, b, c, x, y, z]: Point) -> TopState {
-    TopState {
-        omega: vector([a, b, c]),
-        up: vector([x, y, z]),
-    }
-}
-
-fn point(state: &TopState) -> Point {
-    let (o, z) = (state.omega, state.up);
-    [o.x(), o.y(), o.z(), z.x(), z.y(), z.z()]
-}
-
-fn top(start: Point) -> Result<KovalevskayaTop> {
-    let TopState { omega, up } = state(start);
-    KovalevskayaTop::with_up(MOMENTS, vector(LEVER), omega, up)
-}
-
 /// What one state costs, for starts of several kinds.
-fn times() -> Result<()> {
-    println!("one state of Kovalevskaya's top, us\n");
-    println!(
-        "{:>24} {:>12} {:>28} {:>26} {:>10}",
-        "", "", "omega and z about t =", "with the attitude", ""
-    );
-    println!(
-        "{:>24} {:>12} {:>8} {:>9} {:>9} {:>12} {:>13} {:>10}",
-        "start", "method", "10", "1e3", "1e6", "t = 10", "a step of 0.1", "set-up"
-    );
-    let starts: [(&str, Point); 4] = [
-        ("the table's", START),
-        ("fast spin", [0.5, 0.3, 5.0, 0.6, 0.0, 0.8]),
-        ("through q = 0", [1.0, 0.0, 0.3, 0.6, 0.48, 0.64]),
-        ("weak gravity", [10.0, 5.0, 3.0, 0.6, 0.0, 0.8]),
+fn times() {
+    const COUNT: usize = 100;
+    let columns = [
+        "t about 10",
+        "1e3",
+        "1e6",
+        "attitude, 10",
+        "steps of 0.1",
+        "set-up",
     ];
-    for (name, start) in starts {
-        const COUNT: usize = 100;
-        let top = top(start)?;
-        let about = |t: f64| {
-            let work = || {
-                for k in 0..COUNT {
-                    let _ = black_box(black_box(&top).omega_and_up(t + 0.1 * k as f64));
-                }
-            };
-            1e6 * least(20, work) / COUNT as f64
-        };
-        let attitude = least(10, || {
-            let _ = black_box(black_box(&top).at(10.0));
+    head(
+        "one state of Kovalevskaya's top, us: omega and z; with the attitude",
+        &columns,
+    );
+    for (name, omega, up) in [
+        ("the table's", OMEGA, UP),
+        ("fast spin", [0.5, 0.3, 5.0], UP),
+        ("through q = 0", [1.0, 0.0, 0.3], [0.6, 0.48, 0.64]),
+        ("weak gravity", [10.0, 5.0, 3.0], UP),
+    ] {
+        let made = top(omega, up);
+        let times = || (1..=COUNT).map(|k| 0.1 * k as f64);
+        let [near, far, farthest] = [10.0, 1e3, 1e6].map(|t| {
+            let states =
+                || times().for_each(|k| drop(black_box(black_box(&made).omega_and_up(t + k))));
+            least(states) / COUNT as f64
         });
-        let batch = least(10, || {
-            for state in black_box(&top).states((1..=COUNT).map(|k| 0.1 * k as f64)) {
+        let attitude = least(|| drop(black_box(black_box(&made).at(10.0))));
+        let batch = least(|| {
+            for state in black_box(&made).states(times()) {
                 let _ = black_box(state);
             }
         });
-        let set_up = least(10, || {
-            let _ = black_box(crate::top(black_box(start)));
-        });
-        println!(
-            "{name:>24} {:>12} {:>8.2} {:>9.2} {:>9.2} {:>12.0} {:>13.1} {:>10.0}",
-            format!("{:?}", top.method()),
-            about(10.0),
-            about(1e3),
-            about(1e6),
-            1e6 * attitude,
-            1e6 * batch / COUNT as f64,
-            1e6 * set_up
+        let set_up = least(|| drop(black_box(top(black_box(omega), up))));
+        let all = [near, far, farthest, attitude, batch / COUNT as f64, set_up];
+        numbers(
+            &format!("{name}, {:?}", made.method()),
+            &all.map(|seconds| 1e6 * seconds),
         );
     }
-    Ok(())
 }
 
-/// The Euler–Poisson equations.
-struct Poisson(HeavyTop);
-
-impl ODE<f64, Point> for Poisson {
-    fn diff(&self, _: f64, y: &Point, dydt: &mut Point) {
-        *dydt = point(&self.0.rate(&state(*y)));
-    }
+fn point(top: &KovalevskayaTop, t: f64) -> Result<Point> {
+    let state = top.omega_and_up(t)?;
+    let (o, z) = (state.omega, state.up);
+    Ok([o.x(), o.y(), o.z(), z.x(), z.y(), z.z()])
 }
 
 /// The motion of the table by all methods, at three times.
 fn compared() -> Result<()> {
-    let exact = top(START)?;
-    let poisson = Poisson(HeavyTop::new(
-        AxisMoments::new(MOMENTS[0], MOMENTS[1], MOMENTS[2])?,
-        vector(LEVER),
-    )?);
+    let exact = top(OMEGA, UP);
+    let l = vector([0, 1, 2].map(|k| MOMENTS[k] * OMEGA[k]));
+    let start = Phase::new(l, &exact.at(0.0)?.attitude);
     for (t, truth) in TRUTH {
-        println!(
-            "\nomega and z of the table's top at t = {t:e}\n\n{:>24} {:>10} {:>10} {:>14} {:>12}",
-            "method", "steps", "error", "time us", "times ours"
+        let columns = ["steps", "error", "time, us", "times ours"];
+        head(
+            &format!("omega and z of the table's top at t = {t:e}"),
+            &columns,
         );
-        let mut answer = [0.0; 6];
-        let prepared = least(1000, || {
-            if let Ok(found) = black_box(&exact).omega_and_up(black_box(t)) {
-                answer = point(&found);
-            }
-        });
-        let say = |method: &str, steps: String, found: Point, time: f64| {
-            let error = (0..6)
-                .map(|k| (found[k] - truth[k]).abs())
-                .fold(0.0, f64::max);
-            println!(
-                "{method:>24} {steps:>10} {error:>10.1e} {:>14.1} {:>12.1}",
-                1e6 * time,
-                time / prepared
-            );
+        let prepared = least(|| drop(black_box(point(black_box(&exact), t))));
+        let say = |method: &str, steps: f64, found: Point, seconds: f64| {
+            let error = greatest((0..6).map(|k| (found[k] - truth[k]).abs()));
+            numbers(method, &[steps, error, 1e6 * seconds, seconds / prepared]);
         };
-        say("exact, prepared", "-".to_owned(), answer, prepared);
-        let scratch = least(10, || {
-            if let Ok(found) = top(black_box(START)).and_then(|top| top.omega_and_up(t)) {
-                answer = point(&found);
-            }
-        });
-        say("exact, set-up and state", "-".to_owned(), answer, scratch);
-        for each in [20.0, 200.0] {
-            let steps = each * t;
-            if steps > 5e6 {
-                continue;
-            }
-            let mut found = state(START);
-            let time = least_of_few(10, || {
-                found = black_box(state(START));
-                for _ in 0..steps as u64 {
-                    found = poisson.0.step(&found, 1.0 / each);
-                }
-            });
-            say("Runge-Kutta 4", format!("{steps}"), point(&found), time);
-        }
+        say("exact, prepared", f64::NAN, point(&exact, t)?, prepared);
+        let scratch = least(|| drop(black_box(point(&top(black_box(OMEGA), UP), t))));
+        say(
+            "exact, set-up and state",
+            f64::NAN,
+            point(&exact, t)?,
+            scratch,
+        );
+        let steps = [20.0, 200.0].map(|each| (Method::Rk4, Effort::Step(1.0 / each), each * t));
         // Nine million steps are enough of one kind.
-        let tolerances: &[f64] = if t > 1e5 {
-            &[1e-12]
-        } else {
-            &[1e-9, 1e-12, 1e-14]
-        };
-        for &tolerance in tolerances {
-            let mut found = None;
-            let time = least_of_few(10, || {
-                found = black_box(dop853(&poisson, black_box(START), t, tolerance));
-            });
-            let method = format!("DOP853, {tolerance:.0e}");
-            match found {
-                Some((p, steps)) => say(&method, steps.to_string(), p, time),
-                None => println!("{method:>24} gives up"),
-            }
+        let tolerances =
+            [1e-12, 1e-9, 1e-14].map(|most| (Method::Dop853, Effort::Tolerance(most), 0.0));
+        let least_of_all = if t > 1e5 { 1 } else { 3 };
+        let chosen = tolerances.into_iter().take(least_of_all);
+        for (method, effort, _) in steps.into_iter().filter(|way| way.2 < 5e6).chain(chosen) {
+            let general = GeneralMethod::new(MOMENTS, Weight::new(LEVER)?, method)?;
+            let name = format!("{}, {effort:?}", method.name());
+            let Ok(run) = general.follow(&start, &[t], effort) else {
+                println!("{name} gives up");
+                continue;
+            };
+            let seconds =
+                least(|| drop(black_box(general.follow(black_box(&start), &[t], effort))));
+            let (Phase { l, .. }, up) = (run.states[0], run.states[0].up());
+            let found = [
+                l[0] / MOMENTS[0],
+                l[1] / MOMENTS[1],
+                l[2] / MOMENTS[2],
+                up[0],
+                up[1],
+                up[2],
+            ];
+            say(&name, run.cost.steps as f64, found, seconds);
         }
     }
     Ok(())
@@ -199,23 +145,14 @@ fn compared() -> Result<()> {
 
 /// Prints [`TRUTH`].
 fn reference() {
-    let series = Top {
-        moments: MOMENTS,
-        lever: LEVER,
-    };
+    let ([a, b, c], [x, y, z]) = (OMEGA, UP);
     // The attitude goes along, from the identity; nothing depends on it.
-    let mut y: [Dd; 10] = core::array::from_fn(|k| {
-        Dd::from(if k < 6 {
-            START[k]
-        } else {
-            f64::from(u8::from(k == 6))
-        })
-    });
+    let mut state = [a, b, c, x, y, z, 1.0, 0.0, 0.0, 0.0].map(Dd::from);
     let mut now = 0.0;
     for (t, _) in TRUTH {
-        y = series.after(y, t - now);
+        state = SERIES.after(state, t - now);
         now = t;
-        println!("{t:e} {:?}", [0, 1, 2, 3, 4, 5].map(|k| y[k].value()));
+        println!("{t:e} {:?}", &state.map(Dd::value)[..6]);
     }
 }
 

@@ -10,9 +10,9 @@ use std::path::{Path, PathBuf};
 
 mod shared;
 
+use lab::stopwatch::{in_turn, least};
 use press::scenes::prices::{PRICED, run};
-
-use shared::least;
+use shared::{head, numbers};
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::integrators::Method;
@@ -63,10 +63,7 @@ fn here() -> String {
 /// Solver, evaluations, least milliseconds of a scene.
 fn spent(text: &str) -> Result<(String, u64, f64), Box<dyn std::error::Error>> {
     let table = run("scene", text)?;
-    let once = least(1, || drop(black_box(run("scene", text))));
-    // A fifth of a second each, twenty runs at most.
-    let runs = ((0.2 / once) as usize).clamp(2, 20);
-    let time = once.min(least(runs, || drop(black_box(run("scene", text)))));
+    let time = least(|| drop(black_box(run("scene", text))));
     let solver = table.plan.solver.name().to_owned();
     Ok((solver, table.cost.evaluations, time * 1e3))
 }
@@ -128,38 +125,31 @@ fn nothing() -> spinning_bodies::Result<()> {
     let start = Start::with_omega(omega, Attitude::identity());
     let scene = Top::new(Body::new(moments)?, start)?;
     let request = Request::at(times.clone())?;
-    let [mut direct, mut kept, mut whole] = [f64::INFINITY; 3];
-    // Alternately, so that all see the same machine.
-    for _ in 0..40 {
-        direct = direct.min(least(1, || {
-            if let Ok(top) = EulerTop::from_omega(moments, omega, Attitude::identity()) {
-                for &t in &times {
-                    let _ = black_box(top.at(t));
-                }
+    let direct = || EulerTop::from_omega(moments, omega, Attitude::identity());
+    let seconds = in_turn([
+        &mut || {
+            if let Ok(top) = black_box(direct()) {
+                times.iter().for_each(|&t| drop(black_box(top.at(t))));
             }
-        }));
-        kept = kept.min(least(1, || {
-            if let Ok(top) = EulerTop::from_omega(moments, omega, Attitude::identity()) {
-                let rows = times.iter().map(|&t| Ok((t, top.at(t)?)));
-                let _ = black_box(rows.collect::<spinning_bodies::Result<Vec<_>>>());
-            }
-        }));
-        whole = whole.min(least(1, || {
-            let _ = black_box(scene.simulate(&request));
-        }));
-    }
-    println!("a scene without effects, ns a state over 10000 states");
-    let count = times.len() as f64;
-    for (name, time) in [
-        ("EulerTop called directly", direct),
-        ("and its states kept", kept),
-        ("simulate: rows and ledger", whole),
-    ] {
-        println!(
-            "{name:>28} {:>8.1} ratio {:.3}",
-            time / count * 1e9,
-            time / direct
-        );
+        },
+        &mut || {
+            let rows = |top: EulerTop| times.iter().map(|&t| Ok((t, top.at(t)?))).collect();
+            let kept: spinning_bodies::Result<Vec<_>> = black_box(direct()).and_then(rows);
+            let _ = black_box(kept);
+        },
+        &mut || drop(black_box(scene.simulate(&request))),
+    ]);
+    head(
+        "a scene without effects, over 10000 states",
+        &["ns a state", "ratio"],
+    );
+    let names = [
+        "EulerTop called directly",
+        "and its states kept",
+        "simulate: rows and ledger",
+    ];
+    for (name, time) in names.into_iter().zip(seconds) {
+        numbers(name, &[time / times.len() as f64 * 1e9, time / seconds[0]]);
     }
     Ok(())
 }
@@ -190,21 +180,15 @@ fn prices() -> spinning_bodies::Result<()> {
     let request = request
         .with_methods(&lab::general::DifferentialEquations)
         .by(Choice::Use(Solver::General(Method::Dop853)));
-    println!("\none second of a top at 30 turns a second, DOP853 to 1e-9");
-    println!(
-        "{:>22} {:>12} {:>8} {:>14}",
-        "effects", "evaluations", "ms", "ns/evaluation"
+    let columns = ["evaluations", "ms", "ns/evaluation"];
+    head(
+        "one second of a top at 30 turns a second, DOP853 to 1e-9",
+        &columns,
     );
     for (name, scene) in tops {
-        let evaluations = scene.simulate(&request)?.cost.evaluations;
-        let time = least(7, || {
-            let _ = black_box(scene.simulate(&request));
-        });
-        let each = time / evaluations as f64 * 1e9;
-        println!(
-            "{name:>22} {evaluations:>12} {:>8.2} {each:>14.1}",
-            time * 1e3
-        );
+        let evaluations = scene.simulate(&request)?.cost.evaluations as f64;
+        let time = least(|| drop(black_box(scene.simulate(&request))));
+        numbers(name, &[evaluations, time * 1e3, time / evaluations * 1e9]);
     }
     Ok(())
 }

@@ -17,24 +17,15 @@ const EPS: f64 = f64::EPSILON;
 
 /// Largest entry of VᵀV − 1 and of (A V − V diag(moments))/|A|, both in 106 bits.
 fn defects(a: &Matrix3<f64>, found: &PrincipalAxes) -> (f64, f64) {
-    let v = found.axes;
-    let largest = greatest(found.moments.map(f64::abs));
-    let sum = |terms: [(f64, f64); 3]| -> Dd {
-        let products = terms.map(|(x, y)| Dd::from(x) * y);
-        products.into_iter().sum()
-    };
-    let (mut skew, mut residual) = (0.0_f64, 0.0_f64);
-    for i in 0..3 {
-        for j in 0..3 {
-            let product = sum([0, 1, 2].map(|k| (v[(k, i)], v[(k, j)])));
-            let unit = Dd::from(f64::from(u8::from(i == j)));
-            skew = skew.max((product - unit).value().abs());
-            let image = sum([0, 1, 2].map(|k| (a[(i, k)], v[(k, j)])));
-            let scaled = Dd::from(found.moments[j]) * Dd::from(v[(i, j)]);
-            residual = residual.max((image - scaled).value().abs() / largest);
-        }
-    }
-    (skew, residual)
+    let [a, v] = [a, &found.axes].map(|matrix| matrix.map(Dd::from));
+    let moments = Vector3::from(found.moments.map(Dd::from));
+    let largest = |matrix: Matrix3<Dd>| greatest(matrix.map(|x| x.value().abs()).iter().copied());
+    let skew = v.transpose() * v - Matrix3::identity();
+    let residual = a * v - v * Matrix3::from_diagonal(&moments);
+    (
+        largest(skew),
+        largest(residual) / greatest(found.moments.map(f64::abs)),
+    )
 }
 
 fn assert_promises(kind: &str, a: &Matrix3<f64>, exact: [Dd; 3]) -> [f64; 3] {

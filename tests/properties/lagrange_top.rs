@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use spinning_bodies::euler_top::{EulerTop, SymmetricTop};
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use spinning_bodies::lagrange_top::{LagrangeTop, Nutation, State};
-use support::{heavy_rates, vector};
+use support::{heavy_rates, vector, within};
 
 const UP: SpaceVector = SpaceVector::new(0.0, 0.0, 1.0);
 
@@ -68,18 +68,6 @@ fn parting([i1, _, weight]: [f64; 3], omega: [f64; 3], t: f64) -> f64 {
     (1.0 + vector(omega).norm() * t.abs()) * escape.exp()
 }
 
-/// Fails, with the numbers, unless the error is within the bound.
-macro_rules! within {
-    ($error:expr, $bound:expr, $what:expr) => {{
-        let (error, bound): (f64, f64) = ($error, $bound);
-        prop_assert!(
-            error <= bound,
-            "{} off by {error:e}, beyond {bound:e}",
-            $what
-        );
-    }};
-}
-
 proptest! {
     #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -96,8 +84,8 @@ proptest! {
         let ([i1, i3, weight], up) = (body, here.attitude.to_body(UP));
         let [omega, up] = [here.omega, up].map(|v| v.components().into());
         let [euler, _] = heavy_rates([i1, i1, i3], [0.0, 0.0, weight], omega, up);
-        within!((slopes - Vector3::from(euler)).norm() / (fastest * fastest), 1.2e-13, "the angular acceleration");
-        within!((turning - here.omega.components()).norm() / fastest, 1.5e-13, "2q* q'");
+        within((slopes - Vector3::from(euler)).norm() / (fastest * fastest), 1.2e-13);
+        within((turning - here.omega.components()).norm() / fastest, 1.5e-13);
     }
 
     /// L = IΩ axis by axis, bit by bit, and z is where the attitude sees it.
@@ -107,7 +95,7 @@ proptest! {
         let [i1, i3, _] = body;
         let l = vector([i1 * state.omega.x(), i1 * state.omega.y(), i3 * state.omega.z()]);
         prop_assert_eq!(state.angular_momentum, l);
-        within!((state.up - state.attitude.to_body(UP)).norm(), 3e-15, "up");
+        within((state.up - state.attitude.to_body(UP)).norm(), 3e-15);
         prop_assert_eq!(state.up.z(), state.height);
     }
 
@@ -115,8 +103,8 @@ proptest! {
     #[test]
     fn begins_at_the_beginning(body in bodies(), omega in omegas(), start in attitudes()) {
         let state = at(&top(body, omega, start), 0.0);
-        within!((state.omega - vector(omega)).norm() / fastest(body, omega), 2e-15, "omega");
-        within!(state.attitude.angle_to(&start), 4e-15, "the attitude");
+        within((state.omega - vector(omega)).norm() / fastest(body, omega), 2e-15);
+        within(state.attitude.angle_to(&start), 4e-15);
     }
 
     /// Stopping at t₁ and starting again is no interruption. The state at t₁ is rounded, and neighbours part.
@@ -128,7 +116,7 @@ proptest! {
         let middle = at(&whole, first);
         let rest = top(body, middle.omega.components().into(), middle.attitude);
         let (once, twice) = (at(&whole, first + second), at(&rest, second));
-        within!(distance(&twice, &once, fastest), 1e-14, "restarted");
+        within(distance(&twice, &once, fastest), 1e-14);
     }
 
     /// The top that starts with −Ω runs the motion backwards.
@@ -138,8 +126,8 @@ proptest! {
         let forward = at(&top(body, omega, start), t);
         let reversed = at(&top(body, omega.map(|x| -x), start), -t);
         let expected = State { omega: -forward.omega, ..forward };
-        within!(distance(&reversed, &expected, fastest), 2e-15, "reversed");
-        within!((reversed.one_less - forward.one_less).abs(), 4e-16, "1 - h");
+        within(distance(&reversed, &expected, fastest), 2e-15);
+        within((reversed.one_less - forward.one_less).abs(), 4e-16);
     }
 
     /// Powers of two change units, not digits: moments by 2ᵃ, Ω by 2ᵇ, Mgl by 2ᵃ⁺²ᵇ, time by 2⁻ᵇ.
@@ -166,12 +154,12 @@ proptest! {
         let near = at(&top(body, omega, start), t);
         let turned = at(&top(body, omega, composed(&turn, &start)), t);
         let expected = State { attitude: composed(&turn, &near.attitude), ..near };
-        within!(distance(&turned, &expected, fastest), 4.0 * allowed, "turned about the vertical");
+        within(distance(&turned, &expected, fastest), 4.0 * allowed);
         let back = turn.quaternion().inverse() * Vector3::from(omega);
         let spun = at(&top(body, back.into(), composed(&start, &turn)), t);
         let omega_there = BodyVector::from_components(turn.quaternion().inverse() * near.omega.components());
         let expected = State { attitude: composed(&near.attitude, &turn), omega: omega_there, ..near };
-        within!(distance(&spun, &expected, fastest), 4.0 * allowed, "turned about the axis");
+        within(distance(&spun, &expected, fastest), 4.0 * allowed);
     }
 
     /// Without gravity the symmetric free top says the same, by sines and cosines alone, and Euler's top by its own road.
@@ -183,11 +171,11 @@ proptest! {
         let free = at(&top([i1, i3, 0.0], omega, start), t);
         let symmetric = SymmetricTop::new(i1, i3).expect("a body");
         let omega_there = symmetric.omega_at(vector(omega), t);
-        within!((free.omega - omega_there).norm() / fastest, 2e-15, "omega");
+        within((free.omega - omega_there).norm() / fastest, 2e-15);
         let turned = composed(&start, &symmetric.attitude_at(vector(omega), t).expect("moderate times"));
-        within!(free.attitude.angle_to(&turned), 5e-15, "the attitude");
+        within(free.attitude.angle_to(&turned), 5e-15);
         let euler = EulerTop::from_omega([i1, i1, i3], vector(omega), start).expect("a body").at(t).expect("moderate times");
-        within!(free.attitude.angle_to(&euler.attitude), 4e-15, "Euler's attitude");
+        within(free.attitude.angle_to(&euler.attitude), 4e-15);
     }
 
     /// Gravity's effect goes to zero with Mgl, and in proportion.
@@ -201,7 +189,7 @@ proptest! {
         let weak = at(&top([i1, i3, weight], omega, start), t);
         // Mgl/I₁ pulls for a time t: so much of Ω, and of turning, and their share in what else turns.
         let effect = weight / i1 * t.abs() * (t.abs() + 1.0 / fastest) * (1.0 + fastest * t.abs());
-        within!(distance(&free, &weak, fastest), 4e-15 + 2.0 * effect, "weak gravity");
+        within(distance(&free, &weak, fastest), 4e-15 + 2.0 * effect);
     }
 
     /// Tops and starts as they are met with always move.

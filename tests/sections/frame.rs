@@ -114,7 +114,7 @@ fn s5_1_basis_vectors_turn_with_the_body() {
         let rate = derivative(column);
         let difference = rate - known.omega().cross(&e).components();
 
-        observed!(difference.norm(), 1e-15..=1e-12);
+        observed!(difference.norm(), 1e-14..=3e-13);
     }
 }
 
@@ -128,7 +128,7 @@ fn s5_1_transport_theorem_towards_space() {
     let in_space = derivative(|t| Known::at(t).matrix() * moving(t).0.components());
     let seen = rate_seen_from_space(rate, attitude.to_body(known.omega()), vector);
     let difference = attitude.to_space(seen).components() - in_space;
-    observed!(difference.norm(), 1e-15..=1e-12, "{difference:?}");
+    observed!(difference.norm(), 1e-14..=3e-13, "{difference:?}");
     // Leaving out Ω∧A, or taking it with the wrong sign, is wrong by far.
     let naive = attitude.to_space(rate).components() - in_space;
     assert!(naive.norm() > 1.0);
@@ -146,7 +146,7 @@ fn s5_1_transport_theorem_towards_the_body() {
     let expected = known.attitude().to_space(expected);
     let vector = SpaceVector::from_components(in_space(T));
     let seen = rate_seen_from_body(rate, known.omega(), vector);
-    observed!((seen - expected).norm(), 1e-15..=1e-12);
+    observed!((seen - expected).norm(), 1e-14..=3e-13);
     assert!((rate - expected).norm() > 1.0);
     // A vector at rest in space seems to turn backwards.
     let still = rate_seen_from_body(SpaceVector::zero(), known.omega(), vector);
@@ -162,7 +162,7 @@ fn s5_1_no_difference_for_omega_itself() {
     let attitude = Known::at(T).attitude();
     let body = attitude.to_space(BodyVector::from_components(body));
     let body = body.components();
-    observed!((space - body).norm(), 1e-15..=1e-12);
+    observed!((space - body).norm(), 1e-14..=3e-13);
     assert!(space.norm() > 1.0);
     let omega = attitude.to_body(Known::at(T).omega());
     assert_eq!(rate_seen_from_space(omega, omega, omega), omega);
@@ -214,17 +214,28 @@ proptest! {
 fn attitudes_compose_and_have_eulers_angles() {
     let axis =
         |k: usize| BodyVector::from_components(nalgebra::Matrix3::identity().column(k).into());
+    let turn = |k: usize, angle: f64| Attitude::about_axis(axis(k), angle).unwrap();
+    let composed = |[phi, theta, psi]: [f64; 3]| turn(2, phi) * turn(0, theta) * turn(2, psi);
     for (theta, phi, psi) in [(0.3, 1.0, -2.0), (2.9, -3.0, 0.5), (1e-9, 0.4, 0.2)] {
-        let turn = |k: usize, angle: f64| Attitude::about_axis(axis(k), angle).unwrap();
-        let composed = turn(2, phi) * turn(0, theta) * turn(2, psi);
         let angles = EulerAngles { theta, phi, psi };
         let made = Attitude::from_euler_angles(angles).unwrap();
-        assert!(made.angle_to(&composed) < 4e-16);
+        assert!(made.angle_to(&composed([phi, theta, psi])) < 4e-16);
         let back = made.euler_angles();
         assert!((back.theta / theta - 1.0).abs() < 1e-15, "{back:?}");
         near!(back.phi, phi, 1e-15);
         near!(back.psi, psi, 1e-15);
         assert!((made * made.inverse()).angle_to(&Attitude::identity()) < 1e-15);
+    }
+    // Any attitude is that of its angles, next to the poles and on them too.
+    let mut numbers = Uniform(71);
+    for theta in [0.0, 1e-160, 1e-9, 0.7, 3.0, PI] {
+        for _ in 0..80 {
+            let [phi, psi] = [0; 2].map(|_| 7.0 * numbers.signed());
+            let attitude = composed([phi, theta, psi]);
+            let EulerAngles { theta, phi, psi } = attitude.euler_angles();
+            let again = composed([phi, theta, psi]);
+            observed!(attitude.angle_to(&again), 5e-16..=2e-15, "{theta}");
+        }
     }
     let half = nalgebra::Quaternion::new(0.5, 0.5, 0.5, 0.5);
     let untouched = nalgebra::UnitQuaternion::new_unchecked(half);

@@ -58,3 +58,20 @@ fn by_general(request: Request, method: Method) -> Request {
 fn rounded(value: f64, digits: i32, expected: f64) {
     near!(value, expected, 0.5000001 * 10f64.powi(-digits));
 }
+
+/// A run of order 8 from time 0 on.
+fn leg<'a, const N: usize, S: ?Sized>(
+    system: &'a S,
+    (start, scales): (&'a [f64; N], &'a [f64; N]),
+    (times, end): (&'a [f64], f64),
+) -> Leg<'a, N, S> {
+    let (kept, start) = (Kept::Nothing, (0.0, start));
+    Leg {
+        system,
+        kept,
+        start,
+        scales,
+        times,
+        end,
+    }
+}

@@ -203,15 +203,8 @@ fn s4_9_the_hand_that_rises_in_the_turn() {
         };
         let event = |_: f64, y: &[f64; 4]| PI - y[0];
         let effort = Effort::Tolerance(1e-13);
-        let leg = Leg {
-            system: &system,
-            kept: Kept::Nothing,
-            start: (0.0, &[0.0, omega, 0.0, 0.0]),
-            scales: &[1.0, omega, 1.0, 1.0],
-            times: &[],
-            end: 1.0,
-        };
-        let run = leg.follow(Some(&event), effort);
+        let (start, scales) = ([0.0, omega, 0.0, 0.0], [1.0, omega, 1.0, 1.0]);
+        let run = leg(&system, (&start, &scales), (&[], 1.0)).follow(Some(&event), effort);
         let [_, after, height, work] = run.unwrap().end;
         let gained = 0.5 * (inertia + mass * r * r) * (after * after - omega * omega);
         // What the hand does is what the yo-yo gains, and what lifting it by `height` takes. Observed: 1e-12.

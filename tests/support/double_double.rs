@@ -2,9 +2,10 @@
 //!
 //! Dekker's and Knuth's error-free sums and products; every operation is good to about 1e-31.
 
-use crate::greatest;
+use crate::{cross, dot, greatest};
+use num_traits::{One, Zero};
 use std::iter::Sum;
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Default)]
 pub struct Dd {
@@ -135,6 +136,36 @@ macro_rules! beside_an_ordinary_number {
 
 beside_an_ordinary_number!(Add add, Sub sub, Mul mul, Div div);
 
+/// What vectors and matrices ask of their numbers.
+macro_rules! assigned {
+    ($($kind:ident $operator:ident $plain:tt),*) => {$(
+        impl $kind for Dd {
+            #[inline]
+            fn $operator(&mut self, other: Self) {
+                *self = *self $plain other;
+            }
+        }
+    )*};
+}
+
+assigned!(AddAssign add_assign +, SubAssign sub_assign -, MulAssign mul_assign *, DivAssign div_assign /);
+
+impl Zero for Dd {
+    fn zero() -> Self {
+        Self::ZERO
+    }
+
+    fn is_zero(&self) -> bool {
+        *self == Self::ZERO
+    }
+}
+
+impl One for Dd {
+    fn one() -> Self {
+        Self::from(1.0)
+    }
+}
+
 impl Sum for Dd {
     fn sum<I: Iterator<Item = Self>>(terms: I) -> Self {
         terms.fold(Self::ZERO, Add::add)
@@ -200,9 +231,7 @@ pub fn mesh_truth(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> MeshTruth {
     let mut second = [Dd::ZERO; 6];
     for corners in triangles {
         let [p, q, r] = corners.map(relative);
-        let d = p[0] * (q[1] * r[2] - q[2] * r[1])
-            + p[1] * (q[2] * r[0] - q[0] * r[2])
-            + p[2] * (q[0] * r[1] - q[1] * r[0]);
+        let d = dot(p, cross(q, r));
         determinant = determinant + d;
         for i in 0..3 {
             first[i] = first[i] + d * (p[i] + q[i] + r[i]);

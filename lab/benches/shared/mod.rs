@@ -1,11 +1,11 @@
-//! What the benchmarks share: the clock, random numbers, and attitudes against a table.
+//! What the benchmarks share: bodies, tables, and whether there is anything to measure.
 
 #![allow(
     dead_code,
     reason = "each of the benchmarks that include this file uses its own part"
 )]
 
-use std::time::Instant;
+use std::fmt::Display;
 
 /// Free tops: moments, L at the start, and the time over which states are asked.
 pub const FREE_BODIES: [(&str, [f64; 3], [f64; 3], f64); 9] = [
@@ -25,42 +25,29 @@ pub const FREE_BODIES: [(&str, [f64; 3], [f64; 3], f64); 9] = [
     ("a million turns", [0.6, 0.8, 1.0], [1.8, 0.4, -0.9], 1e6),
 ];
 
-/// Least time of `runs` calls, seconds.
-pub fn least(runs: usize, mut work: impl FnMut()) -> f64 {
-    let mut best = f64::INFINITY;
-    for _ in 0..runs {
-        let start = Instant::now();
-        work();
-        best = best.min(start.elapsed().as_secs_f64());
-    }
-    best
+/// The head of a table.
+pub fn head(title: &str, columns: &[&str]) {
+    println!("\n{title}\n");
+    line("", columns);
 }
 
-/// The same, with no further run once a second is gone: integrators that need seconds are steady enough.
-pub fn least_of_few(runs: usize, mut work: impl FnMut()) -> f64 {
-    let (mut best, mut gone) = (f64::INFINITY, 0.0);
-    for _ in 0..runs {
-        let once = least(1, &mut work);
-        (best, gone) = (best.min(once), gone + once);
-        if gone > 1.0 {
-            break;
-        }
-    }
-    best
+/// A line of it.
+pub fn line(name: &str, cells: &[impl Display]) {
+    let cells: String = cells.iter().map(|cell| format!(" {cell:>14}")).collect();
+    println!("{name:>28}{cells}");
+}
+
+/// A line of numbers; what is not a number is not there.
+pub fn numbers(name: &str, numbers: &[f64]) {
+    let shown = |x: &f64| match x.abs() {
+        _ if x.is_nan() => "-".to_owned(),
+        0.0 | 1e-2..1e6 => format!("{x:.3}"),
+        _ => format!("{x:.1e}"),
+    };
+    line(name, &numbers.iter().map(shown).collect::<Vec<_>>());
 }
 
 /// Whether this is `cargo test --benches`, which passes a flag: there is nothing to measure then.
 pub fn only_tested() -> bool {
     std::env::args().any(|argument| argument == "--test")
-}
-
-/// The angle of q⁻¹p from its vector and scalar parts: that between the attitudes, radians, good to about 2e-16.
-pub fn angle(p: [f64; 4], q: [f64; 4]) -> f64 {
-    let [w, x, y, z] = p;
-    let [a, b, c, d] = q;
-    let i = a * x - b * w - c * z + d * y;
-    let j = a * y + b * z - c * w - d * x;
-    let k = a * z - b * y + c * x - d * w;
-    let real = a * w + b * x + c * y + d * z;
-    2.0 * i.hypot(j).hypot(k).atan2(real.abs())
 }

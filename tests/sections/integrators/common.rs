@@ -24,19 +24,20 @@ pub fn free_methods() -> Vec<Box<dyn Follow>> {
     free_methods_of(MOMENTS)
 }
 
+fn boxed(method: Result<impl Follow + 'static>) -> Box<dyn Follow> {
+    Box::new(method.unwrap())
+}
+
 pub fn free_methods_of(moments: [f64; 3]) -> Vec<Box<dyn Follow>> {
-    let mut all: Vec<Box<dyn Follow>> = Vec::new();
-    for order in Order::ALL {
-        all.push(Box::new(FreeSplitting::new(moments, order).unwrap()));
-    }
-    for order in VeselovOrder::ALL {
-        all.push(Box::new(MoserVeselov::new(moments, order).unwrap()));
-    }
-    all.push(Box::new(GroupMidpoint::new(moments).unwrap()));
-    all.push(Box::new(MuntheKaas::new(moments, ()).unwrap()));
-    let general = GeneralMethod::new(moments, (), Method::Rk4);
-    all.push(Box::new(general.unwrap()));
-    all
+    let splittings = Order::ALL.map(|order| boxed(FreeSplitting::new(moments, order)));
+    let discrete = VeselovOrder::ALL.map(|order| boxed(MoserVeselov::new(moments, order)));
+    let others = [
+        boxed(GroupMidpoint::new(moments)),
+        boxed(MuntheKaas::new(moments, ())),
+        boxed(GeneralMethod::new(moments, (), Method::Rk4)),
+    ];
+    let all = splittings.into_iter().chain(discrete);
+    all.chain(others).collect()
 }
 
 /// Those of a free body, of a heavy top, and of a heavy body without symmetry.
@@ -50,13 +51,16 @@ pub fn all_methods() -> Vec<Box<dyn Follow>> {
 /// Splittings first, of orders 2, 4 and 6.
 pub fn heavy_methods_of(moments: [f64; 3], lever: [f64; 3]) -> Vec<Box<dyn Follow>> {
     let weight = Weight::new(lever).unwrap();
-    let splitting = |order| HeavySplitting::new(moments, weight, order).unwrap();
-    let splittings = Order::ALL.map(|order| Box::new(splitting(order)) as Box<dyn Follow>);
-    let others: [Box<dyn Follow>; 2] = [
-        Box::new(MuntheKaas::new(moments, weight).unwrap()),
-        Box::new(GeneralMethod::new(moments, weight, Method::Rk4).unwrap()),
+    let splitting = |order| boxed(HeavySplitting::new(moments, weight, order));
+    let others = [
+        boxed(MuntheKaas::new(moments, weight)),
+        boxed(GeneralMethod::new(moments, weight, Method::Rk4)),
     ];
-    splittings.into_iter().chain(others).collect()
+    Order::ALL
+        .map(splitting)
+        .into_iter()
+        .chain(others)
+        .collect()
 }
 
 /// One sample after steps no longer than these.

@@ -88,14 +88,7 @@ fn located<const N: usize>(
     event: &dyn Event<N>,
 ) -> [(f64, u64); 2] {
     let scales = [1.0; N];
-    let leg = Leg {
-        system,
-        kept: Kept::Nothing,
-        start: (0.0, start),
-        scales: &scales,
-        times: &[],
-        end,
-    };
+    let leg = leg(system, (start, &scales), (&[], end));
     let effort = Effort::Tolerance(1e-15);
     let (method, none) = (Method::Dop853, &[]);
     let crates = until(
@@ -133,14 +126,7 @@ fn events_are_located_to_thirteen_digits() {
 fn a_dip_within_a_step_is_seen() {
     let fall = |_: f64, y: &[f64; 2]| [y[1], -1.0];
     let below = |_: f64, y: &[f64; 2]| 0.499 - y[0];
-    let leg = Leg {
-        system: &fall,
-        kept: Kept::Nothing,
-        start: (0.0, &[0.0, 1.0]),
-        scales: &[1.0; 2],
-        times: &[0.5, 1.5],
-        end: 2.0,
-    };
+    let leg = leg(&fall, (&[0.0, 1.0], &[1.0; 2]), (&[0.5, 1.5], 2.0));
     let run = leg.follow(Some(&below), Effort::Step(2.0)).unwrap();
     // t - t²/2 = 0.499.
     let first = 1.0 - 0.002_f64.sqrt();
@@ -157,14 +143,7 @@ fn the_first_of_several_falls_is_found() {
     let dips = |y: f64| (y - 0.4) * (y - 0.9);
     let rises = |y: f64| 0.01 + y;
     let falls = |y: f64| 1.9 - y;
-    let leg = Leg {
-        system: &even,
-        kept: Kept::Nothing,
-        start: (0.0, &[0.0]),
-        scales: &[1.0],
-        times: &[],
-        end: 2.0,
-    };
+    let leg = leg(&even, (&[0.0], &[1.0]), (&[], 2.0));
     let hidden = |_: f64, y: &[f64; 1]| dips(y[0]).min(rises(y[0]));
     let fallen = |_: f64, y: &[f64; 1]| hidden(0.0, y).min(falls(y[0]));
     for event in [&hidden as &dyn Event<1>, &fallen] {

@@ -58,27 +58,6 @@ fn a_tolerance_is_refused() {
     refused!(run, Solver);
 }
 
-/// The closed forms are asked like the methods, and a body without one is refused.
-#[test]
-fn closed_forms_follow() {
-    use lab::accuracy::ClosedForm;
-    let kovalevskaya = ([2.0, 2.0, 1.0], [1.5, 0.0, 0.0]);
-    for (moments, lever) in [(MOMENTS, [0.0; 3]), (TOP, LEVER), kovalevskaya] {
-        let exact = ClosedForm::new(moments, lever).unwrap();
-        let weight = Weight::new(lever).unwrap();
-        let method = HeavySplitting::new(moments, weight, Order::Six).unwrap();
-        let times = [2.0, -1.5, 0.0];
-        let a = exact.follow(&start(), &times, Effort::Step(1.0)).unwrap();
-        let b = method.follow(&start(), &times, Effort::Step(0.004));
-        assert_eq!(a.cost.evaluations, 3);
-        for (a, b) in a.states.iter().zip(&b.unwrap().states) {
-            // Observed: 2e-14.
-            close_to(b, a, 1e-13, moments);
-        }
-    }
-    refused!(ClosedForm::new(MOMENTS, LEVER), Condition);
-}
-
 /// A quaternion is a direction: its length is nobody's torque.
 #[test]
 fn the_length_of_the_quaternion_does_not_matter() {

@@ -114,9 +114,9 @@ fn s7_2_no_torque_about_the_axis_or_the_vertical() {
         };
         let [across, along, up] = derivative(l, 0, 2_f64.powi(-5));
         let [x, y, _] = axis(&at(&top, 0.0));
-        observed!((across + body.weight_moment * y).abs(), 1e-15..=1e-11);
-        observed!((along - body.weight_moment * x).abs(), 1e-15..=1e-11);
-        observed!(up.abs(), 1e-15..=6e-12);
+        observed!((across + body.weight_moment * y).abs(), 2e-14..=4e-13);
+        observed!((along - body.weight_moment * x).abs(), 2e-14..=4e-13);
+        observed!(up.abs(), 2e-14..=4e-13);
     }
 }
 

@@ -212,29 +212,6 @@ fn s7_2_a_duality() {
 }
 
 #[test]
-fn s7_1_angles_are_those_of_the_attitude() {
-    let z = vector([0.0, 0.0, 1.0]);
-    let x = vector([1.0, 0.0, 0.0]);
-    for tilt in [0.0, 1e-160, 1e-9, 0.7, 3.0, PI] {
-        for pull in [1.0, -1.0] {
-            let omega = vector([0.2, 0.1, 5.0]);
-            let top = LagrangeTop::new(1.0, 0.5, pull, omega, tilted(tilt)).unwrap();
-            for i in 0..40 {
-                let state = top.at(0.37 * f64::from(i)).unwrap();
-                let angles = state.attitude.euler_angles();
-                let turns = [(z, angles.phi), (x, angles.theta), (z, angles.psi)];
-                let turns = turns.map(|(axis, angle)| Attitude::about_axis(axis, angle).unwrap());
-                let [phi, theta, psi] = turns.map(|turn| turn.quaternion());
-                let q = (phi * theta * psi).into_inner();
-                let again = Attitude::from_quaternion(q.w, q.i, q.j, q.k).unwrap();
-                // Observed: 6e-16.
-                observed!(state.attitude.angle_to(&again), 5e-16..=2e-15, "{tilt} {i}");
-            }
-        }
-    }
-}
-
-#[test]
 fn s7_2_many_times_at_once() {
     // The states of single calls to the last bit, near and far, on both sides of m = 1/2; of a top that sleeps, one by one.
     let mut numbers = Uniform(73);

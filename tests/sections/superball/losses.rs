@@ -1,7 +1,7 @@
 //! Paragraph 4.6, continued: stiff contacts, restitution along the surface, slipping, bounces that pile up, and flights in closed form.
 
 use super::*;
-use spinning_bodies::integrators::{Leg, Stop};
+use spinning_bodies::integrators::Stop;
 use spinning_bodies::rolling::Coulomb;
 use spinning_bodies::superball::{Restitution, bounce_with, gripping_bounce, return_threshold};
 use support::any;
@@ -16,14 +16,7 @@ fn stiff(omega: f64, kappa: f64, before: Motion<f64>) -> ([f64; 2], f64) {
     let lifted = |t: f64, y: &[f64; 5]| if t * omega > 1.0 { -y[0] } else { 1.0 };
     let start = [0.0, -2.0, before.velocity, before.rim_speed, 0.0];
     let scales = [1.0 / omega, 1.0, 1.0, 1.0, 1.0 / omega];
-    let leg = Leg {
-        system: &rate,
-        kept: Kept::Nothing,
-        start: (0.0, &start),
-        scales: &scales,
-        times: &[],
-        end: 4.0 / omega,
-    };
+    let leg = leg(&rate, (&start, &scales), (&[], 4.0 / omega));
     let end = leg.follow(Some(&lifted), Effort::Tolerance(1e-14)).unwrap();
     assert_eq!(end.stopped, Stop::AtTheEvent);
     ([end.end[2], end.end[3]], end.time)

@@ -31,13 +31,13 @@ pub fn overview(_: &Values) -> Result<Figure> {
     let (top, pitch) = (66.0, 64.0);
     let bottom = top + pitch * rows.len() as f64 - 14.0;
     let axis = Axis::log(SHOWN, [24.0, 580.0]);
-    let lost = scientific(worst, 1);
+    let (lost, tenfold) = (scientific(worst, 1), number(worst / SHOWN[0], 0));
     let words = words!(
         "The formula is the same, the digits are not.",
         "Twelve quantities of this book, each about a millionth away from the place where its formula loses its digits (after a million units of time, a million \
          bounces). Relative error of the formula as printed, and of the library, from the same doubles, against 36 digits. The library’s worst is ${lost}$.",
-        "Twelve horizontal lines, one a case, on a logarithmic axis of errors from 1e-17 to 1; above each what is asked and what is lost. The left end of each, the library, lies between 1e-17 and {worst:.0e}. The \
-         right end, the textbook, lies anywhere from 1e-13 to beyond 1."
+        "Twelve horizontal lines, one a case, on a logarithmic axis of errors from ten to the minus 17 to 1; above each what is asked and what is lost. The left end of each, the library, lies between ten to the minus 17 and {tenfold} times that. The \
+         right end, the textbook, lies anywhere from ten to the minus 13 to beyond 1."
     );
     Ok(figure("hard-cases", bottom + 58.0, words, |pen| {
         for (value, text) in powers([-16, -12, -8, -4, 0]) {
@@ -69,8 +69,8 @@ pub fn tops(_: &Values) -> Result<Figure> {
         "The textbook walks uphill, the library on a floor.",
         "Six walks of a top to a place where its formula loses digits: relative error against the distance that is left (for the fast top and the slow \
          precession, 4 over the spin). Grey the formula as printed, black the library. What reaches the top has not one digit left.",
-        "Six small panels with logarithmic axes. In each the line of the textbook climbs from 1e-16 to 1 as the distance shrinks, steeply for the sleeping and \
-         the fast top; the line of the library stays at 1e-16 throughout."
+        "Six small panels with logarithmic axes. In each the line of the textbook climbs from ten to the minus 16 towards 1 as the distance shrinks, least far next to the separatrix, steeply for the sleeping and \
+         the fast top; the line of the library stays at ten to the minus 16 throughout."
     );
     panels(
         "hard-cases-tops",
@@ -93,7 +93,7 @@ pub fn bodies(_: &Values) -> Result<Figure> {
         "Six more walks: relative error against the distance that is left. For the long time and the bounces that is 1 over the time or their number, \
          for the mesh the size of the body over its distance from the origin.",
         "Six small panels with logarithmic axes: an ordinary top after a long time, a superball after many bounces, dn next to a quarter period, a small angle, a moment of a distant body, a needle. The line of the textbook climbs from \
-         1e-16 towards 1 in each; the line of the library stays at 1e-16."
+         ten to the minus 16 towards 1 in each; the line of the library stays at the bottom."
     );
     panels(
         "hard-cases-bodies",

@@ -208,7 +208,8 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
             let t = f64::from(k) / FLASHES;
             pen.dot(place(-t, t), 2.2);
         }
-        pen.arrow(place(-1.265, 1.265), place(-1.145, 1.145), inked(DATA));
+        let [tail, tip] = [1.265, 1.145].map(|t| place(-t, t));
+        pen.arrow(tail, tip, inked(DATA));
 
         let (mut turned, mut flash) = (0.0, 0_u32);
         let mut flashes: Vec<(Point, f64, f64)> = Vec::new();
@@ -264,8 +265,12 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
         for &(center, _, _) in &flashes {
             taken.extend(arc(center, RADIUS, 0.0, 6.3));
         }
-        let at = place(-1.13, 1.19);
-        pen.label([at[0] + 8.0, at[1]], Start, "*V*");
+        // Beside its arrow, on the other side where the ball comes out here.
+        let beside = [[30.0, -12.0], [-14.0, 16.0], [-20.0, 24.0]];
+        let beside = beside.map(|[x, y]| [tail[0] + x, tail[1] + y]);
+        let at = roomiest(beside, [9.0, 9.0], &taken);
+        taken.extend(area(at, [9.0, 9.0]));
+        pen.label([at[0], at[1] + 5.0], Middle, "*V*");
         for (k, leg) in legs.iter().enumerate() {
             let text = told(k, |m| m.velocity, |m| m.velocity);
             velocity_label(pen, leg, &text, &mut taken);
@@ -304,10 +309,11 @@ fn velocity_label(pen: &mut Pen, leg: &Leg, text: &str, taken: &mut Vec<Point>) 
     let half = 5.0 * letters.unwrap_or(0) as f64 + 15.0;
     let shares = [0.7, 0.6, 0.5, 0.8, 0.4, 0.9, 0.3, 0.2];
     let beside = |far: f64| {
-        let side = if leg.down {
-            -far
-        } else {
-            far * leg.motion.velocity.signum()
+        // Not beyond the line on which the ball comes in.
+        let side = match leg.down {
+            true => -far,
+            false if leg.from > 0.0 => far,
+            false => far * leg.motion.velocity.signum(),
         };
         shares.map(|share| {
             let on = leg.at(share * leg.end);

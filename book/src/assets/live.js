@@ -96,8 +96,12 @@ function caption(text, known) {
 
 // A number with the digits that can be seen.
 const raised = (digits) => digits.replaceAll('-', '⁻').replace(/\d/g, (digit) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[digit]);
-const shown = (value) => String(Number(value.toPrecision(4))).replace(/^-/, '−').replace(/^1e(.+)/, (_, power) => `10${raised(power)}`)
-    .replace(/e(.+)/, (_, power) => `\u2009·\u200910${raised(power)}`);
+const aloud = (power) => ` to the power of ${power.replace('-', '−')}`;
+function shown(value, raise = raised) {
+    const round = Number(value.toPrecision(4));
+    const text = round !== 0 && Math.abs(round) < 1e-4 ? round.toExponential() : String(round);
+    return text.replace(/^-/, '−').replace(/^1e(.+)/, (_, power) => `10${raise(power)}`).replace(/e(.+)/, (_, power) => `\u2009·\u200910${raise(power)}`);
+}
 const tidy = (value) => Number(value.toPrecision(12));
 
 // Where a slider rests, round values: to 1, 2 or 5 in about a hundredth of the range; by equal ratios, to two digits.
@@ -107,6 +111,16 @@ function step({ least, greatest, scale }, value) {
     const part = (greatest - least) / 100;
     const power = 10 ** Math.floor(Math.log10(part));
     return power * ([5, 2].find((digit) => digit * power <= part) ?? 1);
+}
+
+// A caption for the ear: a raised number is a power, and no digit of the number before it.
+function spoken(...parts) {
+    const words = element('p', {}, ...parts);
+    for (const power of words.querySelectorAll('sup')) {
+        const text = power.textContent;
+        if (/\w/.test(text) && power.nextSibling?.textContent !== '⁄') power.textContent = { 2: ' squared', 3: ' cubed' }[text] ?? aloud(text);
+    }
+    return words.textContent;
 }
 
 // What is said aloud, a second after the hand rests.
@@ -157,8 +171,9 @@ function live(figure) {
         if (!Number.isFinite(wanted)) return;
         values[key] = Math.min(greatest, Math.max(least, scale === 'whole' ? Math.round(wanted) : wanted));
         input.value = place(values[key]);
-        output.textContent = `${shown(values[key])}${unit && unit !== '°' ? ' ' : ''}${unit}`;
-        input.setAttribute('aria-valuetext', output.textContent);
+        const measured = (number) => `${number}${unit && !unit.startsWith('°') ? ' ' : ''}${unit}`;
+        output.textContent = measured(shown(values[key]));
+        input.setAttribute('aria-valuetext', measured(shown(values[key], aloud)));
     }
     // The same at a round value, unless that is beyond an end.
     function rest(key, wanted, grain = 1) {
@@ -190,7 +205,7 @@ function live(figure) {
             const [key, ...place] = line.split(' ');
             if (key) put(key, place.map(Number));
         }
-        say(element('p', {}, `${claim} `, ...caption(details)).textContent);
+        say(spoken(...caption(claim), ' ', ...caption(details)));
     }
 
     // The picture and the words of the book themselves, not a copy.

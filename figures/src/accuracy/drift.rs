@@ -76,7 +76,7 @@ pub fn energy_drift(_: &Values) -> Result<Figure> {
         "Relative error of the energy of a free body, the largest so far, against the number of steps, 32 a turn. After $10^7$ of them: rk4 {rk4}, \
          rotations of order 2 {rotations}, Moser and Veselov's discrete top {discrete}, a random walk of rounding.",
         "Largest relative error of the energy against the number of steps, two thousand to ten million, on logarithmic axes. The line of rk4 rises \
-         in proportion to the number of steps. That of rotations of order 2 is level, and rk4 crosses it after some two hundred thousand steps. That of the discrete top stays below 1e-12."
+         in proportion to the number of steps. That of rotations of order 2 is level, and rk4 crosses it after some two hundred thousand steps. That of the discrete top stays below ten to the minus 12."
     );
     Ok(figure("accuracy-drift", 384.0, words, |pen| {
         let across = powers([4, 5, 6, 7]);

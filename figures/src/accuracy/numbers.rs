@@ -57,8 +57,8 @@ pub fn three_numbers(_: &Values) -> Result<Figure> {
         "The numbers set the floor, the method sets the slope.",
         "Moser and Veselov’s discrete top of order 10, one program, three kinds of numbers: error of the attitude after ten turns against the steps a turn. While the error is that \
          of the method, the three agree. Then each comes to the floor of its own rounding; two doubles are nowhere near theirs.",
-        "Three lines on logarithmic axes, error against 8 to 512 steps a turn. They run down together. Single precision leaves at 1e-6 and stays there, double \
-         precision at about 1e-15, two doubles go on falling with the tenth power."
+        "Three lines on logarithmic axes, error against 8 to 512 steps a turn. They run down together. Single precision leaves at a millionth and stays there, double \
+         precision at about ten to the minus 15, two doubles go on falling with the tenth power."
     );
     Ok(figure("accuracy-numbers", 424.0, words, |pen| {
         let across = marks(&[8.0, 32.0, 128.0, 512.0], "");

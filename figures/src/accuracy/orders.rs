@@ -45,8 +45,8 @@ pub fn orders(_: &Values) -> Result<Figure> {
         "An order is a slope, and every slope here is measured.",
         "A free body with three different moments, one turn: angle between the computed attitude and the true one against the number of \
          steps; solid rotations, dashed Moser and Veselov’s discrete top, dotted rk4. Measured: {slopes}. Halve the step, and a method of order $p$ is better by $2^p$, down to the floor of rounding.",
-        "Six descending lines on logarithmic axes: error in the attitude from 1 to 1e-16 against up to 4000 steps a turn. The higher the \
-         order, the steeper: {slopes}. The steep ones end on a floor near 1e-15."
+        "Six descending lines on logarithmic axes: error in the attitude from 1 to ten to the minus 16 against up to 4000 steps a turn. The higher the \
+         order, the steeper: {slopes}. The steep ones end on a floor near ten to the minus 15."
     );
     Ok(figure("accuracy-orders", 424.0, words, |pen| {
         frame.draw(

@@ -15,7 +15,7 @@ const SCALE: f64 = 172.0;
 parameters! {
     HANDLE: "handle", "I_1", "g m²", "moment about the handle", [1.15, 3.0], 1e3 * MOMENTS[0];
     SPIN: "turns", r"\Omega_2", "turns/s", "spin about the middle axis at the throw", [0.3, 3.0], TURNS;
-    OFF: "off", r"\epsilon", "°", "angle between L and the middle axis at the throw", [0.05, 20.0], 0.916, logarithmic;
+    OFF: "off", r"\varepsilon", "°", "angle between L and the middle axis at the throw", [0.05, 20.0], 0.916, logarithmic;
 }
 /// What may be chosen.
 pub const FILM: &[Parameter] = &[HANDLE, SPIN, OFF];

@@ -67,7 +67,7 @@ const FRAME: [f64; 4] = [70.0, 560.0, 330.0, 30.0];
 
 parameters! {
     SPIN: "spin", r"\Omega_2", "rad/s", "angular velocity about the middle axis", [0.2, 20.0], 1.0, logarithmic;
-    DISTANCE: "distance", r"\epsilon", "", "distance from the middle axis at the throw", [1e-16, 1.0], 1e-2, logarithmic, dragged(|values| match Course::of(values) {
+    DISTANCE: "distance", r"\varepsilon", "", "distance from the middle axis at the throw", [1e-16, 1.0], 1e-2, logarithmic, dragged(|values| match Course::of(values) {
         Ok(course) => course.place(course.marked),
         Err(_) => [FRAME[0], FRAME[2]],
     });
@@ -181,14 +181,14 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
     let words = match never {
         true => words!(
             "Equal parts of spin about the first and the third axis put this body on its separatrix: it swings over once and never flips again.",
-            "For $I = {inertia}$ the throw $\\Omega(0) = {pace}\\,(\\epsilon, 1, \\epsilon)$ rad/s has $L^2 = 2EI_2$ for every $\\epsilon$, {thrown} as well: \
+            "For $I = {inertia}$ the throw $\\Omega(0) = {pace}\\,(\\varepsilon, 1, \\varepsilon)$ rad/s has $L^2 = 2EI_2$ for every $\\varepsilon$, {thrown} as well: \
              the time from flip to flip is infinite. Move a moment a little, and the line is there.{beyond}",
             "Empty axes for the time between two flips against the distance from the middle axis: for the moments {inertia} there is no second flip."
         ),
         false => words!(
             "Each decade closer to the middle axis buys the same {step} seconds before the flip{others_give_up}.",
-            "Time from flip to flip, half the period of $\\Omega$, for $I = {inertia}$ and $\\Omega(0) = {pace}\\,(\\epsilon, 1, \\epsilon)$ rad/s. \
-             A decade adds $2\\ln 10/\\sqrt{{\\lambda}} = {decade:.3}$ s: {ring} s at $\\epsilon = {thrown}$, the ring, {last} s or {rounds} turns at $10^{{-{DECADES}}}$. \
+            "Time from flip to flip, half the period of $\\Omega$, for $I = {inertia}$ and $\\Omega(0) = {pace}\\,(\\varepsilon, 1, \\varepsilon)$ rad/s. \
+             A decade adds $2\\ln 10/\\sqrt{{\\lambda}} = {decade:.3}$ s: {ring} s at $\\varepsilon = {thrown}$, the ring, {last} s or {rounds} turns at $10^{{-{DECADES}}}$. \
              {others_measured}{beyond}",
             "The time between two flips against the initial distance from the middle axis, on a logarithmic axis over {DECADES} decades: \
              a straight line, up by {step} seconds for every factor of ten, to {last} seconds at ten to the minus {DECADES}.{others_seen}"

@@ -159,8 +159,8 @@ pub fn polhodes(values: &Values) -> Result<Figure> {
     let (inertia, beyond) = (triple(moments), remark(moments));
     let (steep, thick) = (number(slope, 4), brief(angle));
     let words = words!(
-        "Round the first and the third axis a polhode stays close; next to the second it dawdles, then swings over to the \
-         other side.",
+        "Round the first and the third axis a polhode stays close; next to the second it dawdles, then runs across to the \
+         far side.",
         "Polhodes of $L$ in the body on the ellipsoid $\\sum L_i^2/2EI_i = 1$ for $I = {inertia}$. Dots at equal times, {STEP:.1} \
          of a radian at the rate $\\sqrt{{2E/I_2}}$. The separatrix, in ink, is two plane ellipses \
          $\\Omega_3 = \\pm{steep}\\,\\Omega_1$ that cross on $x_2$ and leave four sectors, the two about $x_1$ shaded. \
@@ -168,7 +168,7 @@ pub fn polhodes(values: &Values) -> Result<Figure> {
         "An ellipsoid with its longest axis upright, its half axes as the roots of {inertia}, covered by closed curves: flat rings round the upright third axis, upright \
          rings round the first axis on the left. Two crossing ellipses, the separatrix, part them and meet on the second \
          axis, which points at the reader's right. Dots at equal times are wide apart where a curve swings across and \
-         crowd together next to the crossing: there the top dawdles, and from there it swings over to the other side. One curve, {thick} degrees from the \
+         crowd together next to the crossing: there the top dawdles, and from there it runs across to the far side. One curve, {thick} degrees from the \
          first axis, is thick."
     );
     let made = figure("polhodes", 448.0, words, |pen| {

@@ -112,7 +112,7 @@ pub fn regimes(_: &Values) -> Result<Figure> {
         }
         for (ratio, y) in ends.into_iter().zip([170.0, 256.0]) {
             let x = LINE.at(ratio);
-            pen.line([[x, y - 17.0], [x, y + 17.0]], inked(DATA));
+            pen.line([[x, y - 14.0], [x, y + 14.0]], inked(DATA));
         }
         pen.line([[40.0, 318.0], [580.0, 318.0]], inked(SECONDARY));
         for (ratio, text) in [

@@ -8,7 +8,7 @@ use crate::prelude::*;
 parameters! {
     ABOVE: "above", "L_3", "", "axial momentum of the fastest top", [2.05, 3.0], 2.4;
     BELOW: "below", "L_3", "", "axial momentum of the slowest top", [1.2, 1.95], 1.7, dragged(|values| Shown::of(values).place(loner(values.of(&BELOW)), 0.0));
-    KICK: "kick", r"\Omega_\perp", "", "angular velocity across the axis after a kick, in units of the square root of Mgl/I₁", [1e-4, 0.1], 0.01, logarithmic;
+    KICK: "kick", r"\Omega_\perp", "", "angular velocity across the axis after a kick, in units of the square root of Mgℓ/I₁", [1e-4, 0.1], 0.01, logarithmic;
 }
 /// What may be chosen; the handle is the root of the slowest top.
 pub const SLEEPING: &[Parameter] = &[ABOVE, BELOW, KICK];

@@ -4,7 +4,7 @@ use core::fmt::Write as _;
 
 use spinning_bodies::scene::shape::CatState;
 
-use super::body::{FORWARD, RATIO, back, cat, pieces, turned, turnover};
+use super::body::{FORWARD, RATIO, cat, pieces, turned, turnover};
 use super::film::{AZIMUTH, ELEVATION};
 use crate::prelude::*;
 use crate::style::SCALE as CANVAS;
@@ -27,10 +27,9 @@ pub fn cat_animated(_: &Values) -> Result<Figure> {
     let states = turnover(&fractions)?;
     let turn = turned(&states[PICTURES - 1]).to_degrees();
     let forward = number(FORWARD.to_degrees(), 0);
-    let backward = number(back()?.to_degrees(), 2);
     let words = words!(
-        "Bend, carry the bend once round, straighten: the cat has turned over.",
-        "Two cylinders with $I/J = {RATIO:.0}$, bent {forward}° forward and {backward}° backward, turn by {turn:.4}° with angular momentum 0 all the \
+        "Let go on its back, the cat lands on its feet, and nothing has pushed it.",
+        "Two cylinders with $I/J = {RATIO:.0}$ that bend by up to {forward}° turn by {turn:.4}°, with angular momentum 0 all the \
          time. Slowed down about ten times; the fall itself is left out, for it changes nothing. Rest the pointer on the picture to stop it.",
         "A cat of two round halves with head, legs and tail lies in the air on its back, bends, lets the bend run once round its spine, \
          straightens and has its feet below. Without motion: the cat half-way, bent to the side."

@@ -133,7 +133,7 @@ pub fn ice(values: &Values) -> Result<Figure> {
     let [less, more] = shorts([0.9 * lean, lean], 2);
     let [first, second, _] = numbers(slid, 2);
     let words = words!(
-        "However you wriggle, your centre of mass stays on its vertical line.",
+        "However you wriggle, the centre of mass keeps to one vertical line.",
         "Four postures on frictionless ice, each with the centre of mass on the dotted line; for this the feet slide to {left} m and to {right} m from where they were. \
          In the old posture they are back in the old place. {whole} kg in six parts, {body} of them the trunk; shoulders out by {less} m and {more} m.",
         "A person on ice in four postures: upright, leaning to the left with one arm out, leaning to the right with the other, upright again. A \
@@ -211,7 +211,7 @@ pub fn crawler(values: &Values) -> Result<Figure> {
         }
     };
     let [rear, push, pull] = shorts([values.of(&REAR), strokes.push, strokes.pull], 2);
-    let (apart, iced) = (strokes.length, number(way(&ice), 1));
+    let (apart, iced) = (strokes.length, short(way(&ice), 3));
     let (lasts, rough, reached) = (short(span, 2), short(mu, 3), number(far, 3));
     let words = words!(
         "{claim}",

@@ -26,7 +26,7 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
     let paid = if gain > 0.05 * weight * 0.02 * alpha {
         format!(
             "its energy falls: the spin pays the climb, and friction takes {} times as much.",
-            number(loss / gain - 1.0, 1)
+            number(loss / gain, 1)
         )
     } else {
         "what friction takes does not lift it.".to_owned()

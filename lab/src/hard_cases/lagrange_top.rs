@@ -12,7 +12,7 @@ pub(super) const SLEEPING_TOP: Family = Family {
     quantity: "1 − cos θ at both turning points of a top that is almost upright",
     lost: "1 − h, h being a root of the cubic",
     printed: r"1-h_1,\;1-h_2",
-    cure: r"(1-h_1)(1-h_2)=\tfrac{(L_{\text{vert}}-L_3)^2}{2I_1Mgl\,(h_3-1)}",
+    cure: r"(1-h_1)(1-h_2)=\tfrac{(L_{\text{vert}}-L_3)^2}{2I_1Mg\ell\,(h_3-1)}",
     textbook: |inputs| {
         let top = Almost::upright(numbers(inputs)?);
         let [low, high, _] = top.roots();
@@ -53,8 +53,8 @@ pub(super) const SLOW_PRECESSION: Family = Family {
     paragraph: "7.3",
     quantity: "the slow rate of pure precession of a fast top",
     lost: "L₃ less almost L₃",
-    printed: r"\tfrac{L_3-\sqrt{L_3^2-4I_1Mgl\,h}}{2I_1h}",
-    cure: r"\tfrac{2Mgl}{L_3+\sqrt{L_3^2-4I_1Mgl\,h}}",
+    printed: r"\tfrac{L_3-\sqrt{L_3^2-4I_1Mg\ell\,h}}{2I_1h}",
+    cure: r"\tfrac{2Mg\ell}{L_3+\sqrt{L_3^2-4I_1Mg\ell\,h}}",
     textbook: |inputs| {
         let [i1, weight, l3, height] = numbers(inputs)?;
         let root = (l3 * l3 - 4.0 * i1 * weight * height).sqrt();

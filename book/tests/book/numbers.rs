@@ -10,8 +10,6 @@ const NEAR: [f64; 2] = [0.02, 0.003];
 /// Different numbers that happen to be near: chapter, in prose or code, beside the figure, what they are.
 #[rustfmt::skip]
 const DIFFERENT: &[(&str, &str, &str, &str)] = &[
-    ("euler-top", "0.43531927246964485", "0.4362", "a component of the solution; radius of a herpolhode"),
-    ("euler-top", "0.43531927246964485", "0.436", "a component of the solution; radius of a herpolhode"),
     ("euler-top", "0.715", "0.7236", "a time; radius of a herpolhode"),
     ("euler-top", "0.715", "0.724", "a time; radius of a herpolhode"),
     ("euler-top", "1.026", "1.021", "a day on Mars; a ratio of moments"),

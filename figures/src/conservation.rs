@@ -8,7 +8,7 @@ use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use spinning_bodies::inertia::{PlatonicSolid, shapes};
 
 /// The figures of the chapter, in its order.
-pub const FIGURES: &[Entry] = &[of("thrown-brick", THROWN_BRICK, thrown_brick)];
+pub const FIGURES: &[Entry] = &[of("thrown-brick", &[OFF, TURNS], thrown_brick)];
 
 /// A brick, kg and m.
 const MASS: f64 = 3.0;
@@ -23,12 +23,9 @@ parameters! {
     OFF: "off", r"\alpha", "°", "angle of Ω from the middle axis at the throw, towards the long one", [0.0, 90.0], 20.0;
     TURNS: "turns", "n", "turns/s", "spin at the throw", [0.5, 3.0], 1.5;
 }
-/// What may be chosen.
-pub const THROWN_BRICK: &[Parameter] = &[OFF, TURNS];
-
 /// A brick on its parabola, with L and Ω at equal times.
 pub fn thrown_brick(values: &Values) -> Result<Figure> {
-    let (off, turns) = (values.of(&OFF), values.of(&TURNS));
+    let [off, turns] = values.each([OFF, TURNS]);
     let body = shapes::cuboid(MASS, EDGES)?;
     let (sin, cos) = off.to_radians().sin_cos();
     let omega = BodyVector::new(sin, cos, 0.0) * (TAU * turns);
@@ -43,18 +40,20 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
     let weight = uniform_gravity(MASS, ground, ground, SpaceVector::new(0.0, 0.0, -9.81))?;
     let fall = weight.force.components() / MASS;
     let thrown = Vector::new(0.0, THROWN, 0.0) - 0.5 * FLIGHT * fall;
-    let row = |t: f64| -> Result<[Vector; 3]> {
+    let times = spaced([0.0, FLIGHT], 180);
+    let rows = tried(times.clone(), |t| {
         let state = top.at(t)?;
         let space = |v| state.attitude.to_space(v).components();
         let place = t * thrown + 0.5 * t * t * fall;
-        Ok([place, space(state.angular_momentum), space(state.omega)])
-    };
-    let times: Vec<f64> = spaced([0.0, FLIGHT], 180).collect();
-    let rows = times.iter().map(|t| row(*t)).collect::<Result<Vec<_>>>()?;
-    let leans = rows.iter().map(|[_, l, omega]| l.angle(omega).to_degrees());
+        let arrows = [space(state.angular_momentum), space(state.omega)];
+        Ok((state.attitude, place, arrows))
+    })?;
+    let leans = rows
+        .iter()
+        .map(|(.., [l, omega])| l.angle(omega).to_degrees());
     let most = leans.clone().fold(0.0, f64::max);
     let least = leans.fold(180.0, f64::min);
-    let told = [least, most].map(|lean| number(lean, 1));
+    let told = numbers([least, most], 1);
     let claim = match most < 0.05 {
             true => "Thrown exactly about a principal axis, the brick keeps its angular momentum, and its angular velocity stays with it.".to_owned(),
             false => format!(
@@ -76,35 +75,19 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
     let solid = PlatonicSolid::Cube;
     let corners = solid.vertices(1.0)?;
     let page = View::new(0.0, 0.3, [78.0, 352.0], 206.0);
-    let greatest = rows.iter().map(|row| row[2].norm()).fold(0.0, f64::max);
-    let mut drawn = Ok(());
+    let greatest = rows.iter().map(|row| row.2[1].norm()).fold(0.0, f64::max);
     let made = figure("thrown-brick", 420.0, words, |pen| {
-        let path: Vec<Point> = rows.iter().map(|row| page.project(&row[0])).collect();
+        let path: Vec<Point> = rows.iter().map(|row| page.project(&row.1)).collect();
         pen.line(&path, muted(AXIS).dotted());
         let mut arrows = Vec::new();
         for k in 0..PICTURES {
-            let at = (180 / (PICTURES - 1) * k) as usize;
-            let [place, l, omega] = rows[at];
-            let center = page.project(&place);
+            let (attitude, place, [l, omega]) = &rows[(180 / (PICTURES - 1) * k) as usize];
+            let center = page.project(place);
             let view = View::new(0.0, 0.3, center, page.scale());
-            let attitude = match top.at(times[at]) {
-                Ok(state) => state.attitude,
-                Err(error) => {
-                    drawn = Err(error);
-                    continue;
-                }
-            };
-            let corner = |&k: &u32| {
-                let [x, y, z] = corners[k as usize];
-                let corner = BodyVector::new(x * EDGES[0], y * EDGES[1], z * EDGES[2]);
-                attitude.to_space(corner).components()
-            };
-            let faces: Vec<Vec<Vector>> = solid
-                .faces()
-                .iter()
-                .map(|face| face.iter().map(corner).collect())
-                .collect();
-            polyhedron(pen, &view, &faces);
+            polyhedron(pen, &view, &solid.faces(), |k| {
+                let corner = Vector::from(corners[k as usize]);
+                turned(attitude, corner.component_mul(&Vector::from(EDGES)))
+            });
             let tips =
                 [l.normalize() * 0.36, omega * (0.34 / greatest)].map(|tip| view.project(&tip));
             arrows.push((center, tips));
@@ -125,14 +108,10 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
         pen.remark([path[180][0], 412.0], Middle, &text);
         pen.remark([path[0][0], 412.0], Middle, "0 s");
     });
-    drawn?;
     let columns = "time (s) | L_x (kg m²/s) | L_y (kg m²/s) | L_z (kg m²/s) | Ω_x (rad/s) | Ω_y (rad/s) | Ω_z (rad/s)";
-    let table = times.iter().zip(&rows).map(|(t, [_, l, omega])| {
-        let numbers = l.iter().chain(omega.iter());
-        core::iter::once(t)
-            .chain(numbers)
-            .copied()
-            .collect::<Vec<_>>()
+    let table = times.zip(&rows).map(|(t, (.., [l, omega]))| {
+        let numbers = l.iter().chain(omega.iter()).copied();
+        core::iter::once(t).chain(numbers).collect::<Vec<_>>()
     });
     let [least, most] = told;
     Ok(made

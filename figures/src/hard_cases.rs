@@ -23,10 +23,7 @@ const CLOSE: f64 = 1e-6;
 /// Twelve formulas a millionth away from trouble.
 pub fn overview(_: &Values) -> Result<Figure> {
     let all = families();
-    let rows = all
-        .iter()
-        .map(|family| Ok((family, closest(family, CLOSE)?)));
-    let rows: Vec<(&Family, Comparison)> = rows.collect::<Result<_>>()?;
+    let rows = tried(&all, |family| Ok((family, closest(family, CLOSE)?)))?;
     let worst = rows.iter().fold(0.0_f64, |m, (_, c)| m.max(c.ours));
     let (top, pitch) = (66.0, 64.0);
     let bottom = top + pitch * rows.len() as f64 - 14.0;
@@ -122,10 +119,8 @@ fn panels(name: &'static str, words: Words, names: [&str; 6]) -> Result<Figure> 
         walks.sort_by_key(|walk| walk.0);
         let mut frames = Vec::new();
         for (place, title, steps) in &walks {
-            let corner = [
-                54.0 + 290.0 * (place % 2) as f64,
-                98.0 + 250.0 * (place / 2) as f64,
-            ];
+            let [column, row] = [place % 2, place / 2].map(|k| k as f64);
+            let corner = [54.0 + 290.0 * column, 98.0 + 250.0 * row];
             frames.push(panel(pen, corner, title, steps));
         }
         for (first, last) in frames.iter().zip(frames.iter().skip(4)) {
@@ -143,12 +138,10 @@ fn panel(pen: &mut Pen, corner: Point, title: &[String], steps: &[Comparison]) -
     }
     let across = [[1.0, 1e-16], SHOWN];
     let frame = Frame::panel(pen, last, corner, across, [&POWERS, &POWERS]);
-    for (error, role) in [
-        ((|step| step.textbook) as fn(&Comparison) -> f64, TEXTBOOK),
-        (|step| step.ours, OURS),
-    ] {
-        let place = |step: &Comparison| frame.at(step.nearness, shown(error(step)));
-        let known = |step: &&Comparison| (1e-16..=1.0).contains(&step.nearness);
+    let known = |step: &&Comparison| (1e-16..=1.0).contains(&step.nearness);
+    for (k, role) in [TEXTBOOK, OURS].into_iter().enumerate() {
+        let errors = |step: &Comparison| [step.textbook, step.ours];
+        let place = |step: &Comparison| frame.at(step.nearness, shown(errors(step)[k]));
         let line: Vec<Point> = steps.iter().filter(known).map(place).collect();
         beaded(pen, &line, stroke(role, DATA));
     }
@@ -169,9 +162,8 @@ fn closest(family: &Family, nearness: f64) -> Result<Comparison> {
 
 /// An error as it is drawn; no answer is as wrong as can be.
 fn shown(error: f64) -> f64 {
-    if error.is_nan() {
-        SHOWN[1]
-    } else {
-        error.clamp(SHOWN[0], SHOWN[1])
+    match error.is_nan() {
+        true => SHOWN[1],
+        false => error.clamp(SHOWN[0], SHOWN[1]),
     }
 }

@@ -10,7 +10,11 @@ mod leaning;
 pub const FIGURES: &[Entry] = &[
     of("cube-quiz", &[], quiz),
     of("leaning", leaning::LEANING, leaning::leaning),
-    of("ellipsoid-of-inertia", ELLIPSOID, ellipsoid),
+    of(
+        "ellipsoid-of-inertia",
+        &[LONG, MIDDLE, SHORT, MASS],
+        ellipsoid,
+    ),
     of("cube-rosettes", &[], rosettes),
 ];
 
@@ -21,13 +25,10 @@ parameters! {
     MASS: "mass", "M", "kg", "mass of the box", [0.5, 10.0], 3.0;
 }
 
-/// What may be chosen of the box.
-pub const ELLIPSOID: &[Parameter] = &[LONG, MIDDLE, SHORT, MASS];
-
 /// A box inside its ellipsoid of inertia, with the principal axes and moments.
 pub fn ellipsoid(values: &Values) -> Result<Figure> {
     let mass = values.of(&MASS);
-    let edges = [LONG, MIDDLE, SHORT].map(|edge| values.of(&edge));
+    let edges = values.each([LONG, MIDDLE, SHORT]);
     let body = shapes::cuboid(mass, edges)?;
     let principal = body.inertia().principal_axes();
     let moments = principal.moments;
@@ -53,9 +54,7 @@ pub fn ellipsoid(values: &Values) -> Result<Figure> {
     let reach = [1.2, 1.5, 1.5];
     let whole = View::new(-0.9, 0.46, [0.0, 0.0], 1.0);
     let scale = (0..3).map(|k| {
-        let mut unit = Vector::zeros();
-        unit[k] = 1.0;
-        let [x, y] = whole.project(&unit);
+        let [x, y] = whole.project(&Vector::ith(k, 1.0));
         let room = (198.0 / x.abs()).min(176.0 / y.abs());
         (room - 54.0 * reach[k]) / semi[k]
     });
@@ -65,14 +64,13 @@ pub fn ellipsoid(values: &Values) -> Result<Figure> {
     let made = figure("ellipsoid-of-inertia", 382.0, words, |pen| {
         box_with_bulges(pen, &view, &half, &semi);
         let names = [0, 1, 2].map(|k| format!("*I*_{{{}}} = {}", k + 1, short(moments[k], 2)));
-        let texts: [(f64, f64, Anchor); 3] =
-            [(10.0, 5.0, Start), (-8.0, 14.0, End), (0.0, -9.0, Middle)];
+        let texts = [
+            ([10.0, 5.0], Start),
+            ([-8.0, 14.0], End),
+            ([0.0, -9.0], Middle),
+        ];
         for k in 0..3 {
-            let along = |t: f64| {
-                let mut p = Vector::zeros();
-                p[k] = t;
-                p
-            };
+            let along = |t: f64| Vector::ith(k, t);
             let line = segment(along(-semi[k] - reach[k]), along(semi[k] + reach[k]), 400);
             let visible = |p: &Vector| {
                 !box_hides(&half, p, &view.toward) && !ellipsoid_hides(&semi, p, &view.toward)
@@ -83,8 +81,8 @@ pub fn ellipsoid(values: &Values) -> Result<Figure> {
             // The middle axis is named at its near end.
             let side = if k == 1 { -1.0 } else { 1.0 };
             let tip = view.project(&along(side * (semi[k] + reach[k])));
-            let (dx, dy, anchor) = texts[k];
-            pen.label([tip[0] + dx, tip[1] + dy], anchor, &names[k]);
+            let (beside, anchor) = texts[k];
+            pen.label(shifted(tip, beside), anchor, &names[k]);
         }
     });
     let rows = |k: usize| [edges[k], semi[k], moments[k]];
@@ -96,65 +94,37 @@ pub fn ellipsoid(values: &Values) -> Result<Figure> {
 
 /// The body that is the union of a box and an ellipsoid with the same axes.
 fn box_with_bulges(pen: &mut Pen, view: &View, half: &Vector, semi: &Vector) {
-    let unit = |k: usize| {
-        let mut e = Vector::zeros();
-        e[k] = 1.0;
-        e
-    };
+    // The half axes of a body along the k-th axis and the two that follow it.
+    let axes = |of: &Vector, k: usize| [k, (k + 1) % 3, (k + 2) % 3].map(|j| Vector::ith(j, of[j]));
     // The three faces towards the eye, and the caps on them.
     for (k, alpha) in [(2, 0.05), (0, 0.1), (1, 0.17)] {
-        let n = unit(k) * view.toward[k].signum();
-        let (u, v) = (unit((k + 1) % 3), unit((k + 2) % 3));
-        let (hu, hv) = (u * half.dot(&u), v * half.dot(&v));
-        let middle = n * half[k];
-        let corners = [
-            middle + hu + hv,
-            middle + hu - hv,
-            middle - hu - hv,
-            middle - hu + hv,
-        ];
+        let [n, u, v] = axes(half, k);
+        let middle = n * view.toward[k].signum();
+        let corners = [u + v, u - v, -u - v, v - u].map(|corner| middle + corner);
         pen.fill(view.trace(&corners), Ink, alpha);
     }
     for k in [1, 0, 2] {
-        let n = unit(k) * view.toward[k].signum();
-        let (u, v) = (unit((k + 1) % 3), unit((k + 2) % 3));
+        let [n, u, v] = axes(semi, k);
+        let n = n * view.toward[k].signum();
         let rim = (half[k] / semi[k]).acos();
-        let cap: Vec<Point> = (0..=40)
-            .flat_map(|i| {
-                let (s, c) = (rim * f64::from(i) / 40.0).sin_cos();
-                let ring = ellipse(
-                    n * semi[k] * c,
-                    u * semi.dot(&u) * s,
-                    v * semi.dot(&v) * s,
-                    180,
-                );
-                view.trace(&ring)
-            })
-            .collect();
-        pen.fill(hull(&cap), Shade, 1.0);
+        let cap = spaced([0.0, rim], 40).flat_map(|angle| {
+            let (s, c) = angle.sin_cos();
+            view.trace(&ellipse(n * c, u * s, v * s, 180))
+        });
+        pen.fill(hull(&cap.collect::<Vec<_>>()), Shade, 1.0);
     }
 
     let mut curves: Vec<(Vec<Vector>, f64)> = Vec::new();
     for k in 0..3 {
-        let (u, v) = (unit((k + 1) % 3), unit((k + 2) % 3));
-        let (hu, hv) = (u * half.dot(&u), v * half.dot(&v));
-        for (s, t) in [(1.0, 1.0), (1.0, -1.0), (-1.0, -1.0), (-1.0, 1.0)] {
-            let (a, b) = (unit(k) * half[k], hu * s + hv * t);
+        let [a, u, v] = axes(half, k);
+        for b in [u + v, u - v, -u - v, v - u] {
             curves.push((segment(b - a, b + a, 240), SECONDARY));
         }
         // Where the ellipsoid goes through the faces.
         let sine = (1.0 - (half[k] / semi[k]).powi(2)).sqrt();
-        for side in [1.0, -1.0] {
-            let middle = unit(k) * half[k] * side;
-            curves.push((
-                ellipse(
-                    middle,
-                    u * semi.dot(&u) * sine,
-                    v * semi.dot(&v) * sine,
-                    240,
-                ),
-                AXIS,
-            ));
+        let [_, u, v] = axes(semi, k).map(|axis| axis * sine);
+        for middle in [a, -a] {
+            curves.push((ellipse(middle, u, v, 240), AXIS));
         }
     }
     // The outline: where the surface is seen edge on.
@@ -181,13 +151,10 @@ pub fn rosettes(_: &Values) -> Result<Figure> {
     let brick = shapes::cuboid(1.0, [1.0, 1.0, 2.0])?.inertia();
     let cube = Rosette::new(&cube, [1.0, 1.0, 1.0])?;
     let brick = Rosette::new(&brick, [1.0, 1.0, 2.0])?;
-    let five: Vec<(PlatonicSolid, f64)> = PlatonicSolid::ALL
-        .into_iter()
-        .map(|solid| {
-            let inertia = shapes::platonic(solid, 1.0, 1.0)?.inertia();
-            Ok((solid, inertia.moment_about(BodyVector::new(1.0, 2.0, 3.0))?))
-        })
-        .collect::<Result<_>>()?;
+    let five = tried(PlatonicSolid::ALL, |solid| {
+        let inertia = shapes::platonic(solid, 1.0, 1.0)?.inertia();
+        Ok((solid, inertia.moment_about(BodyVector::new(1.0, 2.0, 3.0))?))
+    })?;
 
     let [face, vertex, edge] = cube.quiz.map(|(_, moment)| number(moment, 4));
     let [up, slant, side] = brick.quiz.map(|(_, moment)| number(moment, 4));
@@ -212,27 +179,18 @@ pub fn rosettes(_: &Values) -> Result<Figure> {
             polar(center, MOMENT_SCALE * moment + out, angle)
         };
         let put = |pen: &mut Pen, p: Point, anchor, text: &str| {
-            pen.note([p[0], p[1] + 4.5], anchor, text);
+            pen.note(shifted(p, [0.0, 4.5]), anchor, text);
         };
         put(pen, at(left, up, 12.0), Middle, "face");
         put(pen, at(left, slant, 9.0), Start, "vertex");
         put(pen, at(left, side, 8.0), Start, "edge");
         let [up, slant, side] = brick.quiz;
-        put(
-            pen,
-            at(right, up, 34.0),
-            Middle,
-            &format!("face {}", number(up.1, 3)),
-        );
-        put(
-            pen,
-            at(right, slant, 13.0),
-            Start,
-            &format!("vertex {}", number(slant.1, 3)),
-        );
-        let inside = at(right, side, -8.0);
-        let place = [inside[0], inside[1] - 6.0];
-        pen.note(place, End, &format!("edge {}", number(side.1, 3)));
+        let [face, vertex, edge] = brick.quiz.map(|(_, moment)| number(moment, 3));
+        put(pen, at(right, up, 34.0), Middle, &format!("face {face}"));
+        let text = format!("vertex {vertex}");
+        put(pen, at(right, slant, 13.0), Start, &text);
+        let inside = shifted(at(right, side, -8.0), [0.0, -6.0]);
+        pen.note(inside, End, &format!("edge {edge}"));
         let foot = 234.0;
         let all = format!("cube: {} *Ma*^{{2}}", number(cube.quiz[0].1, 3));
         pen.label([left[0], foot], Middle, &all);
@@ -261,35 +219,23 @@ impl Rosette {
         let about = |angle: f64| {
             let (s, c) = angle.sin_cos();
             let across = c * core::f64::consts::FRAC_1_SQRT_2;
-            Ok((
-                angle,
-                inertia.moment_about(BodyVector::new(across, across, s))?,
-            ))
+            let axis = BodyVector::new(across, across, s);
+            Ok((angle, inertia.moment_about(axis)?))
         };
-        let section = [edges[0].hypot(edges[1]) / 2.0, edges[2] / 2.0];
+        let section @ [half, up] = [edges[0].hypot(edges[1]) / 2.0, edges[2] / 2.0];
         Ok(Self {
-            curve: (0..360)
-                .map(|k| about(TAU * f64::from(k) / 360.0))
-                .collect::<Result<_>>()?,
-            quiz: [
-                about(FRAC_PI_2)?,
-                about(section[1].atan2(section[0]))?,
-                about(0.0)?,
-            ],
+            curve: tried(0..360, |k| about(TAU * f64::from(k) / 360.0))?,
+            quiz: [about(FRAC_PI_2)?, about(up.atan2(half))?, about(0.0)?],
             section,
         })
     }
 
     fn draw(&self, pen: &mut Pen, center: Point) {
-        let curve: Vec<Point> = self
-            .curve
-            .iter()
-            .map(|&(angle, moment)| polar(center, MOMENT_SCALE * moment, angle))
-            .collect();
+        let on = |&(angle, moment): &(f64, f64)| polar(center, MOMENT_SCALE * moment, angle);
+        let curve: Vec<Point> = self.curve.iter().map(on).collect();
         pen.fill(&curve, Ink, 0.05);
         let [w, h] = self.section.map(|c| BODY_SCALE * c);
-        let corners =
-            [[-w, -h], [w, -h], [w, h], [-w, h]].map(|[x, y]| [center[0] + x, center[1] + y]);
+        let corners = boxed(shifted(center, [-w, -h]), shifted(center, [w, h]));
         pen.fill(corners, Ink, 0.12);
         pen.outline(corners, inked(AXIS));
         for (angle, moment) in self.quiz {
@@ -298,8 +244,8 @@ impl Rosette {
             pen.line(rule, inked(AXIS).alpha(0.6));
         }
         pen.outline(&curve, inked(DATA));
-        for (angle, moment) in self.quiz {
-            pen.dot(polar(center, MOMENT_SCALE * moment, angle), 4.0);
+        for axis in &self.quiz {
+            pen.dot(on(axis), 4.0);
         }
     }
 }
@@ -359,11 +305,6 @@ fn regular_solid(pen: &mut Pen, solid: PlatonicSolid, center: Point, radius: f64
         _ => (0.42, 0.36),
     };
     let view = View::new(azimuth, elevation, center, radius / size);
-    let faces: Vec<Vec<Vector>> = solid
-        .faces()
-        .iter()
-        .map(|face| face.iter().map(|&k| corners[k as usize]).collect())
-        .collect();
-    polyhedron(pen, &view, &faces);
+    polyhedron(pen, &view, &solid.faces(), |k| corners[k as usize]);
     Some(view)
 }

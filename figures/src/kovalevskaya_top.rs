@@ -7,9 +7,13 @@ use spinning_bodies::kovalevskaya_top::{Diagram, KovalevskayaTop};
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
-    of("kovalevskaya-circle", CIRCLE, circle),
-    of("kovalevskaya-bands", BANDS, bands),
-    of("appelrot-classes", CLASSES, classes),
+    of(
+        "kovalevskaya-circle",
+        &[FIRST, SECOND, THIRD, RATIO],
+        circle,
+    ),
+    of("kovalevskaya-bands", &[FIRST, SECOND, THIRD], bands),
+    of("appelrot-classes", &[SIZE], classes),
 ];
 
 parameters! {
@@ -19,14 +23,10 @@ parameters! {
     RATIO: "ratio", "I_1/I_3", "", "ratio of moments in the panel on the right", [1.5, 2.5], 1.9;
     SIZE: "size", r"\lvert K\rvert", "1/s²", "Kovalevskaya's constant", [0.05, 1.6], 0.6;
 }
-/// What may be chosen in the scribble, in the bands and in the map.
-pub const CIRCLE: &[Parameter] = &[FIRST, SECOND, THIRD, RATIO];
-pub const BANDS: &[Parameter] = &[FIRST, SECOND, THIRD];
-pub const CLASSES: &[Parameter] = &[SIZE];
 
 /// The start of all pictures: c = 1, z = (2, −1, 2)/3.
 fn start(values: &Values) -> Result<TopState> {
-    let [x, y, z] = [&FIRST, &SECOND, &THIRD].map(|parameter| values.of(parameter));
+    let [x, y, z] = values.each([FIRST, SECOND, THIRD]);
     Ok(TopState {
         omega: BodyVector::new(x, y, z),
         up: BodyVector::new(2.0, -1.0, 2.0).direction("up")?,
@@ -34,22 +34,23 @@ fn start(values: &Values) -> Result<TopState> {
 }
 
 fn spun(values: &Values) -> String {
-    let [x, y, z] = [&FIRST, &SECOND, &THIRD]
-        .map(|parameter| short(values.of(parameter), 2).replace('\u{2212}', "-"));
-    format!("$\\Omega=({x}, {y}, {z})$ rad/s")
+    let told = shorts(values.each([FIRST, SECOND, THIRD]), 2).join(", ");
+    format!("$\\Omega=({})$ rad/s", told.replace('\u{2212}', "-"))
 }
 
 /// w = Ω₁ + iΩ₂ and K = w² − ζ.
 fn traced(state: &TopState) -> [Point; 2] {
-    let (o, z) = (state.omega, state.up);
-    [
-        [o.x(), o.y()],
-        [
-            o.x() * o.x() - o.y() * o.y() - z.x(),
-            2.0 * o.x() * o.y() - z.y(),
-        ],
-    ]
+    let ([x, y], z) = ([state.omega.x(), state.omega.y()], state.up);
+    [[x, y], [x * x - y * y - z.x(), 2.0 * x * y - z.y()]]
 }
+
+/// Hers from the start.
+fn launched(start: &TopState) -> Result<KovalevskayaTop> {
+    KovalevskayaTop::with_up([2.0, 2.0, 1.0], LEVER, start.omega, start.up)
+}
+
+/// The place of the centre of mass.
+const LEVER: BodyVector = BodyVector::new(1.0, 0.0, 0.0);
 
 /// How long the scribble, the circle and the ring are followed.
 const SECONDS: f64 = 240.0;
@@ -63,14 +64,10 @@ const MIDDLE: f64 = 112.0;
 pub fn circle(values: &Values) -> Result<Figure> {
     let at_start = start(values)?;
     let ratio = values.of(&RATIO);
-    let lever = BodyVector::new(1.0, 0.0, 0.0);
-    let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, at_start.omega, at_start.up)?;
-    let mut hers = Vec::new();
-    for n in 0..=SAMPLES {
-        let t = SECONDS * f64::from(n) / f64::from(SAMPLES);
-        hers.push(traced(&top.omega_and_up(t)?));
-    }
-    let wrong = HeavyTop::new(AxisMoments::new(ratio, ratio, 1.0)?, lever)?;
+    let top = launched(&at_start)?;
+    let times = spaced([0.0, SECONDS], SAMPLES);
+    let hers = tried(times.clone(), |t| Ok(traced(&top.omega_and_up(t)?)))?;
+    let wrong = HeavyTop::new(AxisMoments::new(ratio, ratio, 1.0)?, LEVER)?;
     let mut state = at_start;
     let mut wandering = Vec::new();
     let step = SECONDS / f64::from(SAMPLES) / 8.0;
@@ -92,28 +89,21 @@ pub fn circle(values: &Values) -> Result<Figure> {
     let open = open.fold(round, f64::max);
     let named = short(ratio, 2);
     let [low, high] = [least, greatest].map(|radius| number(radius, 2));
-    let (told, ring) = if greatest - least > 1e-3 * greatest {
-        (
-            format!("It wanders from {low} to {high}."),
-            format!("a smeared ring between radius {low} and {high}"),
-        )
-    } else {
-        (
-            "It does not wander.".to_owned(),
-            "the same circle".to_owned(),
-        )
-    };
-    let claim = if k > 1e-3 && open < 0.2 {
-        "The top scribbles; its constant runs round a circle.".to_owned()
-    } else if k > 1e-3 {
-        "The top scribbles; its constant runs to and fro on an arc of a circle.".to_owned()
-    } else {
-        "The top scribbles; its constant stands still at the origin.".to_owned()
+    let mut told = "It does not wander.".to_owned();
+    let mut ring = "the same circle".to_owned();
+    if greatest - least > 1e-3 * greatest {
+        told = format!("It wanders from {low} to {high}.");
+        ring = format!("a smeared ring between radius {low} and {high}");
+    }
+    let does = match k > 1e-3 {
+        true if open < 0.2 => "runs round a circle",
+        true => "runs to and fro on an arc of a circle",
+        false => "stands still at the origin",
     };
     let (seconds, from) = (number(SECONDS, 0), spun(values));
     let [size, radius] = [4, 2].map(|digits| number(k, digits));
     let words = words!(
-        "{claim}",
+        "The top scribbles; its constant {does}.",
         "Three drawings of {seconds} s from {from}, $MgC_1/I_3=1$. Left: $w=\\Omega_1+i\\Omega_2$. Middle: \
          $K=w^2-(z_1+iz_2)$ of the same motion, always {size} from the origin. Right: the same expression if \
          $I_1=I_2={named}\\,I_3$; dashed, where it should be. {told}",
@@ -155,33 +145,30 @@ pub fn circle(values: &Values) -> Result<Figure> {
         pen.line(path, muted(HAIR).alpha(0.8));
         pen.line(ring, inked(SECONDARY).dashed());
     });
-    let time = |n: usize| SECONDS * n as f64 / f64::from(SAMPLES);
     let columns = "time (s) | real part | imaginary part";
-    let rows = |pick: &dyn Fn(usize) -> Point| -> Vec<[f64; 3]> {
-        let steps = (0..hers.len()).step_by(10);
-        steps.map(|n| [time(n), pick(n)[0], pick(n)[1]]).collect()
+    let rows = |points: Vec<Point>| {
+        let rows = times.clone().zip(points).step_by(10);
+        rows.map(|(time, [real, imaginary])| [time, real, imaginary])
     };
+    let [w, k] = [0, 1].map(|which: usize| hers.iter().map(|p| p[which]).collect());
     Ok(made
-        .data("w", columns, rows(&|n| hers[n][0]))
-        .data("K", columns, rows(&|n| hers[n][1]))
-        .data("K of other moments", columns, rows(&|n| wandering[n])))
+        .data("w", columns, rows(w))
+        .data("K", columns, rows(k))
+        .data("K of other moments", columns, rows(wandering)))
 }
 
 /// P(s) with its five roots: s₁ swings in the middle band, s₂ comes from −∞ and goes back.
 pub fn bands(values: &Values) -> Result<Figure> {
-    let at_start = start(values)?;
-    let lever = BodyVector::new(1.0, 0.0, 0.0);
-    let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, at_start.omega, at_start.up)?;
+    let top = launched(&start(values)?)?;
     let roots = top.roots();
     let mut real: Vec<f64> = roots.iter().filter(|e| e.im == 0.0).map(|e| e.re).collect();
     real.sort_by(f64::total_cmp);
     // Where the two variables are found; the second comes from −∞.
-    let mut found = Vec::new();
-    for n in 0..400 {
-        let t = 0.1 * f64::from(n);
-        found.push((t, top.separation_variables(&top.omega_and_up(t)?)));
-    }
-    let ends = |k: usize, pick: fn(f64, f64) -> f64| found.iter().map(|(_, s)| s[k]).reduce(pick);
+    let times = (0..400).map(|n| 0.1 * f64::from(n));
+    let found = tried(times, |t| {
+        Ok(top.separation_variables(&top.omega_and_up(t)?))
+    })?;
+    let ends = |k: usize, pick: fn(f64, f64) -> f64| found.iter().map(|s| s[k]).reduce(pick);
     let (low, high, turn) = (ends(0, f64::min), ends(0, f64::max), ends(1, f64::max));
     let value = |s: f64| {
         let product = roots
@@ -250,11 +237,8 @@ const LEVEL: f64 = 124.0;
 
 /// Energy and L_vert² of motions with one |K|, and the curves on which two roots meet.
 pub fn classes(values: &Values) -> Result<Figure> {
-    let size = values.of(&CLASSES[0]);
-    let top = HeavyTop::new(
-        AxisMoments::new(2.0, 2.0, 1.0)?,
-        BodyVector::new(1.0, 0.0, 0.0),
-    )?;
+    let size = values.of(&SIZE);
+    let top = HeavyTop::new(AxisMoments::new(2.0, 2.0, 1.0)?, LEVER)?;
     let diagram = Diagram::new(1.0, size)?;
     let (least, greatest) = (-1.1, 2.4);
     let highest = 1.07 * diagram.shared_upper(greatest);
@@ -276,18 +260,12 @@ pub fn classes(values: &Values) -> Result<Figure> {
             motions.push([top.energy(&state), h]);
         }
     }
-    let mut curves = [Vec::new(), Vec::new(), Vec::new(), Vec::new()];
-    for n in 0..=700 {
-        let energy = least + (greatest - least) * f64::from(n) / 700.0;
-        curves[0].push([energy, diagram.shared_upper(energy)]);
-        curves[1].push([energy, diagram.shared_lower(energy)]);
-        for (i, h) in diagram
-            .cubic_double(energy)?
-            .into_iter()
-            .flatten()
-            .enumerate()
-        {
-            curves[2 + i].push([energy, h]);
+    let mut curves: [Vec<Point>; 4] = Default::default();
+    for energy in spaced([least, greatest], 700) {
+        let shared = [diagram.shared_upper(energy), diagram.shared_lower(energy)];
+        let own = diagram.cubic_double(energy)?.into_iter().flatten();
+        for (curve, h) in curves.iter_mut().zip(shared.into_iter().chain(own)) {
+            curve.push([energy, h]);
         }
     }
 
@@ -302,22 +280,18 @@ pub fn classes(values: &Values) -> Result<Figure> {
          lowest energy and widens to the right; its edges, and borders inside it, are two parallel rising lines and a curve that touches them."
     );
 
+    let inside = |[e, h]: &Point| (least..=greatest).contains(e) && (0.0..=highest).contains(h);
+    let x = |e: f64| 46.0 + 486.0 * (e - least) / (greatest - least);
+    let y = |h: f64| 262.0 - 236.0 * h / highest;
+    motions.retain(inside);
     let made = figure("appelrot-classes", 300.0, words, |pen| {
-        let place = |[e, h]: Point| {
-            let x = 46.0 + 486.0 * (e - least) / (greatest - least);
-            [x, 262.0 - 236.0 * h / highest]
-        };
-        let inside = |point: &Point| inside_of(point, [least, greatest, highest]);
-        for motion in motions.iter().filter(|m| inside(m)) {
-            pen.disc(place(*motion), 1.5, Ink, 0.45);
+        for &[e, h] in &motions {
+            pen.disc([x(e), y(h)], 1.5, Ink, 0.45);
         }
         for curve in &curves {
             // A branch may leave the picture and come back.
             for part in curve.split(|point| !inside(point)) {
-                if part.len() > 1 {
-                    let points = part.iter().map(|p| place(*p));
-                    pen.line(points, inked(DATA));
-                }
+                pen.line(part.iter().map(|&[e, h]| [x(e), y(h)]), inked(DATA));
             }
         }
         // Each line has its name where it ends.
@@ -327,27 +301,17 @@ pub fn classes(values: &Values) -> Result<Figure> {
         ];
         let own = ends.into_iter().flatten().map(|h| (h, "cubic"));
         let named = shared.into_iter().chain(own);
-        let named: Vec<(f64, &str)> = named.filter(|(h, _)| inside(&[greatest, *h])).collect();
-        let heights = named.iter().map(|(h, _)| place([greatest, *h])[1]);
-        let heights: Vec<f64> = heights.collect();
-        for ((_, text), y) in named.iter().zip(apart(&heights, 18.0, 258.0)) {
-            let x = place([greatest, 0.0])[0];
-            pen.label([x + 8.0, y + 5.0], Start, text);
+        let named = named.filter(|(h, _)| (0.0..=highest).contains(h));
+        let (heights, names): (Vec<f64>, Vec<&str>) = named.map(|(h, name)| (y(h), name)).unzip();
+        for (text, y) in names.into_iter().zip(apart(&heights, 18.0, 258.0)) {
+            pen.label([x(greatest) + 8.0, y + 5.0], Start, text);
         }
         pen.line([[46.0, 262.0], [580.0, 262.0]], inked(AXIS));
         pen.line([[46.0, 262.0], [46.0, 16.0]], inked(AXIS));
         pen.label([580.0, 284.0], End, "*E*");
         pen.label([54.0, 28.0], Start, "*L*_{vert}^{2}");
     });
-    let rows = motions
-        .iter()
-        .filter(|m| inside_of(m, [least, greatest, highest]))
-        .copied();
-    Ok(made.data("starts", "energy (J) | L_vert² (J² s²)", rows))
-}
-
-fn inside_of([e, h]: &Point, [least, greatest, highest]: [f64; 3]) -> bool {
-    (least..=greatest).contains(e) && (0.0..=highest).contains(h)
+    Ok(made.data("starts", "energy (J) | L_vert² (J² s²)", motions))
 }
 
 /// A stretch of the axis with the name of what moves there, clear of the curve.

@@ -125,15 +125,9 @@ pub fn diagram(title: &str, panels: &[[Quantity; 2]]) -> Figure {
             let (across, up) = (x.drawn(), y.drawn());
             // Time begins at its beginning, and so does a number that is varied.
             let varied = x.unit.is_empty();
-            let shown = if x.name == "t" || varied {
-                extent(&across.values)
-            } else {
-                across.shown
-            };
-            let shown = if shown[0] < shown[1] {
-                shown
-            } else {
-                across.shown
+            let shown = match extent(&across.values) {
+                [from, to] if (x.name == "t" || varied) && from < to => [from, to],
+                _ => across.shown,
             };
             let frame = Frame {
                 x: x.axis(shown, [84.0, 576.0]),
@@ -153,8 +147,7 @@ pub fn diagram(title: &str, panels: &[[Quantity; 2]]) -> Figure {
             for (&x, &y_there) in across.values.iter().zip(&up.values) {
                 let jumps = before.is_some_and(|last: f64| (y_there - last).abs() > 3.2);
                 if (y.goes_round && jumps) || y_there.is_nan() {
-                    pen.line(&line, stroke(y.role(), DATA));
-                    line.clear();
+                    pen.line(line.drain(..), stroke(y.role(), DATA));
                 }
                 if y_there.is_nan() {
                     continue;
@@ -185,11 +178,8 @@ pub fn map(title: &str, [x, y]: &[Quantity; 2], told: &Quantity) -> Figure {
     let [low, high] = extent(&there().collect::<Vec<_>>());
     let step = |value: f64| {
         let share = (value - low) / (high - low) * f64::from(STEPS);
-        if share.is_nan() {
-            0
-        } else {
-            (share as u32).min(STEPS - 1)
-        }
+        // No number is the first step.
+        (share as u32).min(STEPS - 1)
     };
     let shade = |step: u32| (5.0 + 10.0 * f64::from(step)) / 100.0;
     let refused = drawn.values.len() - there().count();
@@ -227,33 +217,18 @@ pub fn map(title: &str, [x, y]: &[Quantity; 2], told: &Quantity) -> Figure {
             x: axis(x, [left, right]),
             y: axis(y, [bottom, top]),
         };
-        let field = |i: usize, j: usize| {
-            let x = |i: usize| left + (right - left) * i as f64 / across as f64;
-            let y = |j: usize| bottom + (top - bottom) * j as f64 / up as f64;
-            [
-                [x(i), y(j)],
-                [x(i + 1), y(j)],
-                [x(i + 1), y(j + 1)],
-                [x(i), y(j + 1)],
-            ]
+        let corner = |i: usize, j: usize| {
+            let x = left + (right - left) * i as f64 / across as f64;
+            [x, bottom + (top - bottom) * j as f64 / up as f64]
         };
         for (k, &value) in drawn.values.iter().enumerate() {
-            let corners = field(k / up, k % up);
+            let corners = boxed(corner(k / up, k % up), corner(k / up + 1, k % up + 1));
             match value.is_nan() {
                 true => pen.line([corners[0], corners[2]], muted(AXIS)),
                 false => pen.fill(corners, Ink, shade(step(value))),
             }
         }
-        let bare = Frame {
-            x: Axis {
-                ends: [left, right],
-                ..frame.x
-            },
-            y: Axis {
-                ends: [bottom, top],
-                ..frame.y
-            },
-        };
+        let bare = Frame::linear([0.0, 1.0], [0.0, 1.0], [left, right, bottom, top]);
         bare.draw(pen, &[], &[], [&x.name, &y.name]);
         for (value, text) in ticks(&frame.x, 70.0) {
             pen.remark([frame.x.at(value), bottom + 20.0], Middle, &text);
@@ -265,8 +240,7 @@ pub fn map(title: &str, [x, y]: &[Quantity; 2], told: &Quantity) -> Figure {
         for step in 0..STEPS {
             let height = |step: u32| bottom + (top - bottom) * f64::from(step) / f64::from(STEPS);
             let [from, to] = [height(step), height(step + 1)];
-            let corners = [[480.0, from], [500.0, from], [500.0, to], [480.0, to]];
-            pen.fill(corners, Ink, shade(step));
+            pen.fill(boxed([480.0, from], [500.0, to]), Ink, shade(step));
             let value = low + (high - low) * f64::from(step) / f64::from(STEPS);
             pen.remark([506.0, from + 5.0], Start, &short(value));
         }
@@ -380,7 +354,7 @@ fn cross([one, other]: [[Point; 2]; 2]) -> bool {
 }
 
 /// The corners of a staircase: those that no cheaper one is as exact as. What has no error has the rounding of one.
-fn corners(points: &[Point]) -> Vec<Point> {
+pub(crate) fn corners(points: &[Point]) -> Vec<Point> {
     let drawn = points
         .iter()
         .filter(|[price, error]| *price > 0.0 && error.is_finite());

@@ -179,6 +179,11 @@ impl Values {
         chosen.map_or(parameter.default, |&(_, value)| value)
     }
 
+    /// The values of several.
+    pub fn each<const N: usize>(&self, parameters: [Parameter; N]) -> [f64; N] {
+        parameters.map(|parameter| self.of(&parameter))
+    }
+
     /// The same with another value of a parameter, which must be one that it may have.
     ///
     /// # Errors

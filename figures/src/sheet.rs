@@ -7,7 +7,11 @@ use crate::{finish, rolling};
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
-    of("withdrawn-sheet", SPEEDS, speeds),
+    of(
+        "withdrawn-sheet",
+        &[PULL, ON_SHEET, ON_TABLE, KAPPA],
+        speeds,
+    ),
     of("sheet-animated", &[], animated),
 ];
 
@@ -17,9 +21,6 @@ parameters! {
     ON_TABLE: "table_friction", r"\mu_2", "", "coefficient of friction on the table", [0.05, 0.8], 0.2;
 }
 const KAPPA: Parameter = rolling::KAPPA.between([0.25, 1.0], 0.4);
-
-/// What may be chosen in the graphs.
-pub const SPEEDS: &[Parameter] = &[PULL, ON_SHEET, ON_TABLE, KAPPA];
 
 /// The sheet has its speed within this time, s; its edge is so far behind, m.
 const JERK: f64 = 0.02;
@@ -68,8 +69,7 @@ pub fn speeds(values: &Values) -> Result<Figure> {
     let slips: Vec<f64> = corners.iter().map(|&t| course.at(t).slip).collect();
     let least = slips.iter().copied().fold(0.0, f64::min);
     let most = slips.iter().copied().fold(0.0, f64::max);
-    let [pull, on_sheet, on_table] =
-        [PULL, ON_SHEET, ON_TABLE].map(|one| short(values.of(&one), 2));
+    let [pull, on_sheet, on_table] = shorts(values.each([PULL, ON_SHEET, ON_TABLE]), 2);
     let (inertia, ratio) = (short(kappa, 3), short(1.0 / kappa, 2));
     let [gone, way] = numbers([1e3 * leaves, 1e3 * place], 1);
     let end = number(1e3 * stops, 0);
@@ -91,13 +91,7 @@ pub fn speeds(values: &Values) -> Result<Figure> {
     let bottom = 352.0;
     let made = figure("withdrawn-sheet", 376.0, words, |pen| {
         let edge = x(leaves);
-        let shade = [
-            [x(0.0), 14.0],
-            [edge, 14.0],
-            [edge, bottom],
-            [x(0.0), bottom],
-        ];
-        pen.fill(shade, Ink, 0.06);
+        pen.fill(boxed([x(0.0), 14.0], [edge, bottom]), Ink, 0.06);
         // Beside each other if both fit, else one above the other.
         let (on, off) = ("on the sheet", "on the table");
         if edge - x(0.0) > 100.0 {

@@ -59,10 +59,8 @@ impl View {
             scale.min(room[k] / (greatest[k] - least[k]))
         });
         let middle = |k: usize| 0.5 * (least[k] + greatest[k]) * scale;
-        let center = [
-            0.5 * (left + right) - middle(0),
-            0.5 * (top + bottom) - middle(1),
-        ];
+        let [x, y] = [0.5 * (left + right), 0.5 * (top + bottom)];
+        let center = [x - middle(0), y - middle(1)];
         Self::new(azimuth, elevation, center, scale)
     }
 
@@ -81,10 +79,8 @@ impl View {
 
     /// Where a point of space is drawn.
     pub fn project(&self, point: &Vector) -> Point {
-        [
-            self.center[0] + self.scale * self.right.dot(point),
-            self.center[1] - self.scale * self.up.dot(point),
-        ]
+        let place = [self.right.dot(point), self.up.dot(point)];
+        planned(self.center, self.scale, place)
     }
 
     /// The points of a curve, drawn.
@@ -189,10 +185,7 @@ pub fn rim(semi: &Vector, toward: &Vector, steps: usize) -> Vec<Vector> {
 pub fn box_hides(half: &Vector, point: &Vector, toward: &Vector) -> bool {
     let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
     for k in 0..3 {
-        let (a, b) = (
-            (-half[k] - point[k]) / toward[k],
-            (half[k] - point[k]) / toward[k],
-        );
+        let [a, b] = [-half[k], half[k]].map(|side| (side - point[k]) / toward[k]);
         enter = enter.max(a.min(b));
         leave = leave.min(a.max(b));
     }
@@ -230,12 +223,14 @@ pub fn hull(points: &[Point]) -> Vec<Point> {
     hull
 }
 
-/// A body with flat faces, corners anticlockwise as seen from outside: faces towards the eye are shaded by their slope.
-pub fn polyhedron(pen: &mut Pen, view: &View, faces: &[Vec<Vector>]) {
+/// A body with flat faces, the numbers of their corners anticlockwise as seen from outside, and where each corner is: faces towards the eye are shaded by
+/// their slope.
+pub fn polyhedron(pen: &mut Pen, view: &View, faces: &[&[u32]], corner: impl Fn(u32) -> Vector) {
     let light = Vector::new(0.25, -0.55, 0.8);
     for face in faces {
+        let face: Vec<Vector> = face.iter().map(|&k| corner(k)).collect();
         let normal = (face[1] - face[0]).cross(&(face[2] - face[0])).normalize();
-        let outline = view.trace(face);
+        let outline = view.trace(&face);
         if view.faces(&normal) {
             let shade = 0.03 + 0.17 * (1.0 - normal.dot(&light)) / 2.0;
             pen.fill(&outline, Ink, shade);

@@ -6,6 +6,7 @@
 use core::borrow::Borrow;
 
 use plotters_backend::BackendCoord;
+use spinning_bodies::Result;
 
 use crate::Figure;
 pub use crate::canvas::Anchor::{self, End, Middle, Start};
@@ -444,36 +445,28 @@ impl Pen {
         taken
     }
 
-    /// A stacked fraction with its bar centred on the point, and what stands before and after it.
-    pub fn fraction(&mut self, at: Point, parts: Fraction<'_>, lettering: Lettering) {
+    /// A stacked fraction with its bar centred on the point: what stands before it, over the bar, under it, and after it.
+    pub fn fraction(
+        &mut self,
+        at: Point,
+        [before, over, under, after]: [&str; 4],
+        lettering: Lettering,
+    ) {
         let size = lettering.size;
-        let digits = parts.over.chars().count().max(parts.under.chars().count()) as f64;
+        let digits = over.chars().count().max(under.chars().count()) as f64;
         let half = 0.29 * size * digits + 0.1 * size;
         for ([x, y], anchor, body) in [
-            ([-half - 0.2 * size, 0.36 * size], Anchor::End, parts.before),
-            ([0.0, -0.32 * size], Anchor::Middle, parts.over),
-            ([0.0, 1.02 * size], Anchor::Middle, parts.under),
+            ([-half - 0.2 * size, 0.36 * size], Anchor::End, before),
+            ([0.0, -0.32 * size], Anchor::Middle, over),
+            ([0.0, 1.02 * size], Anchor::Middle, under),
         ] {
             self.text([at[0] + x, at[1] + y], anchor, body, lettering);
         }
         let bar = [[at[0] - half, at[1]], [at[0] + half, at[1]]];
         self.line(bar, stroke(lettering.role, AXIS));
-        let after = [at[0] + half + 0.22 * size, at[1] + 0.36 * size];
-        self.text(after, Anchor::Start, parts.after, lettering);
+        let beyond = [at[0] + half + 0.22 * size, at[1] + 0.36 * size];
+        self.text(beyond, Anchor::Start, after, lettering);
     }
-}
-
-/// A stacked fraction.
-#[derive(Debug, Clone, Copy)]
-pub struct Fraction<'a> {
-    /// Sign or words before it.
-    pub before: &'a str,
-    /// Numerator.
-    pub over: &'a str,
-    /// Denominator.
-    pub under: &'a str,
-    /// Letter or words after it.
-    pub after: &'a str,
 }
 
 /// How far the middle of letters is above their base line, in their size.
@@ -494,6 +487,26 @@ fn head_size(width: f64, length: f64) -> (f64, f64) {
 /// The point a fraction `t` of the way from `a` to `b`.
 pub fn between(a: Point, b: Point, t: f64) -> Point {
     [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]
+}
+
+/// A point so far from another, to the right and down.
+pub fn shifted([x, y]: Point, [right, down]: Point) -> Point {
+    [x + right, y + down]
+}
+
+/// Where a place of a plan, y upward, comes to stand whose origin is drawn here, so many units to one.
+pub fn planned(origin: Point, unit: f64, [x, y]: Point) -> Point {
+    [origin[0] + unit * x, origin[1] - unit * y]
+}
+
+/// The corners of a box, from one corner by the top or the bottom to the opposite one and back.
+pub fn boxed([x, y]: Point, [u, v]: Point) -> [Point; 4] {
+    [[x, y], [u, y], [u, v], [x, v]]
+}
+
+/// Whether a point lies between left and right, and between top and bottom.
+pub fn within([left, right]: [f64; 2], [top, bottom]: [f64; 2]) -> impl Fn(&Point) -> bool {
+    move |[x, y]| (left..right).contains(x) && (top..bottom).contains(y)
 }
 
 /// The point at `radius` and `angle` (counterclockwise from the right) about `center`.
@@ -551,6 +564,14 @@ pub fn number(value: f64, digits: usize) -> String {
 /// One more than `count` numbers at equal steps, from one end to the other.
 pub fn spaced([from, to]: [f64; 2], count: u32) -> impl Iterator<Item = f64> + Clone {
     (0..=count).map(move |k| from + (to - from) * f64::from(k) / f64::from(count))
+}
+
+/// What is made of each, as far as nothing is refused.
+pub fn tried<A, T>(
+    each: impl IntoIterator<Item = A>,
+    make: impl FnMut(A) -> Result<T>,
+) -> Result<Vec<T>> {
+    each.into_iter().map(make).collect()
 }
 
 /// A number as a slider leaves it: four figures, no last zeros.

@@ -102,16 +102,14 @@ fn legs(motions: [Motion<f64>; 3]) -> Vec<Leg> {
         let free = k == 2 && from + v < EDGE - 0.1;
         let wanted: f64 = if free { LEAVES } else { 1.0 };
         let there = if v > 0.0 { ENDS[1] } else { ENDS[0] };
-        let end = if v == 0.0 {
-            wanted
-        } else {
-            wanted.min((there - from) / v)
+        let end = match v {
+            0.0 => wanted,
+            _ => wanted.min((there - from) / v),
         };
-        let down = k == 1;
         legs.push(Leg {
             from,
             motion,
-            down,
+            down: k == 1,
             end,
         });
         if end < 1.0 {
@@ -124,8 +122,7 @@ fn legs(motions: [Motion<f64>; 3]) -> Vec<Leg> {
 
 /// The path of a superball thrown under a table, with its spin, and of a ball that takes no spin.
 pub fn under_the_table(values: &Values) -> Result<Figure> {
-    let (kappa, spin) = (values.of(&KAPPA), values.of(&SPIN));
-    let grip = values.of(&GRIP);
+    let [kappa, grip, spin] = values.each([KAPPA, GRIP, SPIN]);
     let thrown = Motion {
         velocity: 1.0,
         rim_speed: spin,
@@ -144,24 +141,18 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
         }))
     })();
     let ghost: Vec<f64> = UnderTable::new(thrown, 0.0).positions().take(2).collect();
-    let told = |k: usize,
-                of: fn(&Motion<f64>) -> f64,
-                exactly: fn(&Motion<Ratio<i128>>) -> Ratio<i128>| {
-        inline(
-            of(&motions[k]),
-            exact.as_ref().map(|exact| exactly(&exact[k])),
-        )
-    };
-    let [v1, v2, v3] = [0, 1, 2].map(|k| told(k, |m| m.velocity, |m| m.velocity));
-    let [s1, s2, s3] = [0, 1, 2].map(|k| told(k, |m| m.rim_speed, |m| m.rim_speed));
-    let places = [
-        motions[0].velocity,
-        motions[0].velocity + motions[1].velocity,
-    ];
-    let exact_places = exact.map(|m| [m[0].velocity, m[0].velocity + m[1].velocity]);
-    let [x1, x2] = [0, 1].map(|k| inline(places[k], exact_places.map(|exact| exact[k])));
+    let velocities = [0, 1, 2].map(|k| {
+        let exactly = exact.map(|exact| exact[k].velocity);
+        inline(motions[k].velocity, exactly)
+    });
+    let spins = [0, 1, 2].map(|k| {
+        let exactly = exact.map(|exact| exact[k].rim_speed);
+        inline(motions[k].rim_speed, exactly)
+    });
+    let second = motions[0].velocity + motions[1].velocity;
+    let exactly = exact.map(|exact| exact[0].velocity + exact[1].velocity);
     let legs = legs(motions);
-    let out = places[1] + motions[2].velocity;
+    let out = second + motions[2].velocity;
     let which = match grip == 1.0 {
         true => "A superball".to_owned(),
         false => format!(
@@ -182,9 +173,10 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
         false => format!("rim speed ${}\\,V$", plain(&short(spin, 2))),
     };
     let inertia = inline(kappa, fraction_of(kappa));
-    let [p1, p2, p3] = [&v1, &v2, &v3].map(|text| plain(text));
-    let [s1, s2, s3] = [s1, s2, s3].map(|text| plain(&text));
-    let [x1, x2] = [x1, x2].map(|text| plain(&text));
+    let [v1, v2, v3] = &velocities;
+    let [p1, p2, p3] = [v1, v2, v3].map(|text| plain(text));
+    let [s1, s2, s3] = spins.map(|text| plain(&text));
+    let (x1, x2) = (&p1, plain(&inline(second, exactly)));
     let words = words!(
         "{which} {after}.",
         "Ball with $I = {inertia}\\,MR^2$, thrown with speed $V$ and {about_spin}. After floor, table and floor its velocity is ${p1}$, \
@@ -254,14 +246,9 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
         let mut taken = along(&arrive, 6.0);
         taken.extend(along(&ghost, 6.0));
         taken.extend(along(&path, 6.0));
-        taken.extend([CEILING - SLAB, FLOOR].into_iter().flat_map(|y| {
-            let left = if y == FLOOR {
-                10.0
-            } else {
-                place(EDGE, 0.0)[0]
-            };
-            along(&[[left, y], [590.0, y]], 6.0)
-        }));
+        for (left, y) in [(place(EDGE, 0.0)[0], CEILING - SLAB), (10.0, FLOOR)] {
+            taken.extend(along(&[[left, y], [590.0, y]], 6.0));
+        }
         for &(center, _, _) in &flashes {
             taken.extend(arc(center, RADIUS, 0.0, 6.3));
         }
@@ -271,9 +258,8 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
         let at = roomiest(beside, [9.0, 9.0], &taken);
         taken.extend(area(at, [9.0, 9.0]));
         pen.label([at[0], at[1] + 5.0], Middle, "*V*");
-        for (k, leg) in legs.iter().enumerate() {
-            let text = told(k, |m| m.velocity, |m| m.velocity);
-            velocity_label(pen, leg, &text, &mut taken);
+        for (leg, text) in legs.iter().zip(&velocities) {
+            velocity_label(pen, leg, text, &mut taken);
         }
         let on = |k| between(ghost[0], ghost[1], 0.3 + 0.01 * f64::from(k));
         let right =
@@ -283,20 +269,12 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
         pen.remark([x, y - 4.0], Middle, "without");
         pen.remark([x, y + 13.0], Middle, "spin");
     });
-    let names = [
-        "after the floor",
-        "after the table",
-        "after the floor again",
-    ];
-    let mut made = made;
-    let mut from = 0.0;
-    for (name, motion) in names.into_iter().zip(motions) {
-        let row = [from, motion.velocity, motion.rim_speed];
-        let columns = "place (flights) | velocity (V) | rim speed (V)";
-        made = made.data(name, columns, [row]);
-        from += motion.velocity;
-    }
-    Ok(made)
+    let row = |k: usize, from: f64| [[from, motions[k].velocity, motions[k].rim_speed]];
+    let columns = "place (flights) | velocity (V) | rim speed (V)";
+    Ok(made
+        .data("after the floor", columns, row(0, 0.0))
+        .data("after the table", columns, row(1, motions[0].velocity))
+        .data("after the floor again", columns, row(2, second)))
 }
 
 /// The velocity of a leg beside it, where there is room.
@@ -327,13 +305,7 @@ fn velocity_label(pen: &mut Pen, leg: &Leg, text: &str, taken: &mut Vec<Point>) 
     taken.extend(area(at, [half, 20.0]));
     match number.split_once('/') {
         Some((over, under)) => {
-            let parts = Fraction {
-                before: sign,
-                over,
-                under,
-                after: "*V*",
-            };
-            pen.fraction(at, parts, label(Ink));
+            pen.fraction(at, [sign, over, under, "*V*"], label(Ink));
         }
         None => {
             let text = format!("{text} *V*");
@@ -345,12 +317,7 @@ fn velocity_label(pen: &mut Pen, leg: &Leg, text: &str, taken: &mut Vec<Point>) 
 /// Floor and table.
 fn room(pen: &mut Pen) {
     let edge = place(EDGE, 0.0)[0];
-    let slab = [
-        [edge, CEILING - SLAB],
-        [590.0, CEILING - SLAB],
-        [590.0, CEILING],
-        [edge, CEILING],
-    ];
+    let slab = boxed([edge, CEILING - SLAB], [590.0, CEILING]);
     pen.fill(slab, Ink, 0.16);
     let leg = [
         [560.0, CEILING],
@@ -365,12 +332,13 @@ fn room(pen: &mut Pen) {
 
 /// The ball that takes no spin, and its path.
 fn ghost_ball(pen: &mut Pen, bounces: &[f64]) -> Vec<Point> {
+    let heights = [1.0, 0.0].into_iter().cycle();
     let mut path = vec![place(0.0, 0.0)];
     path.extend(
         bounces
             .iter()
-            .enumerate()
-            .map(|(k, &x)| place(x, f64::from(u8::from(k % 2 == 0)))),
+            .zip(heights)
+            .map(|(&x, height)| place(x, height)),
     );
     // It leaves the picture on its second flight.
     let last = path.len() - 1;

@@ -19,19 +19,9 @@ pub fn map(_: &Values) -> Result<Figure> {
         let fields = lengths.map(|turns| TARGETS.map(|target| first(turns, target)));
         (name, lengths, fields)
     });
-    let all = || {
-        winners
-            .iter()
-            .flat_map(|(.., fields)| fields.iter().flatten())
-    };
-    let exact = all().filter(|name| **name == EXACT).count();
-    let crossovers: Vec<(&str, f64)> = MOTIONS
-        .iter()
-        .filter_map(|(motion, _, lengths)| {
-            Some((*motion, crossover(&rows, motion, lengths, NINE)?))
-        })
-        .collect();
-    let count = all().count();
+    let all: Vec<&str> = winners.iter().flat_map(|won| won.2.concat()).collect();
+    let exact = all.iter().filter(|name| **name == EXACT).count();
+    let count = all.len();
     let words = words!(
         "For a single turn take steps, for more the closed form.",
         "Eight motions, the accuracy of the attitude upward in digits (error in radians), the length of the run to the right. In each field stands the method that \
@@ -49,9 +39,10 @@ pub fn map(_: &Values) -> Result<Figure> {
             }
         }
     });
-    for (motion, turns) in crossovers {
-        let digits = usize::from(turns < 9.95);
-        drawn = drawn.value(motion, number(turns, digits));
+    for (motion, _, lengths) in &MOTIONS {
+        if let Some(turns) = crossover(&rows, motion, lengths, NINE) {
+            drawn = drawn.value(motion, number(turns, usize::from(turns < 9.95)));
+        }
     }
     Ok(drawn)
 }
@@ -63,30 +54,21 @@ fn panel(
     name: &str,
     (lengths, fields): (&[u32; 3], &[[&str; 4]; 3]),
 ) {
-    let at = |column: usize, row: usize| {
-        [
-            left + FIELD[0] * column as f64,
-            top + FIELD[1] * (4 - row) as f64,
-        ]
-    };
+    let [wide, high] = FIELD;
+    let at = |column, row| [left + wide * column as f64, top + high * (4 - row) as f64];
     pen.label([left, top - 12.0], Start, name);
     for (column, turns) in lengths.iter().enumerate() {
         let [x, y] = at(column, 0);
         let unit = if *turns == 1 { "turn" } else { "turns" };
         let text = format!("{turns} {unit}");
-        pen.remark([x + 0.5 * FIELD[0], y + 18.0], Middle, &text);
+        pen.remark([x + 0.5 * wide, y + 18.0], Middle, &text);
         for (row, winner) in fields[column].iter().enumerate() {
-            let corners = [
-                at(column, row),
-                at(column + 1, row),
-                at(column + 1, row + 1),
-                at(column, row + 1),
-            ];
+            let corners = boxed(at(column, row), at(column + 1, row + 1));
             if *winner == EXACT {
                 pen.fill(corners, Ink, 0.12);
             }
             pen.outline(corners, inked(HAIR).alpha(0.4));
-            let middle = [x + 0.5 * FIELD[0], y - FIELD[1] * (row as f64 + 0.5)];
+            let middle = [x + 0.5 * wide, y - high * (row as f64 + 0.5)];
             written(pen, middle, winner);
         }
     }
@@ -104,17 +86,16 @@ fn panel(
         }
     }
     for (row, target) in TARGETS.iter().enumerate() {
-        let place = [left - 7.0, at(0, row)[1] - 0.5 * FIELD[1] + 5.0];
+        let place = [left - 7.0, at(0, row)[1] - 0.5 * high + 5.0];
         pen.remark(place, End, &number(-target.log10(), 0));
     }
 }
 
 /// The name of a method in its field: a long one on two lines.
 fn written(pen: &mut Pen, [x, y]: Point, name: &str) {
-    let lettering = if name == EXACT {
-        small(Ink).strong()
-    } else {
-        small(Ink)
+    let lettering = match name {
+        EXACT => small(Ink).strong(),
+        _ => small(Ink),
     };
     match name.split_once('-') {
         Some((first, rest)) if rest.contains('-') => {

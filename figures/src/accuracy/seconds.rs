@@ -1,5 +1,6 @@
 //! Error against time, as measured on one machine.
 
+use crate::own::corners;
 use crate::prelude::*;
 use lab::accuracy::measured::{EXACT, MOTIONS, Row, SWEEP, rows};
 
@@ -23,25 +24,15 @@ fn best(rows: &[Row<'_>], problem: &str, method: &str) -> Vec<Point> {
     let wanted = rows.iter().filter(|row| {
         row.problem == problem && row.method == method && row.error < Y[1] && row.price < X[1]
     });
-    let mut points: Vec<Point> = wanted.map(|row| [row.price, row.error.max(Y[0])]).collect();
-    points.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    let mut kept: Vec<Point> = Vec::new();
-    for point in points {
-        if kept.last().is_none_or(|last| point[1] < last[1]) {
-            kept.push(point);
-        }
-    }
-    kept
+    let wanted = wanted.map(|row| [row.price, row.error.max(Y[0])]);
+    corners(&wanted.collect::<Vec<_>>())
 }
 
 /// Small multiples: what the longest run of each top costs on a clock.
 pub fn seconds(_: &Values) -> Result<Figure> {
     let rows = rows(SWEEP);
-    let machine = SWEEP
-        .lines()
-        .next()
-        .unwrap_or_default()
-        .trim_start_matches(['#', ' ']);
+    let machine = SWEEP.lines().next().unwrap_or_default();
+    let machine = machine.trim_start_matches(['#', ' ']);
     let words = words!(
         "A thousand turns on a clock: the closed form is exact before a method that steps has warmed up.",
         "Error of the attitude in radians after a thousand turns, a hundred of the tippe top, against time. Disc: the closed form, its preparation included; of Kovalevskaya’s tops it has some twelve digits left. Solid: the \
@@ -53,10 +44,8 @@ pub fn seconds(_: &Values) -> Result<Figure> {
         legend(pen);
         let mut frames = Vec::new();
         for (k, (motion, name, [.., turns])) in MOTIONS.into_iter().enumerate() {
-            let corner = [
-                54.0 + 292.0 * (k % 2) as f64,
-                120.0 + 212.0 * (k / 2) as f64,
-            ];
+            let [column, row] = [k % 2, k / 2].map(|k| k as f64);
+            let corner = [54.0 + 292.0 * column, 120.0 + 212.0 * row];
             let frame = Frame::panel(pen, name, corner, [X, Y], [&TIMES, &ERRORS]);
             let run = format!("{motion}/{turns}");
             let line = |method: &str| -> Vec<Point> { frame.trace(best(&rows, &run, method)) };
@@ -74,12 +63,10 @@ pub fn seconds(_: &Values) -> Result<Figure> {
                 if let Some(&[x, _]) = line(method).iter().rfind(|p| p[1] < beside) {
                     // To the left of its line and to the right of the axis, as high as there is room.
                     let half = 4.0 * method.len() as f64 + 16.0;
+                    let least = frame.x.ends[0] + half;
                     let places = (0..60).map(|k| {
                         let left = x - half - 4.0 * f64::from(k / 6);
-                        [
-                            left.max(frame.x.ends[0] + half),
-                            beside + 9.0 * f64::from(k % 6),
-                        ]
+                        [left.max(least), beside + 9.0 * f64::from(k % 6)]
                     });
                     pen.name(places, method, small(Ink));
                 }

@@ -7,7 +7,7 @@ use core::fmt::Write as _;
 
 use spinning_bodies::frame::Attitude;
 
-use super::racket::{Face, Flat, Parts, Throw, draw, face, parts, view};
+use super::racket::{Face, Flat, Throw, draw, face, parts, view};
 use crate::finish::{self, short};
 use crate::prelude::*;
 use crate::solid;
@@ -28,16 +28,13 @@ const GRAPH: [f64; 4] = [70.0, 530.0, 372.0, 30.0];
 pub fn animated(_: &Values) -> Result<Figure> {
     let throw = Throw::aimed()?;
     let period = throw.top.period();
-    let states = throw
-        .top
-        .states((0..=PICTURES).map(|k| period * k as f64 / PICTURES as f64))
-        .collect::<Result<Vec<_>>>()?;
+    let times = (0..=PICTURES).map(|k| period * k as f64 / PICTURES as f64);
+    let states = throw.top.states(times).collect::<Result<Vec<_>>>()?;
     let height = |k: usize| states[k].omega.y() / throw.omega.y();
+    let [left, right, middle, half] = GRAPH;
     let graph = |k: usize| {
-        [
-            GRAPH[0] + (GRAPH[1] - GRAPH[0]) * k as f64 / PICTURES as f64,
-            GRAPH[2] - GRAPH[3] * height(k),
-        ]
+        let x = left + (right - left) * k as f64 / PICTURES as f64;
+        [x, middle - half * height(k)]
     };
     let slower = SECONDS / period;
     // x₁ up, x₂ to the left, x₃ towards the reader.
@@ -60,7 +57,6 @@ pub fn animated(_: &Values) -> Result<Figure> {
         let place = [562.0, CENTER[1] + 6.0];
         pen.text(place, Start, "*L*", label(AngularMomentum));
         axes(pen, &upright);
-        let [left, right, middle, _] = GRAPH;
         pen.line([[left, middle], [right, middle]], inked(HAIR));
         for half in [0.5, 1.0_f64] {
             let x = between([left, 0.0], [right, 0.0], half)[0];
@@ -91,21 +87,19 @@ fn axes(pen: &mut Pen, attitude: &Attitude) {
     for (axis, (from, to, name)) in solid::axes(attitude).into_iter().zip(arms) {
         let at = |reach: f64| view.project(&(axis * reach));
         pen.arrow(at(from), at(to), inked(SECONDARY));
-        let beyond = at(to + 0.07);
-        pen.label([beyond[0], beyond[1] + 5.0], Middle, name);
+        pen.label(shifted(at(to + 0.07), [0.0, 5.0]), Middle, name);
     }
 }
 
 /// The style sheet and the two groups that move.
 fn moving(attitudes: &[Attitude], dots: &[Point]) -> String {
     let matrices: Vec<String> = attitudes.iter().map(matrix).collect();
-    let faces: Vec<&str> = attitudes
-        .iter()
-        .map(|attitude| match face(attitude, &view(CENTER, 1.0)) {
-            Face::Front => "hidden",
-            Face::Back => "visible",
-        })
-        .collect();
+    let shown = |attitude| match face(attitude, &view(CENTER, 1.0)) {
+        Face::Front => "hidden".to_owned(),
+        Face::Back => "visible".to_owned(),
+    };
+    let faces: Vec<String> = attitudes.iter().map(shown).collect();
+    let places: Vec<String> = dots.iter().map(translation).collect();
     let mut svg = String::from("<style>");
     let mut frames = |name: &str, property: &str, values: &[String]| {
         let _ = write!(svg, "@keyframes fig-{NAME}-{name}{{");
@@ -119,16 +113,8 @@ fn moving(attitudes: &[Attitude], dots: &[Point]) -> String {
         svg.push('}');
     };
     frames("turn", "transform", &matrices);
-    frames(
-        "face",
-        "visibility",
-        &faces.iter().map(|f| (*f).to_owned()).collect::<Vec<_>>(),
-    );
-    frames(
-        "pace",
-        "transform",
-        &dots.iter().map(translation).collect::<Vec<_>>(),
-    );
+    frames("face", "visibility", &faces);
+    frames("pace", "transform", &places);
     for name in ["turn", "face", "pace"] {
         let _ = write!(
             svg,
@@ -140,33 +126,25 @@ fn moving(attitudes: &[Attitude], dots: &[Point]) -> String {
         ".fig-{NAME}-turn{{--fig-{NAME}-pen:1}}@media (max-width:620px){{.fig-{NAME}-turn{{--fig-{NAME}-pen:0.6}}}}"
     );
     svg += &finish::stops(NAME, &all);
+    let ([x, y], turn) = (CENTER.map(|units| units * SCALE), &matrices[STILL]);
     let _ = writeln!(
         svg,
-        "<g transform=\"translate({:.0} {:.0})\"><g class=\"fig-{NAME}-turn\" transform=\"{}\" stroke=\"currentColor\">",
-        CENTER[0] * SCALE,
-        CENTER[1] * SCALE,
-        matrices[STILL]
+        "<g transform=\"translate({x:.0} {y:.0})\"><g class=\"fig-{NAME}-turn\" transform=\"{turn}\" stroke=\"currentColor\">"
     );
-    racket(&mut svg, faces[STILL]);
+    racket(&mut svg, &faces[STILL]);
     let _ = writeln!(svg, "</g></g>");
     let _ = writeln!(
         svg,
         "<circle class=\"fig-{NAME}-pace\" r=\"55\" fill=\"{}\" transform=\"{}\"/>",
         Omega.paint(),
-        translation(&dots[STILL]).replace("px", "")
+        places[STILL].replace("px", "")
     );
     svg
 }
 
 /// The flat racket in canvas units, its handle along x.
 fn racket(svg: &mut String, back: &str) {
-    let Parts {
-        head,
-        throat,
-        grip,
-        strings,
-        mark,
-    } = parts();
+    let parts = parts();
     let path = |line: &Flat| {
         let mut d = String::new();
         for (k, [along, across]) in line.iter().enumerate() {
@@ -185,19 +163,16 @@ fn racket(svg: &mut String, back: &str) {
              vector-effect=\"non-scaling-stroke\"{rest}/>"
         );
     };
-    let head = path(&head) + "Z";
-    draw(
-        head.clone(),
-        0.0,
-        &format!(
-            " class=\"fig-{NAME}-face\" visibility=\"{back}\" fill=\"currentColor\" fill-opacity=\"0.55\""
-        ),
+    let head = path(&parts.head) + "Z";
+    let face = format!(
+        " class=\"fig-{NAME}-face\" visibility=\"{back}\" fill=\"currentColor\" fill-opacity=\"0.55\""
     );
-    draw(all(&strings), 0.6, "");
-    draw(all(&throat), 2.2, "");
+    draw(head.clone(), 0.0, &face);
+    draw(all(&parts.strings), 0.6, "");
+    draw(all(&parts.throat), 2.2, "");
     draw(head, 3.4, "");
-    draw(path(&grip), 10.0, "");
-    draw(path(&vec![mark, mark]), 12.0, "");
+    draw(path(&parts.grip), 10.0, "");
+    draw(path(&vec![parts.mark; 2]), 12.0, "");
 }
 
 /// The map from the plane of the racket to the canvas.

@@ -20,7 +20,7 @@ const NOW: f64 = 0.5;
 const BEFORE: f64 = 1.0;
 const AFTER: f64 = 2.5;
 /// Points of a curve for each period.
-const STEPS: usize = 160;
+const STEPS: f64 = 160.0;
 /// Half sides of the plane, in units of the distance; no less than room for the herpolhode.
 const SHEET: [f64; 2] = [1.13, 0.98];
 /// Where the picture stands, and how high L reaches over the plane, in distances.
@@ -52,17 +52,15 @@ struct Scene {
 /// The ellipsoid of inertia rolls on the invariable plane.
 pub fn rolling(values: &Values) -> Result<Figure> {
     let moments = moments(values);
-    let start_omega = [FIRST, SECOND, THIRD].map(|one| values.of(&one));
+    let start_omega = values.each([FIRST, SECOND, THIRD]);
     let omega = BodyVector::from_components(start_omega.into());
     let l = BodyVector::from_components(Vector::from(moments).component_mul(&omega.components()));
     let picture = Poinsot::new(moments, l)?;
     // L upright.
     let upright = Vector::z();
     let tilt = l.components().angle(&upright);
-    let start = Attitude::about_axis(
-        BodyVector::from_components(l.components().cross(&upright)),
-        tilt,
-    )?;
+    let axis = BodyVector::from_components(l.components().cross(&upright));
+    let start = Attitude::about_axis(axis, tilt)?;
     let top = top_of(moments, omega, start)?;
     // On the separatrix there is no period; the picture shows a while of the one half turn.
     let period = match top.period() {
@@ -73,18 +71,14 @@ pub fn rolling(values: &Values) -> Result<Figure> {
         let state = top.at(t)?;
         Ok(state.attitude.to_space(state.omega).components())
     };
-    let path = |from: f64, to: f64| -> Result<Vec<Vector>> {
-        let steps = ((to - from).abs() * STEPS as f64).round();
-        (0..=steps as usize)
-            .map(|k| contact(period * (from + (to - from) * k as f64 / steps)))
-            .collect()
+    let path = |from: f64, to: f64| {
+        let steps = ((to - from) * STEPS).round() as u32;
+        tried(spaced([from, to], steps), |share| contact(period * share))
     };
     let now = top.at(NOW * period)?;
     let to_space = |v: BodyVector| now.attitude.to_space(v).components();
-    let dots = (0..16)
-        .map(|k| (NOW - BEFORE + BEFORE * f64::from(k) / 16.0) * period)
-        .map(|t| Ok((to_space(top.at(t)?.omega), contact(t)?)))
-        .collect::<Result<Vec<_>>>()?;
+    let dots = (0..16).map(|k| (NOW - BEFORE + BEFORE * f64::from(k) / 16.0) * period);
+    let on_the_body = |t: f64| Ok(to_space(top.at(t)?.omega));
     let [inner, outer] = picture.herpolhode_radii();
     let touch = contact(NOW * period)?;
     let turn = touch.y.atan2(touch.x) - BESIDE;
@@ -104,10 +98,7 @@ pub fn rolling(values: &Values) -> Result<Figure> {
             .collect(),
         past: path(NOW - BEFORE, NOW)?,
         future: path(NOW, NOW + AFTER)?,
-        dots: [
-            dots.iter().map(|d| d.0).collect(),
-            dots.iter().map(|d| d.1).collect(),
-        ],
+        dots: [tried(dots.clone(), on_the_body)?, tried(dots, contact)?],
     };
     let mut points = scene.outline();
     points.extend(scene.corners());
@@ -139,12 +130,11 @@ pub fn rolling(values: &Values) -> Result<Figure> {
         scene.labels(pen);
     });
     let columns = "Ω_x (rad/s) | Ω_y (rad/s) | Ω_z, along L (rad/s)";
-    let rows =
-        |curve: &[Vector]| -> Vec<[f64; 3]> { curve.iter().map(|p| [p.x, p.y, p.z]).collect() };
+    let rows = |curve: Vec<Vector>| curve.into_iter().map(<[f64; 3]>::from);
     Ok(made
-        .data("polhode, as the body stands", columns, rows(&scene.polhode))
-        .data("herpolhode, behind", columns, rows(&scene.past))
-        .data("herpolhode, ahead", columns, rows(&scene.future)))
+        .data("polhode, as the body stands", columns, rows(scene.polhode))
+        .data("herpolhode, behind", columns, rows(scene.past))
+        .data("herpolhode, ahead", columns, rows(scene.future)))
 }
 
 impl Scene {
@@ -183,11 +173,9 @@ impl Scene {
     /// The net: circles about the axis that the polhode goes round, and ellipses through its ends.
     fn net(&self) -> Vec<(Vec<Vector>, f64)> {
         let semi = Vector::from(self.semi);
-        let curve = |center: Vector, u: Vector, v: Vector| {
-            ellipse(center, u, v, 180)
-                .into_iter()
-                .map(|p| self.space(p.component_mul(&semi)))
-                .collect::<Vec<_>>()
+        let curve = |center: Vector, u: Vector, v: Vector| -> Vec<Vector> {
+            let round = ellipse(center, u, v, 180).into_iter();
+            round.map(|p| self.space(p.component_mul(&semi))).collect()
         };
         let (x, y, z) = match self.sector {
             Sector::AroundLargest => (Vector::x(), Vector::y(), Vector::z()),
@@ -277,24 +265,20 @@ impl Scene {
         let lower = |a: &&Point, b: &&Point| (a[0] + a[1]).total_cmp(&(b[0] + b[1]));
         let corner = outline.iter().max_by(lower).copied().unwrap_or(center);
         // A letter stands where the curves leave it most room.
-        let arms = [
-            [Vector::zeros(), self.contact],
-            [Vector::zeros(), Vector::z() * self.tip()],
-        ];
-        let arms = arms.iter().flat_map(|[from, to]| segment(*from, *to, 40));
+        let arms = [self.contact, Vector::z() * self.tip()];
+        let arms = arms.map(|tip| segment(Vector::zeros(), tip, 40)).concat();
         let rim = self.corners();
-        let rim = (0..4).flat_map(|k| segment(rim[k], rim[(k + 1) % 4], 40));
-        let curves = [&self.polhode, &self.past, &self.future]
-            .into_iter()
-            .flatten()
-            .copied();
-        let taken = self.view.trace(
-            &arms
-                .chain(rim)
-                .chain(curves)
-                .chain(self.outline())
-                .collect::<Vec<_>>(),
-        );
+        let rim = [0, 1, 2, 3].map(|k| segment(rim[k], rim[(k + 1) % 4], 40));
+        let [past, future] = [&self.past, &self.future];
+        let curves = [
+            &arms,
+            &rim.concat(),
+            &self.polhode,
+            past,
+            future,
+            &self.outline(),
+        ];
+        let taken = curves.map(|curve| self.view.trace(curve)).concat();
         let room =
             |at: &Point| nearest(*at, taken.iter().copied()).map_or(0.0, |p| distance(p, *at));
         let free = |about: Point| {
@@ -316,17 +300,9 @@ impl Scene {
         }
         let seen = self.polhode.iter().filter(|p| self.seen(p)).copied();
         let seen: Vec<Vector> = seen.collect();
-        for (at, anchor, text, role, from, curve) in [
-            (
-                [488.0, 40.0],
-                Start,
-                "herpolhode",
-                Omega,
-                [484.0, 37.0],
-                &self.past,
-            ),
-            ([84.0, 404.0], End, "polhode", Ink, [88.0, 399.0], &seen),
-        ] {
+        let over = ([488.0, 40.0], Start, "herpolhode", Omega, [484.0, 37.0]);
+        let under = ([84.0, 404.0], End, "polhode", Ink, [88.0, 399.0]);
+        for ((at, anchor, text, role, from), curve) in [(over, past), (under, &seen)] {
             pen.text(at, anchor, text, small(role));
             if let Some(to) = nearest(from, self.view.trace(curve)) {
                 pen.line([from, to], stroke(role, HAIR));

@@ -119,22 +119,15 @@ pub fn parts() -> Parts {
     let head = head.map(|(s, c)| [MIDDLE + a * c, b * s]).collect();
     // Where the throat leaves the head.
     let leave = MIDDLE - a * (1.0 - (SHOULDER / b).powi(2)).sqrt();
-    let throat = [1.0, -1.0].map(|side| {
-        vec![
-            [leave, side * SHOULDER],
-            [FORK, side * 0.008],
-            [GRIP, side * 0.008],
-        ]
-    });
+    let throat = [[leave, SHOULDER], [FORK, 0.008], [GRIP, 0.008]];
+    let throat = [1.0, -1.0].map(|side| throat.map(|[x, y]| [x, side * y]).into());
     let mut strings = Vec::new();
     for k in 1..=STRINGS {
         let u = 2.0 * k as f64 / (STRINGS + 1) as f64 - 1.0;
         let half = (1.0 - u * u).sqrt();
-        strings.push(vec![[MIDDLE - a * half, b * u], [MIDDLE + a * half, b * u]]);
-        strings.push(vec![
-            [MIDDLE + a * u, -b * half],
-            [MIDDLE + a * u, b * half],
-        ]);
+        let across = [-half, half].map(|end| [MIDDLE + a * end, b * u]);
+        let along = [-half, half].map(|end| [MIDDLE + a * u, b * end]);
+        strings.extend([across.into(), along.into()]);
     }
     Parts {
         head,

@@ -17,8 +17,7 @@ pub fn regimes(_: &Values) -> Result<Figure> {
     let ratios = (0..=150).map(|k| 0.25 * 48_f64.powf(f64::from(k) / 150.0));
     let ratios: Vec<f64> = ratios.collect();
     let sets = [Coefficients::PAPER, Coefficients::PUBLISHED];
-    let [paper, published] = sets.map(|set| scan(&ratios, set));
-    let rows = [paper?, published?];
+    let rows = tried(sets, |set| scan(&ratios, set))?;
     let ends = [
         transition(sets[0], 0.4, 0.6, 1e-4, 400.0)?,
         transition(sets[1], 1.1, 1.3, 1e-4, 400.0)?,
@@ -42,8 +41,7 @@ pub fn regimes(_: &Values) -> Result<Figure> {
     Ok(figure("strip-regimes", 370.0, words, |pen| {
         // The measured band.
         let [low, middle, high] = measured.map(|ratio| LINE.at(ratio));
-        let corners = [[low, 128.0], [high, 128.0], [high, 300.0], [low, 300.0]];
-        pen.fill(corners, Muted, 0.16);
+        pen.fill(boxed([low, 128.0], [high, 300.0]), Muted, 0.16);
         pen.line([[middle, 128.0], [middle, 300.0]], muted(AXIS).dashed());
         pen.remark([middle, 122.0], Middle, "measured");
         // Strips end on, to scale, over their mass ratio.
@@ -76,28 +74,14 @@ pub fn regimes(_: &Values) -> Result<Figure> {
                     }
                 };
                 let (left, right) = (edge(from), edge(k));
-                let (role, alpha) = match row[from].regime {
-                    Regime::Steady | Regime::Flutter => (Ink, 0.12),
-                    Regime::Tumble => (Ink, 0.62),
-                    Regime::Mixed => (Ink, 0.34),
+                let (alpha, name) = match row[from].regime {
+                    Regime::Steady => (0.12, "steady"),
+                    Regime::Flutter => (0.12, "flutter"),
+                    Regime::Tumble => (0.62, "tumble"),
+                    Regime::Mixed => (0.34, "mixed, chaotic"),
                 };
-                pen.fill(
-                    [
-                        [left, y - 12.0],
-                        [right, y - 12.0],
-                        [right, y + 12.0],
-                        [left, y + 12.0],
-                    ],
-                    role,
-                    alpha,
-                );
+                pen.fill(boxed([left, y - 12.0], [right, y + 12.0]), Ink, alpha);
                 if right - left > 56.0 {
-                    let name = match row[from].regime {
-                        Regime::Steady => "steady",
-                        Regime::Flutter => "flutter",
-                        Regime::Tumble => "tumble",
-                        Regime::Mixed => "mixed, chaotic",
-                    };
                     // Beside the line of what was measured, not over it.
                     let at = 0.5 * (left + right);
                     let at = if (at - middle).abs() < 40.0 {
@@ -115,17 +99,10 @@ pub fn regimes(_: &Values) -> Result<Figure> {
             pen.line([[x, y - 14.0], [x, y + 14.0]], inked(DATA));
         }
         pen.line([[40.0, 318.0], [580.0, 318.0]], inked(SECONDARY));
-        for (ratio, text) in [
-            (0.25, "0.25"),
-            (0.5, "0.5"),
-            (1.0, "1"),
-            (2.0, "2"),
-            (5.0, "5"),
-            (10.0, "10"),
-        ] {
+        for (ratio, text) in marks(&[0.25, 0.5, 1.0, 2.0, 5.0, 10.0], "") {
             let x = LINE.at(ratio);
             pen.line([[x, 318.0], [x, 324.0]], inked(AXIS));
-            pen.remark([x, 339.0], Middle, text);
+            pen.remark([x, 339.0], Middle, &text);
         }
         pen.label([580.0, 360.0], End, "mass ratio *I*^{\u{2217}}");
     }))

@@ -33,13 +33,13 @@ const WHEEL: f64 = 0.36;
 /// A top whose loop closes.
 struct Loop {
     name: &'static str,
-    class: &'static str,
     center: Point,
     /// φ′ of the start.
     pace: f64,
     axial: f64,
     time: f64,
     top: LagrangeTop,
+    path: Vec<Vector>,
 }
 
 /// L₃ with which a top that starts at the rate `pace` goes round once in five nutations.
@@ -64,7 +64,6 @@ fn closing(pace: f64) -> Result<f64> {
 impl Loop {
     fn new(
         name: &'static str,
-        class: &'static str,
         center: Point,
         pace: f64,
         axial: f64,
@@ -81,22 +80,18 @@ impl Loop {
         let top = launch_body(HEIGHT, pace, axial / spin, spin)?;
         Ok(Self {
             name,
-            class,
             center,
             pace,
             axial,
             time,
+            path: tried(spaced([0.0, time], 900), |t| nose(&top, t))?,
             top,
         })
     }
 
-    fn view(&self) -> View {
-        View::new(0.55, 0.5, self.center, RADIUS)
-    }
-
     /// Sphere, path and name: what does not move.
-    fn draw(&self, pen: &mut Pen) -> Result<()> {
-        let view = self.view();
+    fn draw(&self, pen: &mut Pen) {
+        let view = View::new(0.55, 0.5, self.center, RADIUS);
         pen.disc(self.center, RADIUS, Shade, 1.0);
         pen.ring(self.center, RADIUS, inked(AXIS));
         let roots = self.top.roots();
@@ -105,14 +100,11 @@ impl Loop {
             let [front, _] = view.halves(&latitude(h, r, 180));
             pen.lines(front, inked(HAIR).alpha(0.5));
         }
-        let path = spaced([0.0, self.time], 900).map(|t| nose(&self.top, t));
-        let path = path.collect::<Result<Vec<_>>>()?;
-        let [front, back] = view.halves(&path);
+        let [front, back] = view.halves(&self.path);
         pen.lines(back, inked(AXIS).alpha(0.5));
         pen.lines(front, inked(DATA).alpha(0.85));
-        let [x, y] = self.center;
-        pen.label([x, y + RADIUS + 22.0], Middle, self.name);
-        Ok(())
+        let below = shifted(self.center, [0.0, RADIUS + 22.0]);
+        pen.label(below, Middle, self.name);
     }
 
     /// The transforms of axle and flywheel, picture by picture.
@@ -120,11 +112,8 @@ impl Loop {
         let view = View::new(0.55, 0.5, [0.0, 0.0], 1.0);
         let mut frames = [Vec::new(), Vec::new()];
         for k in 0..PICTURES {
-            let attitude = self
-                .top
-                .at(self.time * k as f64 / PICTURES as f64)?
-                .attitude;
-            let [e1, e2, e3] = axes(&attitude).map(|e| view.project(&e));
+            let state = self.top.at(self.time * k as f64 / PICTURES as f64)?;
+            let [e1, e2, e3] = axes(&state.attitude).map(|e| view.project(&e));
             frames[0].push(matrix(e3, [-e3[1], e3[0]], [0.0, 0.0]));
             frames[1].push(matrix(e1, e2, e3.map(|c| c * SEAT * RADIUS * SCALE)));
         }
@@ -141,20 +130,14 @@ fn matrix(x: Point, y: Point, to: Point) -> String {
 /// The four tops: pushed forward, released, pushed back, and pushed at the slow rate of pure precession.
 fn tops() -> Result<[Loop; 4]> {
     let paces = [0.25, 0.0, -0.5];
-    let axial = [closing(paces[0])?, closing(paces[1])?, closing(paces[2])?];
+    let axial = tried(paces, closing)?;
     let [slow, _] = pure_rates(HEIGHT, axial[1])?;
+    let round = Some(TAU / slow);
     Ok([
-        Loop::new("waves", "waves", [158.0, 130.0], paces[0], axial[0], None)?,
-        Loop::new("cusps", "cusps", [442.0, 130.0], paces[1], axial[1], None)?,
-        Loop::new("loops", "loops", [158.0, 416.0], paces[2], axial[2], None)?,
-        Loop::new(
-            "pure precession",
-            "pure",
-            [442.0, 416.0],
-            slow,
-            axial[1],
-            Some(TAU / slow),
-        )?,
+        Loop::new("waves", [158.0, 130.0], paces[0], axial[0], None)?,
+        Loop::new("cusps", [442.0, 130.0], paces[1], axial[1], None)?,
+        Loop::new("loops", [158.0, 416.0], paces[2], axial[2], None)?,
+        Loop::new("pure precession", [442.0, 416.0], slow, axial[1], round)?,
     ])
 }
 
@@ -163,11 +146,8 @@ pub fn top_animated(_: &Values) -> Result<Figure> {
     let tops = tops()?;
     let [waves, cusps, loops, pure] = &tops;
     let seconds = number(10.0 * SLOWNESS, 0);
-    let (forward, back, slow) = (
-        number(waves.pace, 2),
-        number(loops.pace, 1),
-        number(pure.pace, 4),
-    );
+    let (forward, back) = (number(waves.pace, 2), number(loops.pace, 1));
+    let slow = number(pure.pace, 4);
     let [a, b, c, d] = [waves, cusps, loops, pure].map(|top| number(top.axial, 4));
     let words = words!(
         "One push decides how the nose goes round: waves, cusps, loops, or a circle.",
@@ -179,11 +159,9 @@ pub fn top_animated(_: &Values) -> Result<Figure> {
          and the axle goes round the vertical. Each path closes after one turn. \
          Without motion: each top a quarter of the way round."
     );
-    let mut drawn = Ok(());
     let still = figure(NAME, 566.0, words, |pen| {
-        drawn = tops.iter().try_for_each(|top| top.draw(pen));
+        tops.iter().for_each(|top| top.draw(pen));
     });
-    drawn?;
     Ok(still.moving(&moving(&tops)?))
 }
 
@@ -193,24 +171,23 @@ fn moving(tops: &[Loop]) -> Result<String> {
     let mut groups = String::new();
     let mut all = String::new();
     for top in tops {
-        let frames = top.frames()?;
+        let [axle_frames, wheel_frames] = top.frames()?;
+        let [x, y] = top.center.map(|units| units * SCALE);
         let _ = writeln!(
             groups,
-            "<g transform=\"translate({:.0} {:.0})\" stroke=\"currentColor\">",
-            top.center[0] * SCALE,
-            top.center[1] * SCALE
+            "<g transform=\"translate({x:.0} {y:.0})\" stroke=\"currentColor\">"
         );
         // The axle over the wheel, so that it is seen from below as well.
-        for (k, (part, paths)) in [("wheel", wheel()), ("axle", axle())]
-            .into_iter()
-            .enumerate()
-        {
-            let values = &frames[1 - k];
-            let name = format!("fig-{NAME}-{}-{part}", top.class);
+        for (part, paths, values) in [
+            ("wheel", wheel(), wheel_frames),
+            ("axle", axle(), axle_frames),
+        ] {
+            let class = top.name.trim_end_matches(" precession");
+            let name = format!("fig-{NAME}-{class}-{part}");
             let percent = |n: usize| short(100.0 * n as f64 / PICTURES as f64, 3);
             let shares = (0..PICTURES).map(percent);
             let seconds = short(SLOWNESS * top.time, 3);
-            style += &finish::keyframes(&name, shares.zip(values));
+            style += &finish::keyframes(&name, shares.zip(&values));
             style += &format!(".{name}{{animation:{name} {seconds}s step-end infinite}}");
             let _ = write!(all, "{}.{name}", if all.is_empty() { "" } else { "," });
             let _ = writeln!(

@@ -82,8 +82,7 @@ impl Globe {
         };
         // A top that falls from the upright position takes for ever.
         let time = if time.is_finite() { time } else { 20.0 };
-        let points = spaced([0.0, time], 600).map(|t| Ok((t, nose(&top, t)?)));
-        let points = points.collect::<Result<Vec<_>>>()?;
+        let points = tried(spaced([0.0, time], 600), |t| Ok((t, nose(&top, t)?)))?;
         let turned = top.precession_per_nutation().unwrap_or_default() * self.cycles;
         Ok(Trace {
             points,
@@ -107,8 +106,7 @@ impl Globe {
         let [front, back] = view.halves(&points);
         pen.lines(back, inked(HAIR).alpha(0.5));
         pen.lines(front, inked(DATA));
-        let at = [center[0] + self.beside[0], center[1] + self.beside[1]];
-        pen.label(at, self.anchor, self.name);
+        pen.label(shifted(center, self.beside), self.anchor, self.name);
     }
 }
 
@@ -116,7 +114,7 @@ impl Globe {
 fn yours(values: &Values) -> Globe {
     Globe {
         name: "yours",
-        momenta: [values.of(&VERTICAL), values.of(&AXIAL)],
+        momenta: values.each([VERTICAL, AXIAL]),
         cycles: 3.0,
         beside: [0.0, -YOURS.1 - 9.0],
         anchor: Middle,
@@ -139,8 +137,8 @@ fn told(kind: Nutation, pace: f64) -> &'static str {
 }
 
 fn globes() -> Result<Vec<Globe>> {
-    let [slow, _] = pure_rates(HEIGHT, 3.0)?;
-    let [_, fast] = pure_rates(HEIGHT, 2.0)?;
+    let slow = vertical(pure_rates(HEIGHT, 3.0)?[0], 3.0);
+    let fast = vertical(pure_rates(HEIGHT, 2.0)?[1], 2.0);
     let globe = |name, momenta, cycles, beside, anchor| Globe {
         name,
         momenta,
@@ -155,20 +153,8 @@ fn globes() -> Result<Vec<Globe>> {
         globe("loops", [-1.1, 2.75], 3.0, [0.0, above], Middle),
         globe("cusps", [1.0, 2.0], 3.0, [-24.0, above], Middle),
         globe("waves", [2.0, 1.0], 1.5, [RADIUS + 8.0, 18.0], Start),
-        globe(
-            "slow circle",
-            [vertical(slow, 3.0), 3.0],
-            1.0,
-            [-22.0, above],
-            End,
-        ),
-        globe(
-            "fast circle",
-            [vertical(fast, 2.0), 2.0],
-            1.0,
-            [12.0, below],
-            End,
-        ),
+        globe("slow circle", [slow, 3.0], 1.0, [-22.0, above], End),
+        globe("fast circle", [fast, 2.0], 1.0, [12.0, below], End),
         globe("loops", [3.25, 3.6], 5.0, [0.0, above], Middle),
         globe("waves", [4.6, 3.05], 2.5, [0.0, above], Middle),
         globe("pendulum", [0.75, 0.0], 4.0, [0.0, below], Middle),
@@ -179,14 +165,12 @@ fn globes() -> Result<Vec<Globe>> {
 fn clear(pen: &mut Pen, points: &[Point], globes: &[Globe], style: Stroke) {
     let [left, right, top] = REACH;
     let ([x0, y0], [x1, _]) = (place(left, top), place(right, top));
-    let free = |p: &Point| {
-        (x0..=x1).contains(&p[0])
-            && p[1] >= y0
-            && globes.iter().all(|globe| {
-                let c = globe.center();
-                distance(*p, c) >= RADIUS
-            })
+    let away = |p: &Point| {
+        globes
+            .iter()
+            .all(|one| distance(*p, one.center()) >= RADIUS)
     };
+    let free = |p: &Point| (x0..=x1).contains(&p[0]) && p[1] >= y0 && away(p);
     for piece in points.split(|p| !free(p)) {
         // Breaks of a broken line need long pieces.
         pen.line(piece, style);
@@ -195,28 +179,26 @@ fn clear(pen: &mut Pen, points: &[Point], globes: &[Globe], style: Stroke) {
 
 /// The lines that part the kinds of motion, each by its L₃ and L_vert.
 fn borders() -> Result<[(Vec<Point>, bool); 6]> {
-    let along = |from: f64, to: f64, vertical: &dyn Fn(f64) -> f64| -> Vec<Point> {
-        spaced([from, to], 900)
-            .map(|axial| place(vertical(axial), axial))
-            .collect()
-    };
     let top = REACH[2];
+    let from = |least: f64| spaced([least, top], 900);
+    let along = |least: f64, vertical: fn(f64) -> f64| {
+        let places = from(least).map(|axial| place(vertical(axial), axial));
+        places.collect()
+    };
     let least = (4.0 * HEIGHT).sqrt() * (1.0 + f64::EPSILON);
-    let pure = |which: usize| -> Result<Vec<Point>> {
-        spaced([least, top], 900)
-            .map(|axial| {
-                let rate = pure_rates(HEIGHT, axial)?[which];
-                Ok(place(vertical(rate, axial), axial))
-            })
-            .collect()
+    let pure = |which: usize| {
+        tried(from(least), |axial| {
+            let rate = pure_rates(HEIGHT, axial)?[which];
+            Ok(place(vertical(rate, axial), axial))
+        })
     };
     // Released from rest at cos θ = 1/2 + 3/(2L₃²) it dips to 60 degrees; from the top itself for L₃ = √3.
     let rest = |axial: f64| axial * HEIGHT + (1.0 - HEIGHT * HEIGHT) * 2.0 / axial;
     Ok([
-        (along(0.0, top, &|axial| axial * HEIGHT), false),
-        (along(3.0_f64.sqrt(), top, &rest), false),
-        (along(0.0, top, &|axial| -axial), true),
-        (along(3.0_f64.sqrt(), top, &|axial| axial), true),
+        (along(0.0, |axial| axial * HEIGHT), false),
+        (along(3.0_f64.sqrt(), rest), false),
+        (along(0.0, |axial| -axial), true),
+        (along(3.0_f64.sqrt(), |axial| axial), true),
         (pure(0)?, false),
         (pure(1)?, false),
     ])
@@ -225,18 +207,15 @@ fn borders() -> Result<[(Vec<Point>, bool); 6]> {
 /// The kinds of nutation on the map of the two momenta.
 pub fn nutations(values: &Values) -> Result<Figure> {
     let globes = globes()?;
-    let drawn = globes.iter().map(Globe::trace);
-    let drawn = drawn.collect::<Result<Vec<_>>>()?;
+    let drawn = tried(&globes, Globe::trace)?;
     let [slow, fast] = [4, 5].map(|k: usize| globes[k].pace());
     let yours = yours(values);
     let own = yours.trace()?;
-    let [vertical, axial] = yours.momenta.map(|momentum| number(momentum, 2));
+    let [vertical, axial] = numbers(yours.momenta, 2);
     let kind = told(own.kind, yours.pace());
-    let tilts = own
-        .heights
-        .map(|height| number(height.clamp(-1.0, 1.0).acos().to_degrees(), 1));
+    let tilts = own.heights.map(|height| height.clamp(-1.0, 1.0).acos());
+    let [greatest, least] = numbers(tilts.map(f64::to_degrees), 1);
     let [slow, fast] = numbers([slow, fast], 4);
-    let [greatest, least] = tilts;
     let words = words!(
         "Two momenta decide whether the nose draws waves, cusps, loops or a circle.",
         "The tutorial's pictures k, l, m and n, each at its place: every top starts 60° from the vertical, where its tilt turns, with \
@@ -254,24 +233,16 @@ pub fn nutations(values: &Values) -> Result<Figure> {
     let made = figure("nutations", 566.0, words, |pen| {
         let [left, right, top] = REACH;
         let ink = inked(AXIS);
-        let axis = |from: Point, to: Point| -> Vec<Point> {
-            (0..=400)
-                .map(|k| crate::style::between(from, to, f64::from(k) / 400.0))
-                .collect()
-        };
-        clear(
-            pen,
-            &axis(place(left, 0.0), place(right, 0.0)),
-            &globes,
-            ink,
-        );
-        clear(pen, &axis(place(0.0, 0.0), place(0.0, top)), &globes, ink);
+        for (from, to) in [([left, 0.0], [right, 0.0]), ([0.0; 2], [0.0, top])] {
+            let [from, to] = [from, to].map(|[x, y]| place(x, y));
+            let axis = spaced([0.0, 1.0], 400).map(|share| between(from, to, share));
+            let axis: Vec<Point> = axis.collect();
+            clear(pen, &axis, &globes, ink);
+        }
         for k in [-2, -1, 1, 2, 3, 4, 5] {
             let [x, y] = place(f64::from(k), 0.0);
-            let free = globes
-                .iter()
-                .all(|g| (x - g.center()[0]).hypot(y - g.center()[1]) > RADIUS + 2.0);
-            if free {
+            let off = |globe: &Globe| distance([x, y], globe.center());
+            if globes.iter().all(|globe| off(globe) > RADIUS + 2.0) {
                 pen.line([[x, y], [x, y + 5.0]], ink);
                 pen.note([x, y + 21.0], Middle, &number(f64::from(k), 0));
             }

@@ -1,7 +1,7 @@
 //! A cat of round pieces: two halves, head, legs, tail; nearer pieces hide what is behind them.
 
 use crate::prelude::*;
-use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::frame::Attitude;
 use spinning_bodies::phenomena::{Cat, EqualHalves, Half};
 use spinning_bodies::scene::effects::{Pace, Turnover};
 use spinning_bodies::scene::shape::{self, CatState};
@@ -65,27 +65,24 @@ pub fn pieces(cat: &Cat, state: &CatState, view: &View, scale: f64) -> Vec<Piece
     };
     let first = &state.attitude;
     let relative = state.bend.relative();
-    let turn = |v: Vector| first.to_space(BodyVector::from_components(v)).components();
+    let turn = |v: Vector| crate::solid::turned(first, v);
     // Axes of each half: outward along its spine, towards the belly, to one side.
     let second = |v: Vector| turn(relative.quaternion() * v);
     let joint = turn(cat.places(&state.bend)[0].components());
-    let front = [turn(-Vector::x()), turn(Vector::y()), turn(Vector::z())];
-    let rear = [
-        second(Vector::x()),
-        second(Vector::y()),
-        second(Vector::z()),
-    ];
+    let front = [-Vector::x(), Vector::y(), Vector::z()].map(turn);
+    let rear = [Vector::x(), Vector::y(), Vector::z()].map(second);
     drawing.half(joint, &front, 0.056);
     drawing.half(joint, &rear, 0.062);
     let at = |axes: &[Vector; 3], out: f64, belly: f64, side: f64| {
         joint + axes[0] * out + axes[1] * belly + axes[2] * side
     };
-    for (axes, out, lean) in [(&front, 0.165, 0.02), (&rear, 0.175, 0.01)] {
+    // Toes of the front point ahead, and those of the rear as well.
+    for (axes, out, lean, toes) in [(&front, 0.165, 0.02, 0.012), (&rear, 0.175, 0.01, -0.012)] {
         for side in [-0.034, 0.034] {
             let hip = at(axes, out, 0.03, side);
             let paw = at(axes, out + lean, 0.15, 1.15 * side);
             drawing.round([hip, paw], [0.022, 0.013], 0);
-            let toe = paw + front_of(axes, &front) * 0.012;
+            let toe = paw + axes[0] * toes;
             drawing.round([paw, toe], [0.015, 0.013], 0);
         }
     }
@@ -100,12 +97,8 @@ pub fn pieces(cat: &Cat, state: &CatState, view: &View, scale: f64) -> Vec<Piece
     drawing.spot(head, at(&front, 0.3265, -0.012, 0.0), 0.0075);
     // The tail rises in the plane of the rear half.
     let tail = |u: f64| {
-        at(
-            &rear,
-            0.225 + 0.12 * u.sin(),
-            -0.03 - 0.15 * (1.0 - u.cos()),
-            0.02 * (2.0 * u).sin(),
-        )
+        let up = -0.03 - 0.15 * (1.0 - u.cos());
+        at(&rear, 0.225 + 0.12 * u.sin(), up, 0.02 * (2.0 * u).sin())
     };
     for k in 0..9 {
         let u = |k: u8| 1.7 * f64::from(k) / 9.0;
@@ -114,15 +107,6 @@ pub fn pieces(cat: &Cat, state: &CatState, view: &View, scale: f64) -> Vec<Piece
     let mut pieces = drawing.pieces;
     pieces.sort_by(|a, b| a.depth.total_cmp(&b.depth));
     pieces
-}
-
-/// Toes of the front point ahead, and those of the rear as well.
-fn front_of(axes: &[Vector; 3], front: &[Vector; 3]) -> Vector {
-    if core::ptr::eq(axes, front) {
-        axes[0]
-    } else {
-        -axes[0]
-    }
 }
 
 /// A circle of as many corners as it needs to look round.
@@ -163,31 +147,18 @@ impl Drawing<'_> {
                 let part = (f64::from(ring) + 0.5) / f64::from(rings);
                 let center = ends[0] + axis * part;
                 let radius = radii[0] + (radii[1] - radii[0]) * part;
-                let mut line = Vec::new();
                 // Every second ring only in the deeper shade.
                 let limit = if ring % 2 == 0 { 0.25 } else { -0.12 };
-                for k in 0..=36 {
-                    let (s, c) = (TAU * f64::from(k) / 36.0).sin_cos();
-                    let normal = u * c + v * s;
-                    if self.view.faces(&normal) && normal.dot(&light) < limit {
-                        line.push(self.view.project(&(center + normal * radius)));
-                    } else if line.len() > 1 {
-                        hatch.push(core::mem::take(&mut line));
-                    } else {
-                        line.clear();
-                    }
-                }
-                if line.len() > 1 {
-                    hatch.push(line);
-                }
+                let dark = |n: &Vector| self.view.faces(n) && n.dot(&light) < limit;
+                let place = |n: &Vector| self.view.project(&(center + n * radius));
+                let around = ellipse(Vector::zeros(), u, v, 36);
+                let lines = around.split(|n| !dark(n)).filter(|line| line.len() > 1);
+                hatch.extend(lines.map(|line| line.iter().map(place).collect::<Vec<_>>()));
             }
         }
-        let nearest = ends
-            .iter()
-            .zip(radii)
-            .map(|(end, radius)| end.dot(&self.view.toward) + 0.3 * radius);
+        let near = |k: usize| ends[k].dot(&self.view.toward) + 0.3 * radii[k];
         self.pieces.push(Piece {
-            depth: 0.5 * nearest.sum::<f64>(),
+            depth: 0.5 * (near(0) + near(1)),
             outline: hull(&points),
             hatch,
             dark: false,

@@ -33,14 +33,14 @@ struct Person {
     trunk: f64,
 }
 
-/// Masses of legs, trunk, head and arms, kg, at the middle of what they are.
-const MASSES: [(f64, [usize; 2]); 6] = [
-    (7.0, [0, 1]),
-    (15.0, [1, 2]),
-    (36.0, [2, 3]),
-    (6.0, [4, 4]),
-    (4.0, [3, 5]),
-    (4.0, [3, 6]),
+/// Masses of legs, head and arms, kg, and none of the trunk, which is chosen, at the middle of what they are.
+const MASSES: [(Option<f64>, [usize; 2]); 6] = [
+    (Some(7.0), [0, 1]),
+    (Some(15.0), [1, 2]),
+    (None, [2, 3]),
+    (Some(6.0), [4, 4]),
+    (Some(4.0), [3, 5]),
+    (Some(4.0), [3, 6]),
 ];
 
 impl Person {
@@ -48,10 +48,7 @@ impl Person {
     fn new(trunk: f64, hip: f64, lean: f64, arms: [f64; 2]) -> Self {
         let shoulders = [lean, 1.42];
         let hand = |angle: f64, side: f64| {
-            [
-                shoulders[0] + side * 0.58 * angle.sin(),
-                shoulders[1] - 0.58 * angle.cos(),
-            ]
+            shifted(shoulders, [side * 0.58 * angle.sin(), -0.58 * angle.cos()])
         };
         Self {
             trunk,
@@ -69,29 +66,16 @@ impl Person {
 
     fn parts(&self) -> [Part; 6] {
         MASSES.map(|(mass, [a, b])| {
-            let mass = if mass == TRUNK.default {
-                self.trunk
-            } else {
-                mass
-            };
             let (a, b) = (self.places[a], self.places[b]);
             Part {
-                mass,
+                mass: mass.unwrap_or(self.trunk),
                 from_feet: [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])],
             }
         })
     }
 
-    /// Height of the centre of mass over the feet, m.
-    fn height(&self) -> Result<f64> {
-        Ok(-feet(&self.parts(), [0.0, 0.0])?[1])
-    }
-
     fn draw(&self, pen: &mut Pen, from: Point, scale: f64) {
-        let at = |k: usize| {
-            let [x, y] = self.places[k];
-            [from[0] + scale * x, from[1] - scale * y]
-        };
+        let at = |k: usize| planned(from, scale, self.places[k]);
         let limbs = [
             ([0, 1], [0.06, 0.075]),
             ([1, 2], [0.08, 0.105]),
@@ -101,9 +85,11 @@ impl Person {
             ([4, 4], [0.115, 0.115]),
         ];
         for ([a, b], radii) in limbs {
-            let mut points = circle(at(a), radii[0] * scale);
-            points.extend(circle(at(b), radii[1] * scale));
-            let outline = hull(&points);
+            let ends = [
+                circle(at(a), radii[0] * scale),
+                circle(at(b), radii[1] * scale),
+            ];
+            let outline = hull(&ends.concat());
             pen.fill(&outline, Paper, 1.0);
             pen.fill(&outline, Ink, 0.1);
             pen.outline(&outline, inked(AXIS));
@@ -113,7 +99,7 @@ impl Person {
 
 /// Wriggling on ice: before, on the way, and after.
 pub fn ice(values: &Values) -> Result<Figure> {
-    let (trunk, lean) = (values.of(&TRUNK), values.of(&LEAN));
+    let [trunk, lean] = values.each([TRUNK, LEAN]);
     let upright = || Person::new(trunk, 0.0, 0.0, [0.35, 0.35]);
     let poses = [
         upright(),
@@ -122,11 +108,8 @@ pub fn ice(values: &Values) -> Result<Figure> {
         upright(),
     ];
     let centers = [80.0, 226.0, 372.0, 518.0];
-    let mut placed = Vec::new();
-    for pose in &poses {
-        placed.push((feet(&pose.parts(), [0.0, 0.0])?[0], pose.height()?));
-    }
-    let slid = [1, 2, 3].map(|k| placed[k].0 - placed[0].0);
+    let placed = tried(&poses, |pose| feet(&pose.parts(), [0.0, 0.0]))?;
+    let slid = [1, 2, 3].map(|k| placed[k][0] - placed[0][0]);
     let mass: f64 = poses[0].parts().iter().map(|part| part.mass).sum();
     let [left, right, _] = numbers(slid, 3);
     let [whole, body] = shorts([mass, trunk], 1);
@@ -143,20 +126,20 @@ pub fn ice(values: &Values) -> Result<Figure> {
     let scale = 138.0;
     let made = figure("ice", 340.0, words, |pen| {
         pen.line([[14.0, ground + 9.0], [586.0, ground + 9.0]], inked(AXIS));
-        for ((pose, x), (foot, height)) in poses.iter().zip(centers).zip(&placed) {
+        for ((pose, x), [foot, depth]) in poses.iter().zip(centers).zip(&placed) {
             pen.line([[x, 30.0], [x, ground + 9.0]], inked(SECONDARY).dotted());
             pose.draw(pen, [x + scale * foot, ground], scale);
-            pen.disc([x, ground - scale * height], 6.0, Paper, 1.0);
-            pen.dot([x, ground - scale * height], 5.0);
-            let y = ground + 24.0;
-            let [from, to] = [placed[0].0, *foot].map(|foot| [x + scale * foot, y]);
+            let center = [x, ground + scale * depth];
+            pen.disc(center, 6.0, Paper, 1.0);
+            pen.dot(center, 5.0);
+            let [from, to] = [&placed[0][0], foot].map(|foot| [x + scale * foot, ground + 24.0]);
             pen.arrow(from, to, inked(DATA));
         }
         pen.label([centers[0], ground + 40.0], Middle, "before");
         pen.label([centers[3], ground + 40.0], Middle, "after");
         pen.label([300.0, 22.0], Middle, "*C* stays");
     });
-    let rows = placed.iter().map(|(foot, height)| [*foot, *height]);
+    let rows = placed.iter().map(|[foot, depth]| [*foot, -depth]);
     let columns = "feet from the line (m) | height of the centre of mass (m)";
     Ok(made.data("postures", columns, rows))
 }
@@ -175,17 +158,12 @@ fn strokes(values: &Values) -> Strokes {
 
 fn crawled(values: &Values, mu: Option<f64>) -> Result<Vec<(f64, CrawlerState)>> {
     let strokes = strokes(values);
-    let scene = shape::Crawler::new(Crawler::new(values.of(&REAR), 1.0, strokes)?);
+    let mut scene = shape::Crawler::new(Crawler::new(values.of(&REAR), 1.0, strokes)?);
+    if let Some(mu) = mu {
+        scene = scene.with(Gravity::new(9.81)?)?.with(Coulomb::new(mu)?)?;
+    }
     let times: Vec<f64> = spaced([0.0, CYCLES * strokes.cycle()], 600).collect();
-    let request = Request::at(times)?;
-    Ok(match mu {
-        None => scene.simulate(&request)?.rows,
-        Some(mu) => {
-            let heavy = scene.with(Gravity::new(9.81)?)?;
-            let rough = heavy.with(Coulomb::new(mu)?)?;
-            rough.simulate(&request)?.rows
-        }
-    })
+    Ok(scene.simulate(&Request::at(times)?)?.rows)
 }
 
 /// A wriggler on ice beside a crawler on ground.
@@ -221,26 +199,19 @@ pub fn crawler(values: &Values) -> Result<Figure> {
         "Left, a tangle of six tracks around a single dot. Right, place against time: the feet of the crawler on ice go to and fro about a level \
          dashed line; on ground both feet and the centre between them have gone {reached} metres after {lasts} seconds."
     );
-    let feet = ground.iter().flat_map(|(_, s)| [s.rear, s.front]);
-    let (least, most) = feet.fold((0.0, 0.0), |(low, high): (f64, f64), x| {
-        (low.min(x), high.max(x))
-    });
+    let feet = || ground.iter().flat_map(|(_, s)| [s.rear, s.front]);
+    let (least, most) = (feet().fold(0.0, f64::min), feet().fold(0.0, f64::max));
     let time = Axis::linear([0.0, span], [318.0, 580.0]);
     let way = Axis::linear([least - 0.02, most], [280.0, 36.0]);
     let frame = Frame { x: time, y: way };
     let made = figure("crawler", 340.0, words, |pen| {
-        let at = |[x, y]: Point| {
-            [
-                146.0 + 118.0 * (x - center[0]),
-                160.0 - 118.0 * (y - center[1]),
-            ]
-        };
+        let at = |[x, y]: Point| planned([146.0, 160.0], 118.0, [x - center[0], y - center[1]]);
         for part in 0..PARTS {
-            let track: Vec<Point> = run
+            let track = run
                 .states
                 .iter()
-                .map(|y| at([y[2 * part], y[2 * part + 1]]))
-                .collect();
+                .map(|y| at([y[2 * part], y[2 * part + 1]]));
+            let track: Vec<Point> = track.collect();
             pen.line(&track, inked(HAIR).alpha(0.7));
             if let Some(&end) = track.last() {
                 pen.disc(end, 4.0, Ink, 0.8);
@@ -250,8 +221,8 @@ pub fn crawler(values: &Values) -> Result<Figure> {
         pen.line(track, inked(DATA));
         pen.dot(at(center), 6.0);
         pen.label([146.0, 328.0], Middle, "on ice: *C* is a point");
-        let seconds = time.ticks(70.0).into_iter();
-        let seconds: Vec<_> = seconds.map(|(t, text)| (t, text + " s")).collect();
+        let mut seconds = time.ticks(70.0);
+        seconds.iter_mut().for_each(|(_, text)| text.push_str(" s"));
         frame.draw(pen, &seconds, &way.ticks(45.0), ["", "place, m"]);
         let curve = |rows: &[(f64, CrawlerState)], which: fn(&CrawlerState) -> f64| -> Vec<Point> {
             rows.iter().map(|(t, s)| frame.at(*t, which(s))).collect()
@@ -262,8 +233,7 @@ pub fn crawler(values: &Values) -> Result<Figure> {
             curve(&ground, |s| s.center),
             curve(&ice, |s| s.center),
         ];
-        pen.line(&curves[0], inked(SECONDARY));
-        pen.line(&curves[1], inked(SECONDARY));
+        pen.lines(&curves[..2], inked(SECONDARY));
         pen.line(&curves[2], inked(DATA));
         pen.line(&curves[3], inked(SECONDARY).dashed());
         for (k, text, half) in [
@@ -278,20 +248,16 @@ pub fn crawler(values: &Values) -> Result<Figure> {
                     .step_by(10)
                     .flat_map(move |p| [[p[0], p[1] + up], [p[0], p[1] - up]])
             });
-            let inside = beside.filter(|p| {
-                (324.0 + half..590.0 - half).contains(&p[0]) && (24.0..268.0).contains(&p[1])
-            });
-            pen.name(inside, text, small(Ink));
+            let inside = within([324.0 + half, 590.0 - half], [24.0, 268.0]);
+            pen.name(beside.filter(inside), text, small(Ink));
         }
         pen.label([448.0, 328.0], Middle, "on ground: stick and slip");
     });
     let columns = "time (s) | rear foot (m) | front foot (m) | centre (m)";
-    let rows = |rows: &[(f64, CrawlerState)]| -> Vec<[f64; 4]> {
-        rows.iter()
-            .map(|(t, s)| [*t, s.rear, s.front, s.center])
-            .collect()
-    };
-    Ok(made
-        .data("on ice", columns, rows(&ice))
-        .data("on ground", columns, rows(&ground)))
+    let row = |(t, s): (f64, CrawlerState)| [t, s.rear, s.front, s.center];
+    Ok(made.data("on ice", columns, ice.into_iter().map(row)).data(
+        "on ground",
+        columns,
+        ground.into_iter().map(row),
+    ))
 }

@@ -40,14 +40,13 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
         shape: [0.5 * (forward + back) + 0.5 * (forward - back) * s.cos(), s],
         rate: [-0.5 * (forward - back) * s.sin(), 1.0],
     };
+    let round = || spaced([0.0, TAU], 240).map(|s| path(s).shape);
     let turn = turn_within(&cat, path, Hub::Pole)?.to_degrees();
     let net = waist.swivel_angle(FRAC_PI_2)?.to_degrees();
     let [below, out, near] = shorts([waist.lower, waist.upper_arms_out, waist.upper_arms_in], 2);
     let [held, holds] = [3, 1].map(|digits| number(net.abs(), digits));
-    let (widest, bent) = (
-        number(WIDEST.to_degrees(), 0),
-        short(forward.to_degrees(), 1),
-    );
+    let widest = number(WIDEST.to_degrees(), 0);
+    let bent = short(forward.to_degrees(), 1);
     let [behind, backward] = [2, 1].map(|digits| number(back.to_degrees(), digits));
     let charge = number(turn.abs(), 4);
     let words = words!(
@@ -68,13 +67,8 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
             let band = |k: u32| least + (greatest - least) * f64::from(k) / f64::from(BANDS);
             let (low, high) = (band(k), band(k + 1));
             let tone = 0.4 * plane.curvature(0.5 * (low + high)) / most;
-            let corners = [
-                PLANE.at(0.0, low),
-                PLANE.at(2.0, low),
-                PLANE.at(2.0, high),
-                PLANE.at(0.0, high),
-            ];
-            pen.fill(corners, Ink, tone);
+            let band = boxed(PLANE.at(0.0, low), PLANE.at(2.0, high));
+            pen.fill(band, Ink, tone);
         }
         let axis = inked(AXIS);
         pen.line([[left, top], [left, bottom], [right, bottom]], axis);
@@ -89,12 +83,7 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
             pen.line([[x - 5.0, y], [x, y]], axis);
             pen.note([x - 9.0, y + 5.0], End, name);
         }
-        let corners = [
-            PLANE.at(0.0, out),
-            PLANE.at(FRAC_PI_2, out),
-            PLANE.at(FRAC_PI_2, near),
-            PLANE.at(0.0, near),
-        ];
+        let corners = boxed(PLANE.at(0.0, out), PLANE.at(FRAC_PI_2, near));
         pen.outline(corners, inked(DATA));
         for k in 0..4 {
             let (a, b) = (corners[k], corners[(k + 1) % 4]);
@@ -123,14 +112,8 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
             pen.fill(&outline, Ink, 0.4 * density(bend) / greatest);
         }
         pen.ring(CENTER, RADIUS, axis);
-        let oval: Vec<Point> = (0..=240)
-            .map(|k| {
-                let Step {
-                    shape: [bend, psi], ..
-                } = path(TAU * f64::from(k) / 240.0);
-                cat_at(bend, psi)
-            })
-            .collect();
+        let oval = round().map(|[bend, psi]| cat_at(bend, psi));
+        let oval: Vec<Point> = oval.collect();
         pen.line([cat_at(0.0, 0.0), cat_at(forward, 0.0)], inked(SECONDARY));
         pen.line(&oval, inked(DATA));
         pen.arrow(oval[52], oval[60], inked(DATA));
@@ -149,16 +132,9 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
     // ψ and A of the corners, ψ and γ of the oval.
     let columns = "direction (°) | moment (kg m²) | bend (°)";
     let (out, near) = (waist.upper_arms_out, waist.upper_arms_in);
-    let corners = [[0.0, out], [90.0, out], [90.0, near], [0.0, near]];
-    let bends = (0..=240).map(|k| {
-        let shape = path(TAU * f64::from(k) / 240.0).shape;
-        [shape[1].to_degrees(), 0.0, shape[0].to_degrees()]
-    });
+    let corners = boxed([0.0, out], [90.0, near]).map(|[psi, upper]| [psi, upper, 0.0]);
+    let bends = round().map(|[bend, psi]| [psi.to_degrees(), 0.0, bend.to_degrees()]);
     Ok(made
-        .data(
-            "swivel",
-            columns,
-            corners.map(|[psi, upper]| [psi, upper, 0.0]),
-        )
+        .data("swivel", columns, corners)
         .data("cat", columns, bends))
 }

@@ -21,67 +21,53 @@ fn change(values: &Values) -> FourPhases {
         arms_out: values.of(&OUT),
         arms_in: values.of(&IN),
         // The book's is exact.
-        twist: if twist == 90.0 {
-            FRAC_PI_2
-        } else {
-            twist.to_radians()
+        twist: match twist {
+            90.0 => FRAC_PI_2,
+            _ => twist.to_radians(),
         },
         duration: 4.0,
         pace: Pace::Even,
     }
 }
 
-/// An ellipse turned by `angle`, counterclockwise.
-fn ellipse(center: Point, half: [f64; 2], angle: f64) -> Vec<Point> {
+/// A place turned about the centre by `angle`, counterclockwise.
+fn turned(center: Point, angle: f64, [x, y]: Point) -> Point {
     let (s, c) = angle.sin_cos();
-    (0..72)
-        .map(|k| {
-            let (sin, cos) = (TAU * f64::from(k) / 72.0).sin_cos();
-            let (x, y) = (half[0] * cos, half[1] * sin);
-            [center[0] + c * x - s * y, center[1] - s * x - c * y]
-        })
-        .collect()
+    [center[0] + c * x - s * y, center[1] - s * x - c * y]
 }
 
 /// Someone who looks up the page at angle 0: feet and hip below, shoulders, arms and head above.
 fn person(pen: &mut Pen, center: Point, state: &SwivelState, out: bool) {
-    let solid = |pen: &mut Pen, outline: &[Point], tone: f64| {
-        pen.fill(outline, Paper, 1.0);
-        pen.fill(outline, Ink, tone);
-        pen.outline(outline, inked(AXIS));
+    // Ellipses that turn with a part of the body.
+    let solid = |pen: &mut Pen, angle: f64, place: Point, half: [f64; 2], tone: f64| {
+        let middle = turned(center, angle, place);
+        let outline: Vec<Point> = (0..72)
+            .map(|k| (TAU * f64::from(k) / 72.0).sin_cos())
+            .map(|(sin, cos)| turned(middle, angle, [half[0] * cos, half[1] * sin]))
+            .collect();
+        pen.fill(&outline, Paper, 1.0);
+        pen.fill(&outline, Ink, tone);
+        pen.outline(&outline, inked(AXIS));
     };
+    let SwivelState { lower, upper, .. } = *state;
     // Feet, pointing where the lower body faces.
-    for side in [-1.0, 1.0] {
-        let angle = state.lower;
-        let (s, c) = angle.sin_cos();
-        let (x, y) = (13.0 * side, 12.0);
-        let place = [center[0] + c * x - s * y, center[1] - s * x - c * y];
-        solid(pen, &ellipse(place, [7.5, 17.0], angle), 0.3);
+    for side in [-13.0, 13.0] {
+        solid(pen, lower, [side, 12.0], [7.5, 17.0], 0.3);
     }
-    solid(pen, &ellipse(center, [26.0, 15.0], state.lower), 0.2);
-    let (s, c) = state.upper.sin_cos();
-    let at = |x: f64, y: f64| [center[0] + c * x - s * y, center[1] - s * x - c * y];
+    solid(pen, lower, [0.0; 2], [26.0, 15.0], 0.2);
+    let at = |x: f64, y: f64| turned(center, upper, [x, y]);
     for side in [-1.0, 1.0] {
-        if out {
-            solid(
-                pen,
-                &ellipse(at(46.0 * side, 2.0), [24.0, 6.0], state.upper),
-                0.06,
-            );
-            pen.disc(at(71.0 * side, 2.0), 5.0, Ink, 0.8);
-        } else {
-            solid(
-                pen,
-                &ellipse(at(23.0 * side, 9.0), [6.0, 13.0], state.upper),
-                0.06,
-            );
-            pen.disc(at(17.0 * side, 20.0), 5.0, Ink, 0.8);
-        }
+        let ([arm, half], hand) = match out {
+            true => ([[46.0 * side, 2.0], [24.0, 6.0]], at(71.0 * side, 2.0)),
+            false => ([[23.0 * side, 9.0], [6.0, 13.0]], at(17.0 * side, 20.0)),
+        };
+        solid(pen, upper, arm, half, 0.06);
+        pen.disc(hand, 5.0, Ink, 0.8);
     }
-    solid(pen, &ellipse(center, [31.0, 13.0], state.upper), 0.06);
-    solid(pen, &ellipse(center, [11.5, 13.5], state.upper), 0.06);
-    let nose = [at(-3.5, 12.5), at(0.0, 19.0), at(3.5, 12.5)];
-    pen.fill(nose, Ink, 1.0);
+    for half in [[31.0, 13.0], [11.5, 13.5]] {
+        solid(pen, upper, [0.0; 2], half, 0.06);
+    }
+    pen.fill([at(-3.5, 12.5), at(0.0, 19.0), at(3.5, 12.5)], Ink, 1.0);
 }
 
 /// Twist, arms in, untwist, arms out.
@@ -115,39 +101,27 @@ pub fn swivel(values: &Values) -> Result<Figure> {
          feet right by {right}°. Arms in. Untwisted: the feet have come back, but not the whole way. Arms out again: feet and nose point {aside}° to \
          the right of where they began."
     );
-    let centers: [Point; 5] = [
-        [100.0, 112.0],
-        [300.0, 112.0],
-        [500.0, 112.0],
-        [200.0, 316.0],
-        [400.0, 316.0],
-    ];
+    let above = [100.0, 300.0, 500.0].map(|x| [x, 112.0]);
+    let centers = above.into_iter().chain([[200.0, 316.0], [400.0, 316.0]]);
     let names = ["", "1  twist", "2  arms in", "3  untwist", "4  arms out"];
     let made = figure("swivel", 430.0, words, |pen| {
         for ((state, center), name) in states.iter().zip(centers).zip(names) {
             pen.ring(center, 82.0, muted(AXIS).alpha(0.6));
-            pen.line(
-                [
-                    polar(center, 74.0, FRAC_PI_2),
-                    polar(center, 88.0, FRAC_PI_2),
-                ],
-                muted(AXIS),
-            );
+            let ahead = [74.0, 88.0].map(|out| polar(center, out, FRAC_PI_2));
+            pen.line(ahead, muted(AXIS));
             let out = state.upper_moment > 0.5 * (change.arms_out + change.arms_in);
             person(pen, center, state, out);
             let tip = FRAC_PI_2 + state.lower;
             if state.lower.abs() > 0.01 {
                 pen.arc_arrow(center, 82.0, FRAC_PI_2, tip, stroke(Omega, DATA));
-                let ahead = polar(center, 82.0, tip);
-                let ends = [polar(center, 30.0, tip), ahead];
-                pen.line(ends, stroke(Omega, SECONDARY).dotted());
+                let now = [30.0, 82.0].map(|out| polar(center, out, tip));
+                pen.line(now, stroke(Omega, SECONDARY).dotted());
             }
-            let text = if name.is_empty() {
-                "at first".to_owned()
-            } else {
-                format!("{name}: {}°", degrees(state.lower))
+            let text = match name {
+                "" => "at first".to_owned(),
+                _ => format!("{name}: {}°", degrees(state.lower)),
             };
-            pen.label([center[0], center[1] + 106.0], Middle, &text);
+            pen.label(shifted(center, [0.0, 106.0]), Middle, &text);
         }
         pen.text([592.0, 396.0], End, "angles of the feet", small(Omega));
     });

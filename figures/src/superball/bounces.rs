@@ -60,21 +60,11 @@ pub fn reflections(values: &Values) -> Result<Figure> {
          Start at 0, thrown without spin; after {count} bounce{plural}, floor first, the ball is at {count}, {last}.",
         "A circle with two dashed mirror lines at plus and minus {degrees} degrees. Points of the circle, joined by arrows that cross the upper and the lower mirror in turn: {listed} degrees."
     );
-    let point = |m: &Motion<f64>| {
-        [
-            CENTER[0] + SIZE * m.velocity,
-            CENTER[1] - SIZE * root * m.rim_speed,
-        ]
-    };
+    let point = |m: &Motion<f64>| planned(CENTER, SIZE, [m.velocity, root * m.rim_speed]);
     let made = figure("bounce-reflections", 368.0, words, |pen| {
         pen.ring(CENTER, SIZE, inked(SECONDARY));
-        let axes = [
-            [
-                [CENTER[0] - 190.0, CENTER[1]],
-                [CENTER[0] + 190.0, CENTER[1]],
-            ],
-            [[CENTER[0], 14.0], [CENTER[0], 354.0]],
-        ];
+        let [x, y] = CENTER;
+        let axes = [[[x - 190.0, y], [x + 190.0, y]], [[x, 14.0], [x, 354.0]]];
         pen.lines(axes, inked(AXIS));
         pen.label([CENTER[0] + 196.0, CENTER[1] + 5.0], Start, "*V*");
         for (angle, name) in [(beta, "floor"), (-beta, "ceiling")] {
@@ -185,12 +175,7 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
     );
     let made = figure("three-superballs", 268.0, words, |pen| {
         pen.line([[10.0, FLOOR], [590.0, FLOOR]], inked(SECONDARY));
-        let slab = [
-            [250.0, CEILING - 12.0],
-            [590.0, CEILING - 12.0],
-            [590.0, CEILING],
-            [250.0, CEILING],
-        ];
+        let slab = boxed([250.0, CEILING - 12.0], [590.0, CEILING]);
         pen.fill(slab, Ink, 0.16);
         pen.line(&slab[2..], inked(AXIS));
         let arrives = [place(-1.17, 1.17), place(0.0, 0.0)];
@@ -217,14 +202,13 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
             ends.push(between(path[last - 1], path[last], 0.9));
         }
         let mut write = |at: Point, text: &str, lettering, wide: f64| {
-            let places = (0..60).flat_map(|k| {
+            let places = (0..60).map(|k| {
                 let (far, turn) = (1.0 + f64::from(k / 20) * 0.5, f64::from(k % 20) * PI / 10.0);
-                [polar([0.0; 2], 1.0, turn)]
-                    .map(|[x, y]| [at[0] + (wide + 12.0) * far * x, at[1] + 18.0 * far * y])
+                let [x, y] = polar([0.0; 2], 1.0, turn);
+                shifted(at, [(wide + 12.0) * far * x, 18.0 * far * y])
             });
-            let inside =
-                places.filter(|p| (wide + 4.0..596.0 - wide).contains(&p[0]) && p[1] > 14.0);
-            pen.name(inside, text, lettering);
+            let inside = within([wide + 4.0, 596.0 - wide], [14.0, 268.0]);
+            pen.name(places.filter(inside), text, lettering);
         };
         write(place(-0.99, 0.99), "thrown", small(Ink), 25.0);
         for (end, name) in ends.into_iter().zip(&names) {

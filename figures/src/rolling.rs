@@ -7,7 +7,7 @@ use spinning_bodies::rolling::RoundBody;
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
-    of("billiard", BILLIARD, billiard),
+    of("billiard", &[CUE, KAPPA], billiard),
     of("slide-to-roll", slide::LINES, slide::lines),
 ];
 
@@ -16,9 +16,6 @@ parameters! {
     pub KAPPA: "kappa", r"\kappa", "", "moment of inertia of the ball over MR²", [0.3, 0.65], 0.4;
     CUE: "cue", "H/R", "", "height of one of the cues above the table, over the radius", [0.4, 1.9], 1.2, dragged(cue_place);
 }
-
-/// What may be chosen beside the ball and its cues.
-pub const BILLIARD: &[Parameter] = &[CUE, KAPPA];
 
 /// The ball: point of contact and radius, units.
 const CONTACT: Point = [206.0, 318.0];
@@ -51,13 +48,10 @@ pub fn billiard(values: &Values) -> Result<Figure> {
         }
     }
     heights.sort_by(f64::total_cmp);
-    let shots = heights
-        .into_iter()
-        .map(|height| {
-            let shot = ball.strike(height, 1.0)?;
-            Ok([height, shot.slip, shot.rim_speed])
-        })
-        .collect::<Result<Vec<_>>>()?;
+    let shots = tried(heights, |height| {
+        let shot = ball.strike(height, 1.0)?;
+        Ok([height, shot.slip, shot.rim_speed])
+    })?;
     let listed = |k: usize, digits: usize| {
         let texts: Vec<String> = shots.iter().map(|shot| short(shot[k], digits)).collect();
         let (last, others) = texts.split_last().unwrap_or((&texts[0], &[]));
@@ -98,7 +92,7 @@ pub fn billiard(values: &Values) -> Result<Figure> {
         pen.line(ends, inked(AXIS).dotted());
         pen.dot(center, 2.5);
         pen.line([center, CONTACT], inked(AXIS).alpha(0.6));
-        let beside = [center[0] + 8.0, center[1] + 0.55 * RADIUS];
+        let beside = shifted(center, [8.0, 0.55 * RADIUS]);
         pen.label(beside, Start, "*R*");
         pen.line([[ZERO, 48.0], [ZERO, CONTACT[1]]], inked(AXIS));
         pen.line([tip(&low), tip(&high)], inked(AXIS).dashed());
@@ -137,30 +131,17 @@ pub fn billiard(values: &Values) -> Result<Figure> {
         pen.text([DIAL, 30.0], Middle, "spin", label(Omega));
         pen.label([ZERO, 30.0], Middle, "slip / *V*\u{2032}");
         // Arrows go to the right below the height of rolling, to the left above it: words stand on the other side.
-        let remark = |x: f64, y: f64, anchor| ([x, y], anchor);
-        let slow = level(0.5 * (1.0 + sweet));
-        let back = level(0.5);
-        for ((at, anchor), text) in [
-            (
-                remark(ZERO + 14.0, level(2.0) + 2.0, Start),
-                "turns too fast",
-            ),
-            (remark(ZERO - 6.0, slow - 3.0, End), "turns"),
-            (remark(ZERO - 6.0, slow + 13.0, End), "too slowly"),
-            (remark(ZERO - 6.0, back - 3.0, End), "turns"),
-            (remark(ZERO - 6.0, back + 13.0, End), "backwards"),
-        ] {
-            pen.note(at, anchor, text);
+        pen.note([ZERO + 14.0, level(2.0) + 2.0], Start, "turns too fast");
+        for (height, text) in [(0.5 * (1.0 + sweet), "too slowly"), (0.5, "backwards")] {
+            pen.note([ZERO - 6.0, level(height) - 3.0], End, "turns");
+            pen.note([ZERO - 6.0, level(height) + 13.0], End, text);
         }
         let rolls = [ZERO + 14.0, level(sweet) - 6.0];
         pen.text(rolls, Start, "rolls", label(Ink).strong());
         let [left, right] = [high[1].min(-1.0), low[1].max(1.0)];
         let slips = Axis::linear([left, right], [ZERO + speed * left, ZERO + speed * right]);
         for (slip, text) in slips.ticks(40.0) {
-            let x = slips.at(slip);
-            let mark = [[x, CONTACT[1]], [x, CONTACT[1] + 5.0]];
-            pen.line(mark, inked(AXIS));
-            pen.note([x, CONTACT[1] + 23.0], Middle, &text);
+            pen.tick_below([slips.at(slip), CONTACT[1]], 23.0, &text);
         }
     });
     let columns = "height of the cue (R) | slip (V') | rim speed (V')";

@@ -30,23 +30,21 @@ pub fn solution(values: &Values) -> Result<Figure> {
     // On the separatrix there is no period; sixty seconds show the one swing.
     let period = Some(top.period()).filter(|period| period.is_finite());
     let step = period.map_or(60.0, |period| LENGTH * period) / STEPS as f64;
-    let mut states = top
-        .states((0..=STEPS).map(|k| step * k as f64))
-        .map(|state| Ok(<[f64; 3]>::from(state?.omega.components())))
-        .collect::<Result<Vec<_>>>()?;
+    let times = (0..=STEPS).map(|k| step * k as f64);
+    let mut states = tried(top.states(times), |state| {
+        Ok(<[f64; 3]>::from(state?.omega.components()))
+    })?;
     let greatest = |k: usize| {
         states
             .iter()
             .map(|omega| omega[k].abs())
             .fold(0.0, f64::max)
     };
-    let (most, largest) = (greatest(1), [0, 1, 2].map(greatest));
-    let largest = largest.into_iter().fold(0.0, f64::max);
+    let most = greatest(1);
+    let largest = [0, 1, 2].map(greatest).into_iter().fold(0.0, f64::max);
     let in_a_period = &states[..(STEPS as f64 / LENGTH) as usize];
-    let near = in_a_period
-        .iter()
-        .filter(|omega| omega[1].abs() > NEARLY * most);
-    let percent = 100 * near.count() / in_a_period.len();
+    let near = |omega: &&[f64; 3]| omega[1].abs() > NEARLY * most;
+    let percent = 100 * in_a_period.iter().filter(near).count() / in_a_period.len();
     let rests = percent > 50;
     if let Some(last) = (1..=STEPS).rfind(|&k| states[k - 1][1] * states[k][1] <= 0.0)
         && period.is_some()
@@ -79,16 +77,12 @@ pub fn solution(values: &Values) -> Result<Figure> {
         Some(period) => format!("a period of {period:.1} seconds"),
         None => "one swing".to_owned(),
     };
-    let wave = if rests {
-        "almost a square wave"
-    } else {
-        "a wave"
-    };
-    let pulses = match rests {
-        true => {
-            "Between these pulses both are small: the top seems to rotate steadily about its middle axis."
-        }
-        false => "No part of the curves is level for long.",
+    let (wave, pulses) = match rests {
+        true => (
+            "almost a square wave",
+            "Between these pulses both are small: the top seems to rotate steadily about its middle axis.",
+        ),
+        false => ("a wave", "No part of the curves is level for long."),
     };
     let words = words!(
         "{claim}",
@@ -102,22 +96,17 @@ pub fn solution(values: &Values) -> Result<Figure> {
     let length = step * (states.len() - 1) as f64;
     let x = |t: f64| left + (right - left) * t / length;
     let y = |value: f64| zero - half * value / largest;
-    let curve = |k: usize| -> Vec<Point> {
-        let places = states.iter().enumerate();
-        places
-            .map(|(n, omega)| [x(step * n as f64), y(omega[k])])
-            .collect()
+    let curve = |k: usize| {
+        let states = states.iter().enumerate();
+        states.map(move |(n, omega)| [x(step * n as f64), y(omega[k])])
     };
     let made = figure("euler-solution", 256.0, words, |pen| {
         let [over, bottom] = [zero - half - 12.0, zero + half + 14.0];
         pen.line([[left, zero], [right, zero]], inked(HAIR));
         pen.line([[left, over], [left, bottom], [right, bottom]], inked(AXIS));
-        for (value, text) in
-            Axis::linear([-largest, largest], [zero + half, zero - half]).ticks(50.0)
-        {
-            let y = y(value);
-            pen.line([[left - 5.0, y], [left, y]], inked(AXIS));
-            pen.note([left - 9.0, y + 5.0], End, &text);
+        let upward = Axis::linear([-largest, largest], [zero + half, zero - half]);
+        for (value, text) in upward.ticks(50.0) {
+            pen.tick_beside([left, y(value)], &text);
         }
         let whole = period.unwrap_or(length);
         for (share, text) in [(0.0, "0"), (0.5, "half a period"), (1.0, "a period")] {
@@ -129,12 +118,8 @@ pub fn solution(values: &Values) -> Result<Figure> {
                 let time = format!("{} s", number(share * whole, 2));
                 pen.note([at, bottom + 38.0], Middle, &time);
             }
-            let text = if period.is_some() || share == 0.0 {
-                text
-            } else {
-                ""
-            };
-            pen.note([at, bottom + 21.0], Middle, text);
+            let named = period.is_some() || share == 0.0;
+            pen.note([at, bottom + 21.0], Middle, if named { text } else { "" });
         }
         let styles = [
             stroke(Omega, SECONDARY).dashed(),
@@ -144,20 +129,15 @@ pub fn solution(values: &Values) -> Result<Figure> {
         for (k, style) in styles.into_iter().enumerate() {
             pen.line(curve(k), style);
         }
-        let ends = states
-            .last()
-            .copied()
-            .unwrap_or(start)
-            .map(|value| y(value) + 5.0);
+        let end = states.last().copied().unwrap_or(start);
+        let ends = end.map(|value| y(value) + 5.0);
         for (y, name) in spread(ends, 19.0).into_iter().zip(["1", "2", "3"]) {
             let text = format!("*Ω*_{{{name}}}");
             pen.text([right + 8.0, y], Start, &text, label(Omega));
         }
     });
-    let rows = states
-        .iter()
-        .enumerate()
-        .map(|(n, [first, second, third])| [step * n as f64, *first, *second, *third]);
+    let rows = states.iter().enumerate();
+    let rows = rows.map(|(n, [first, second, third])| [step * n as f64, *first, *second, *third]);
     let columns = "time (s) | Ω₁ (rad/s) | Ω₂ (rad/s) | Ω₃ (rad/s)";
     Ok(made.data("top", columns, rows))
 }

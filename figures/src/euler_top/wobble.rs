@@ -20,17 +20,18 @@ struct Lane {
     radius: f64,
     /// Radians a day.
     rate: f64,
-    outside: bool,
+    /// How far outside of it the days stand.
+    aside: f64,
 }
 
 impl Lane {
     /// The pole of a top that turns once a day and wobbles in `period` days.
-    fn new(period: f64, radius: f64, outside: bool) -> Result<Self> {
+    fn new(period: f64, radius: f64, aside: f64) -> Result<Self> {
         let top = SymmetricTop::new(1.0, 1.0 + 1.0 / period)?;
         Ok(Self {
             radius,
             rate: top.wobble_rate(TAU),
-            outside,
+            aside,
         })
     }
 
@@ -48,16 +49,12 @@ impl Lane {
         for (k, angle) in dots.take_while(|(_, angle)| *angle < reached + 1e-6) {
             let near = |line: &f64| (0.5 * (angle - line)).sin().abs() < 0.11;
             let named = k % 2 == 0 && !lines.iter().any(near);
-            pen.disc(
-                self.at(0.0, angle),
-                if named { 4.2 } else { 3.0 },
-                Omega,
-                1.0,
-            );
+            let size = if named { 4.2 } else { 3.0 };
+            pen.disc(self.at(0.0, angle), size, Omega, 1.0);
             if named {
-                let [x, y] = self.at(if self.outside { 20.0 } else { -20.0 }, angle);
+                let beside = shifted(self.at(self.aside, angle), [0.0, 4.8]);
                 let day = number(STEP * f64::from(k), 0);
-                pen.text([x, y + 4.8], Middle, &day, small(Omega));
+                pen.text(beside, Middle, &day, small(Omega));
             }
         }
     }
@@ -68,32 +65,34 @@ const START: f64 = FRAC_PI_2;
 
 /// Two poles race until that of a rigid Earth is home; that of the real one is not.
 pub fn polar_circles(values: &Values) -> Result<Figure> {
-    let [days, period] = [RIGID, OBSERVED].map(|one| values.of(&one));
-    let (rigid, real) = (
-        Lane::new(days, 112.0, false)?,
-        Lane::new(period, 152.0, true)?,
-    );
+    let [days, period] = values.each([RIGID, OBSERVED]);
+    let rigid = Lane::new(days, 112.0, -20.0)?;
+    let real = Lane::new(period, 152.0, 20.0)?;
     let reached = real.rate * days;
     // What it still has to go, if anything.
     let lag = TAU - reached;
     let degrees = number(lag.abs().to_degrees(), 0);
-    let [claim, behind, seen] = match lag {
-        _ if degrees == "0" => [
-            "A pole that wobbles as that of a rigid body walks beside it.".to_owned(),
-            "at the same place".to_owned(),
-            "back at the start too".to_owned(),
-        ],
-        _ if lag > 0.0 => [
-            "The pole of the real Earth circles more slowly than that of a rigid one.".to_owned(),
-            format!("{degrees} degrees behind"),
-            format!("still {degrees} degrees short"),
-        ],
-        _ => [
-            "This pole circles faster than that of a rigid body: no body that gives way does so."
-                .to_owned(),
-            format!("{degrees} degrees ahead"),
-            format!("{degrees} degrees beyond it"),
-        ],
+    let (claim, [behind, seen, told]) = match lag {
+        _ if degrees == "0" => (
+            "A pole that wobbles as that of a rigid body walks beside it.",
+            ["at the same place", "back at the start too", "home as well"].map(str::to_owned),
+        ),
+        _ if lag > 0.0 => (
+            "The pole of the real Earth circles more slowly than that of a rigid one.",
+            [
+                format!("{degrees} degrees behind"),
+                format!("still {degrees} degrees short"),
+                format!("{degrees}° to go"),
+            ],
+        ),
+        _ => (
+            "This pole circles faster than that of a rigid body: no body that gives way does so.",
+            [
+                format!("{degrees} degrees ahead"),
+                format!("{degrees} degrees beyond it"),
+                format!("{degrees}° beyond"),
+            ],
+        ),
     };
     let longer = days + 1.0;
     let whose = match period == OBSERVED.default {
@@ -132,34 +131,20 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
         pen.ring(CENTER, 6.0, inked(SECONDARY));
         pen.dot(CENTER, 2.0);
         // On the side of the axis that the dotted line does not take.
-        let side = if (reached - 0.25 * TAU).sin().abs() < 0.3 && reached.sin() > 0.0 {
-            1.0
-        } else {
-            -1.0
-        };
-        let anchor = if side < 0.0 { End } else { Start };
-        let name = [CENTER[0] + 12.0 * side, CENTER[1] + 5.0];
-        pen.label(name, anchor, "*x*_{3}");
+        let taken = (reached - 0.25 * TAU).sin().abs() < 0.3 && reached.sin() > 0.0;
+        let (side, anchor) = if taken { (12.0, Start) } else { (-12.0, End) };
+        pen.label(shifted(CENTER, [side, 5.0]), anchor, "*x*_{3}");
         for at in [rigid.at(0.0, 0.0), real.at(0.0, reached)] {
             pen.ring(at, 8.0, stroke(Omega, SECONDARY));
         }
         pen.note([CENTER[0], 26.0], Middle, "start");
         let x = 400.0;
-        let told = match lag {
-            _ if degrees == "0" => "outer lane, home as well".to_owned(),
-            _ if lag > 0.0 => format!("outer lane, {degrees}° to go"),
-            _ => format!("outer lane, {degrees}° beyond"),
-        };
-        let after = format!("after {days} days");
-        pen.label([x, 156.0], Start, &after);
-        for (y, head, tail) in [
-            (
-                198.0,
-                format!("rigid: {days} days"),
-                "inner lane, back home",
-            ),
-            (254.0, format!("observed: {period} days"), told.as_str()),
+        pen.label([x, 156.0], Start, &format!("after {days} days"));
+        for (y, whose, period, tail) in [
+            (198.0, "rigid", days, "inner lane, back home"),
+            (254.0, "observed", period, &format!("outer lane, {told}")),
         ] {
+            let head = format!("{whose}: {period} days");
             pen.text([x, y], Start, &head, label(Omega).strong());
             pen.note([x, y + 20.0], Start, tail);
         }
@@ -167,14 +152,13 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
     let columns = "time (days) | angle about the axis of figure (°)";
     let dots = (0..).map(|k| STEP * f64::from(k));
     let dots = dots.take_while(|day| *day <= days);
-    let row = |lane: &Lane| {
-        let rate = lane.rate;
-        dots.clone()
-            .map(move |day| [day, (rate * day).to_degrees()])
+    let rows = |rate: f64| {
+        let dots = dots.clone();
+        dots.map(move |day| [day, (rate * day).to_degrees()])
     };
     Ok(made
-        .data("rigid", columns, row(&rigid))
-        .data("observed", columns, row(&real)))
+        .data("rigid", columns, rows(rigid.rate))
+        .data("observed", columns, rows(real.rate)))
 }
 
 parameters! {
@@ -194,11 +178,16 @@ const LETTER: f64 = 1.31;
 /// A flat and a long body: the cone of the axis of rotation in the body rolls on the one in space.
 pub fn precession_cones(values: &Values) -> Result<Figure> {
     let omega = BodyVector::new(values.of(&LEAN), 0.0, 1.0);
-    let [flat, long] = [FLAT, LONG].map(|ratio| SymmetricTop::new(1.0, values.of(&ratio)));
-    let (flat, long) = (flat?, long?);
-    let (flat_cones, long_cones) = (flat.cones(omega)?, long.cones(omega)?);
+    let tops = values.each([FLAT, LONG]);
+    let tops = tried(tops, |ratio| SymmetricTop::new(1.0, ratio))?;
+    let pairs = [
+        Pair::new("flat", tops[0], omega, -1.0)?,
+        Pair::new("long", tops[1], omega, 1.0)?,
+    ];
     let degrees = |angle: f64| number(angle.to_degrees(), 1);
-    let round = [&flat, &long].map(|top| top.shape == Shape::Spherical);
+    let round = pairs
+        .each_ref()
+        .map(|pair| pair.top.shape == Shape::Spherical);
     let claim = match round {
         [false, false] => {
             "A body cone rolls on a space cone: round it if the body is flat, on its outside if it is long."
@@ -211,9 +200,10 @@ pub fn precession_cones(values: &Values) -> Result<Figure> {
         }
         [true, true] => "Of a round body the space cone is a line along L, and nothing rolls.",
     };
-    let [wide, narrow] = [flat_cones.body, flat_cones.space].map(degrees);
-    let [slim, broad] = [long_cones.body, long_cones.space].map(degrees);
-    let [left, right, lean] = [flat.axial(), long.axial(), omega.x()].map(brief);
+    let cones = |pair: &Pair| [pair.cones.body, pair.cones.space].map(degrees);
+    let [[wide, narrow], [slim, broad]] = pairs.each_ref().map(cones);
+    let [left, right] = pairs.each_ref().map(|pair| brief(pair.top.axial()));
+    let lean = brief(omega.x());
     let words = words!(
         "{claim}",
         "The cones of a free symmetric top touch along $\\Omega$; the space cone, about $L$, stands still. Half-angles of \
@@ -223,10 +213,6 @@ pub fn precession_cones(values: &Values) -> Result<Figure> {
          surrounds the narrow cone of {narrow} degrees about the vertical angular momentum. Right, a body with a ratio of {right}: the two cones, of {slim} and {broad} degrees, \
          stand side by side. Each pair touches along the angular velocity, so one cone rolls on the other."
     );
-    let pairs = [
-        Pair::new("flat", &flat_cones, -1.0),
-        Pair::new("long", &long_cones, 1.0),
-    ];
     // One scale for both.
     let views =
         [0, 1].map(|k| View::fitted(DIRECTION, &pairs[k].reach(), PANELS[k], f64::INFINITY));
@@ -235,58 +221,57 @@ pub fn precession_cones(values: &Values) -> Result<Figure> {
         for (pair, panel) in pairs.iter().zip(PANELS) {
             pair.draw(pen, &View::fitted(DIRECTION, &pair.reach(), panel, scale));
             let middle = 0.5 * (panel[0] + panel[2]);
-            let ratio = if pair.side < 0.0 { &flat } else { &long };
-            let name = match ratio.shape {
+            let name = match pair.top.shape {
                 Shape::Spherical => "round",
                 _ => pair.name,
             };
-            let name = format!("{name}, *I*_{{3}}/*I*_{{1}} = {}", brief(ratio.axial()));
+            let ratio = brief(pair.top.axial());
+            let name = format!("{name}, *I*_{{3}}/*I*_{{1}} = {ratio}");
             pen.label([middle, 286.0], Middle, &name);
-            let body = format!("body cone {}°", degrees(pair.cones.body));
-            let space = format!("space cone {}°", degrees(pair.cones.space));
+            let [body, space] = cones(pair);
+            let body = format!("body cone {body}°");
             pen.note([middle - 8.0, 308.0], End, &body);
-            let role = AngularMomentum;
+            let (role, space) = (AngularMomentum, format!("space cone {space}°"));
             pen.text([middle + 8.0, 308.0], Start, &space, small(role));
         }
     });
     let columns = "I3/I1 (ratio) | body cone (°) | space cone (°) | axis from L (°)";
-    let row = |top: &SymmetricTop, cones: &Cones| {
-        let angles = [cones.body, cones.space, cones.nutation].map(f64::to_degrees);
-        [[top.axial(), angles[0], angles[1], angles[2]]]
-    };
-    Ok(made.data("left", columns, row(&flat, &flat_cones)).data(
-        "right",
-        columns,
-        row(&long, &long_cones),
-    ))
+    let [left, right] = pairs.map(|Pair { top, cones, .. }| {
+        let [body, space, lean] = [cones.body, cones.space, cones.nutation].map(f64::to_degrees);
+        [[top.axial(), body, space, lean]]
+    });
+    Ok(made
+        .data("left", columns, left)
+        .data("right", columns, right))
 }
 
 /// From where the cones are seen: azimuth and elevation.
 const DIRECTION: [f64; 2] = [-FRAC_PI_2, 0.3];
 
 /// Both cones of a body.
-struct Pair<'a> {
+struct Pair {
     name: &'static str,
-    cones: &'a Cones,
-    side: f64,
+    top: SymmetricTop,
+    cones: Cones,
     /// Axis of the body, L and Ω, of length one.
     axis: Vector,
     l: Vector,
     omega: Vector,
 }
 
-impl<'a> Pair<'a> {
+impl Pair {
     /// L upright; Ω on the right of it, the axis beyond L if the body is flat, beyond Ω if it is long.
-    fn new(name: &'static str, cones: &'a Cones, side: f64) -> Self {
+    fn new(name: &'static str, top: SymmetricTop, omega: BodyVector, side: f64) -> Result<Self> {
         let tilted = |angle: f64| Vector::new(angle.sin(), 0.0, angle.cos());
-        Self {
+        let cones = top.cones(omega)?;
+        Ok(Self {
             name,
-            cones,
-            side,
+            top,
             axis: tilted(side * cones.nutation),
             l: tilted(0.0),
             omega: tilted(cones.space),
-        }
+            cones,
+        })
     }
 
     /// What has to find room.

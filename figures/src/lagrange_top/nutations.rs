@@ -243,19 +243,15 @@ pub fn nutations(values: &Values) -> Result<Figure> {
             let [x, y] = place(f64::from(k), 0.0);
             let off = |globe: &Globe| distance([x, y], globe.center());
             if globes.iter().all(|globe| off(globe) > RADIUS + 2.0) {
-                pen.line([[x, y], [x, y + 5.0]], ink);
-                pen.note([x, y + 21.0], Middle, &number(f64::from(k), 0));
+                pen.tick_below([x, y], 21.0, &number(f64::from(k), 0));
             }
         }
         for k in [1, 2, 3, 4] {
-            let [x, y] = place(0.0, f64::from(k));
-            pen.line([[x - 5.0, y], [x, y]], ink);
-            pen.note([x - 9.0, y + 5.0], End, &number(f64::from(k), 0));
+            pen.tick_beside(place(0.0, f64::from(k)), &k.to_string());
         }
         let spot = [place(right, 0.0)[0], ORIGIN[1] + 48.0];
         pen.text(spot, End, "*L*_{vert}", label(AngularMomentum));
-        let [x, y] = place(0.0, top);
-        let spot = [x + 9.0, y + 10.0];
+        let spot = shifted(place(0.0, top), [9.0, 10.0]);
         pen.text(spot, Start, "*L*_{3}", label(AngularMomentum));
         for (k, (points, pole)) in borders.iter().enumerate() {
             let style = match (k, pole) {

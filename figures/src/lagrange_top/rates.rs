@@ -70,7 +70,7 @@ fn least_tilt(axial: f64) -> f64 {
 
 /// Two rates at every tilt for a fast top; for a slow one they meet and cease.
 pub fn precession_rates(values: &Values) -> Result<Figure> {
-    let spins = [0, 1, 2].map(|k: usize| values.of(&RATES[k]));
+    let spins = values.each([THIN, MIDDLE, THICK]);
     let mut curves = Vec::new();
     for (axial, width) in spins.into_iter().zip([1.2, 2.0, 2.8]) {
         let from = least_tilt(axial);
@@ -142,10 +142,8 @@ pub fn precession_rates(values: &Values) -> Result<Figure> {
         }
         // The momenta stand where the fast branches leave the picture: cos θ = (L₃w − 1)/w² there.
         let out = spins.map(|axial| {
-            place(
-                ((axial * SHOWN[1] - 1.0) / SHOWN[1].powi(2)).acos(),
-                SHOWN[1],
-            )[0]
+            let height = (axial * SHOWN[1] - 1.0) / SHOWN[1].powi(2);
+            place(height.acos(), SHOWN[1])[0]
         });
         let out = spread(out, 30.0);
         for (x, axial) in out.into_iter().zip(spins) {
@@ -167,9 +165,8 @@ pub fn precession_rates(values: &Values) -> Result<Figure> {
     });
     let columns = "tilt (°) | rate of precession (√(Mgl/I1))";
     Ok(curves.into_iter().fold(made, |made, (name, _, _, points)| {
-        let rows = points
-            .into_iter()
-            .map(|[tilt, rate]| [tilt.to_degrees(), rate]);
+        let rows = points.into_iter();
+        let rows = rows.map(|[tilt, rate]| [tilt.to_degrees(), rate]);
         made.data(name, columns, rows)
     }))
 }
@@ -181,16 +178,12 @@ fn axes(pen: &mut Pen) {
     pen.line([place(0.0, 0.0), place(PI, 0.0)], ink);
     let rule = [place(0.5 * PI, SHOWN[0]), place(0.5 * PI, SHOWN[1])];
     pen.line(rule, muted(HAIR));
-    for rate in [-2.0, 0.0, 2.0, 4.0, 6.0] {
-        let [x, y] = place(0.0, rate);
-        pen.line([[x - 5.0, y], [x, y]], ink);
-        pen.note([x - 9.0, y + 5.0], End, &number(rate, 0));
+    for (rate, text) in marks(&[-2.0, 0.0, 2.0, 4.0, 6.0], "") {
+        pen.tick_beside(place(0.0, rate), &text);
     }
-    for degrees in [0.0, 30.0, 60.0, 90.0, 120.0, 150.0, 180.0] {
-        let x = place(f64::to_radians(degrees), 0.0)[0];
-        pen.line([[x, bottom], [x, bottom + 5.0]], ink);
-        let spot = [x, bottom + 22.0];
-        pen.note(spot, Middle, &format!("{}°", number(degrees, 0)));
+    for (degrees, text) in marks(&[0.0, 30.0, 60.0, 90.0, 120.0, 150.0, 180.0], "°") {
+        let [x, _] = place(degrees.to_radians(), 0.0);
+        pen.tick_below([x, bottom], 22.0, &text);
     }
     pen.line([[left, bottom], [right, bottom]], ink);
     pen.label([left + 10.0, top + 6.0], Start, "*φ*\u{2032}");

@@ -22,8 +22,7 @@ const LOOP: f64 = 4.2;
 
 /// A cat that falls and falls.
 pub fn cat_animated(_: &Values) -> Result<Figure> {
-    let fractions = (0..PICTURES).map(|k| k as f64 / (PICTURES - 1) as f64);
-    let fractions: Vec<f64> = fractions.collect();
+    let fractions: Vec<f64> = spaced([0.0, 1.0], PICTURES as u32 - 1).collect();
     let states = turnover(&fractions)?;
     let turn = turned(&states[PICTURES - 1]).to_degrees();
     let forward = number(FORWARD.to_degrees(), 0);
@@ -51,31 +50,20 @@ fn moving(states: &[CatState]) -> Result<String> {
     );
     let mut groups = String::new();
     for (k, state) in states.iter().enumerate() {
-        let from = 100.0 * k as f64 / shares;
-        let to = if k + 1 == PICTURES {
-            100.0
-        } else {
-            100.0 * (k + 1) as f64 / shares
-        };
-        let begin = if k == 0 {
-            String::new()
-        } else {
-            "0%{visibility:hidden}".to_owned()
-        };
-        let end = if k + 1 == PICTURES {
-            String::new()
-        } else {
-            format!("{to:.2}%{{visibility:hidden}}")
+        let [from, to] = [k, k + 1].map(|pictures| 100.0 * pictures as f64 / shares);
+        let begin = if k == 0 { "" } else { "0%{visibility:hidden}" };
+        let end = match k + 1 {
+            PICTURES => String::new(),
+            _ => format!("{to:.2}%{{visibility:hidden}}"),
         };
         let _ = write!(
             style,
             "@keyframes fig-{NAME}-{k}{{{begin}{from:.2}%{{visibility:visible}}{end}}}\
              .fig-{NAME}-{k}{{animation-name:fig-{NAME}-{k}}}"
         );
-        let class = if k == STILL {
-            format!(" fig-{NAME}-s")
-        } else {
-            String::new()
+        let class = match k {
+            STILL => format!(" fig-{NAME}-s"),
+            _ => String::new(),
         };
         let _ = writeln!(
             groups,
@@ -106,22 +94,16 @@ fn moving(states: &[CatState]) -> Result<String> {
 
 /// A path, each point by its distance from the last; points nearer than half a unit are left out.
 fn open(points: &[Point]) -> String {
-    let mut d = String::new();
-    let mut last: Option<[i64; 2]> = None;
-    for (k, point) in points.iter().enumerate() {
-        let here = point.map(|c| (c * CANVAS).round() as i64);
-        match last {
-            None => {
-                let _ = write!(d, "M{} {}l", here[0], here[1]);
-                last = Some(here);
-            }
-            Some(old) => {
-                let (x, y) = (here[0] - old[0], here[1] - old[1]);
-                if x * x + y * y >= 20 * 20 || k + 1 == points.len() {
-                    let _ = write!(d, "{x} {y} ");
-                    last = Some(here);
-                }
-            }
+    let mut places = points
+        .iter()
+        .map(|point| point.map(|c| (c * CANVAS).round() as i64));
+    let mut last = places.next().unwrap_or_default();
+    let mut d = format!("M{} {}l", last[0], last[1]);
+    while let Some(here) = places.next() {
+        let (x, y) = (here[0] - last[0], here[1] - last[1]);
+        if x * x + y * y >= 20 * 20 || places.len() == 0 {
+            let _ = write!(d, "{x} {y} ");
+            last = here;
         }
     }
     d.trim_end().to_owned()

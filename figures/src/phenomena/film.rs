@@ -43,7 +43,7 @@ pub fn cat_film(_: &Values) -> Result<Figure> {
             let view = View::new(AZIMUTH, ELEVATION, center, SCALE);
             draw(pen, &pieces(&body, state, &view, SCALE));
             let milliseconds = number(1000.0 * fractions[k] * DURATION, 0);
-            let spot = [center[0], center[1] + 80.0];
+            let spot = shifted(center, [0.0, 80.0]);
             pen.remark(spot, Middle, &format!("{milliseconds} ms"));
         }
     }))
@@ -56,20 +56,17 @@ const TOP: f64 = 40.0;
 
 /// The turn against the back bend, for five bends forward.
 pub fn back_bend(values: &Values) -> Result<Figure> {
-    let ratio = values.of(&HALVES);
+    let [ratio, most] = values.each([HALVES, MOST]);
     let equal = EqualHalves::new(1.0, ratio)?;
-    let most = values.of(&MOST);
     let forwards = [0.5, 0.625, 0.75, 0.875, 1.0].map(|share| share * most);
     let mut curves = Vec::new();
     for forward in forwards {
-        let points = (0..=120)
-            .map(|k| {
-                let back = forward.min(90.0) * f64::from(k) / 120.0;
-                let turn = equal.turn_of_uneven_swing(forward.to_radians(), back.to_radians())?;
-                Ok([back, turn.to_degrees()])
-            })
-            .collect::<Result<Vec<_>>>()?;
-        let needed = equal.back_bend_for_half_turn(forward.to_radians())?;
+        let ahead = forward.to_radians();
+        let points = tried(spaced([0.0, forward.min(90.0)], 120), |back| {
+            let turn = equal.turn_of_uneven_swing(ahead, back.to_radians())?;
+            Ok([back, turn.to_degrees()])
+        })?;
+        let needed = equal.back_bend_for_half_turn(ahead)?;
         // No further back than it is drawn.
         let needed = needed.map(f64::to_degrees);
         let needed = needed.filter(|back| *back <= forward.min(90.0));
@@ -101,42 +98,32 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
          turn cuts {cut} of them, further to the left the more the cat bends forward."
     );
     let made = figure("back-bend", 384.0, words, |pen| {
-        let axis = inked(AXIS);
         let place = |[back, turn]: Point| [x.at(back), y.at(turn)];
-        pen.line([[LEFT, TOP], [LEFT, BOTTOM], [RIGHT, BOTTOM]], axis);
-        for back in [0.0, 30.0, 60.0, 90.0] {
-            let x = x.at(back);
-            pen.line([[x, BOTTOM], [x, BOTTOM + 5.0]], axis);
-            let text = format!("{}°", number(back, 0));
-            pen.note([x, BOTTOM + 22.0], Middle, &text);
+        pen.line([[LEFT, TOP], [LEFT, BOTTOM], [RIGHT, BOTTOM]], inked(AXIS));
+        for (back, text) in marks(&[0.0, 30.0, 60.0, 90.0], "°") {
+            pen.tick_below([x.at(back), BOTTOM], 22.0, &text);
         }
-        let turns = (0..=4).map(|k| 60.0 * f64::from(k));
-        let turns = turns.filter(|turn| *turn >= low);
-        for turn in turns {
-            let y = y.at(turn);
-            pen.line([[LEFT - 5.0, y], [LEFT, y]], axis);
-            let text = format!("{}°", number(turn, 0));
-            pen.note([LEFT - 9.0, y + 5.0], End, &text);
+        let mut turns = marks(&[0.0, 60.0, 120.0, 180.0, 240.0], "°");
+        turns.retain(|(turn, _)| *turn >= low);
+        for (turn, text) in turns {
+            pen.tick_beside([LEFT, y.at(turn)], &text);
         }
         let level = y.at(180.0);
         pen.line([[LEFT, level], [RIGHT, level]], inked(SECONDARY).dashed());
         pen.label([RIGHT, BOTTOM + 46.0], End, "bend backward");
         pen.label([LEFT - 40.0, TOP - 16.0], Start, "turn");
-        let shown: Vec<Vec<Point>> = curves
-            .iter()
-            .map(|(_, points, _)| {
-                let inside = points.iter().filter(|point| point[1] <= 240.0);
-                inside.map(|point| place(*point)).collect()
-            })
-            .collect();
+        let shown = |(_, points, _): &(f64, Vec<Point>, Option<f64>)| -> Vec<Point> {
+            let inside = points.iter().filter(|point| point[1] <= 240.0);
+            inside.map(|point| place(*point)).collect()
+        };
+        let shown: Vec<Vec<Point>> = curves.iter().map(shown).collect();
         pen.lines(&shown, inked(DATA));
-        let mut write = |places: &mut dyn Iterator<Item = Point>, text: &str, half: f64| {
-            let inside =
-                places.filter(|p| (LEFT + half..596.0 - half).contains(&p[0]) && p[1] > 12.0);
-            pen.name(inside, text, small(Ink));
+        let mut write = |places: Vec<Point>, text: &str, half: f64| {
+            let inside = within([LEFT + half, 596.0 - half], [12.0, 384.0]);
+            pen.name(places.into_iter().filter(inside), text, small(Ink));
         };
         for ((forward, _, _), points) in curves.iter().zip(&shown) {
-            let [x, y] = points.last().copied().unwrap_or([LEFT, BOTTOM]);
+            let end = points.last().copied().unwrap_or([LEFT, BOTTOM]);
             let around = [
                 [0.0, -14.0],
                 [25.0, 0.0],
@@ -147,20 +134,14 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
                 [0.0, -22.0],
                 [0.0, 18.0],
             ];
-            write(
-                &mut around.into_iter().map(|[dx, dy]| [x + dx, y + dy]),
-                &format!("{}°", name(*forward)),
-                if forward.fract() == 0.0 { 16.0 } else { 22.0 },
-            );
+            let around = around.map(|beside| shifted(end, beside)).into();
+            let half = if forward.fract() == 0.0 { 16.0 } else { 22.0 };
+            write(around, &format!("{}°", name(*forward)), half);
         }
-        let beside = (0..40)
-            .flat_map(|k| [-12.0, 14.0].map(|dy| [RIGHT - 40.0 - 10.0 * f64::from(k), level + dy]));
-        write(&mut beside.into_iter(), "on its feet", 38.0);
-        for needed in curves
-            .iter()
-            .filter_map(|(_, _, needed)| *needed)
-            .filter(|back| *back <= 90.0)
-        {
+        let beside = (0..40).map(|k| RIGHT - 40.0 - 10.0 * f64::from(k));
+        let beside = beside.flat_map(|x| [-12.0, 14.0].map(|dy| [x, level + dy]));
+        write(beside.collect(), "on its feet", 38.0);
+        for needed in curves.iter().filter_map(|(_, _, needed)| *needed) {
             let [x, y] = place([needed, 180.0]);
             pen.dot([x, y], 3.6);
             pen.line([[x, y], [x, BOTTOM]], inked(HAIR).dotted());

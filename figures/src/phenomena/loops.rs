@@ -74,14 +74,10 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
         pen.line([[left, top], [left, bottom], [right, bottom]], axis);
         pen.label([right, bottom + 24.0], End, "*ψ*");
         pen.label([left, top - 9.0], Middle, "*A*");
-        let corner = PLANE.at(FRAC_PI_2, 0.0);
-        pen.line([corner, [corner[0], corner[1] + 5.0]], axis);
-        pen.note([corner[0], corner[1] + 22.0], Middle, "90°");
+        pen.tick_below(PLANE.at(FRAC_PI_2, 0.0), 22.0, "90°");
         let (out, near) = (waist.upper_arms_out, waist.upper_arms_in);
         for (upper, name) in [(out, "out"), (near, "in")] {
-            let [x, y] = PLANE.at(0.0, upper);
-            pen.line([[x - 5.0, y], [x, y]], axis);
-            pen.note([x - 9.0, y + 5.0], End, name);
+            pen.tick_beside(PLANE.at(0.0, upper), name);
         }
         let corners = boxed(PLANE.at(0.0, out), PLANE.at(FRAC_PI_2, near));
         pen.outline(corners, inked(DATA));

@@ -140,19 +140,17 @@ pub fn paper_cat_fall(values: &Values) -> Result<Figure> {
         let righted = released(values, degrees.to_radians())?.rights_itself(60.0)?;
         Ok(righted.map_or(0.0, |r| r.fall))
     };
-    let curve = (0..=100)
-        .map(|k| {
-            let degrees = 90.0 * (-LN_10 * 6.0 * f64::from(k) / 100.0).exp();
-            Ok([degrees, fall(degrees)?])
-        })
-        .collect::<Result<Vec<_>>>()?;
+    let curve = tried(0..=100, |k| {
+        let degrees = 90.0 * (-LN_10 * 6.0 * f64::from(k) / 100.0).exp();
+        Ok([degrees, fall(degrees)?])
+    })?;
     let errors = [30.0, 10.0, 5.0, 1.0];
-    let falls = errors.map(fall).into_iter().collect::<Result<Vec<_>>>()?;
+    let falls = tried(errors, fall)?;
     let cat = cat(values);
     let decade = cat.fall_per_decade(values.of(&THICK), GRAVITY);
     let [a, b, c, d] = [0, 1, 2, 3].map(|k: usize| number(falls[k], 3));
     let lever = short(values.of(&LEVER), 1);
-    let [mass, air] = shorts([MASS, THICK].map(|one| values.of(&one)), 2);
+    let [mass, air] = shorts(values.each([MASS, THICK]), 2);
     let words = words!(
         "Ten times nearer to upside down costs the paper cat the same fall again.",
         "Height of fall after which the feet first point down, against the angle by which the cat was not upside down. 30°, 10°, 5° and 1° take {a}, {b}, {c} and {d} m; \
@@ -182,20 +180,15 @@ pub fn paper_cat_fall(values: &Values) -> Result<Figure> {
             };
             let told = number(fall, 3);
             // Clear of the axes.
-            let left = LEFT
-                + 4.0
-                + if k % 2 == 0 {
-                    9.0 * told.len() as f64
-                } else {
-                    0.0
-                };
-            let [x, y] = [at[0] + aside[0], at[1] + aside[1]];
+            let half = if anchor == End { 9.0 } else { 0.0 };
+            let left = LEFT + 4.0 + half * told.len() as f64;
+            let [x, y] = shifted(at, aside);
             pen.note([x.max(left), y.min(BOTTOM - 8.0)], anchor, &told);
         }
     });
     Ok(made
         .data("paper cat", "short of upside down (°) | fall (m)", curve)
-        .value("from-10", number(falls[1], 3))
-        .value("from-1", number(falls[3], 3))
+        .value("from-10", b)
+        .value("from-1", d)
         .value("decade", number(decade, 3)))
 }

@@ -21,28 +21,21 @@ const BOTTOM: f64 = 358.0;
 
 /// V and RΩ for five heights of the cue, meeting where rolling begins.
 pub fn lines(values: &Values) -> Result<Figure> {
-    let (kappa, speed) = (values.of(&KAPPA), values.of(&SPEED));
+    let [mu, speed, top, kappa] = values.each([FRICTION, SPEED, TOP, KAPPA]);
     let ball = RoundBody::new(0.17, 0.028_575, kappa)?;
-    let mu = values.of(&FRICTION);
-    let heights = [0.2, 0.7, 1.0, 1.4, values.of(&TOP)];
-    let shots = heights.map(|height| ball.strike(height, speed));
-    let shots = shots.into_iter().collect::<Result<Vec<_>>>()?;
-    let mut latest: f64 = 0.0;
-    for shot in &shots {
-        latest = latest.max(shot.slide(mu, 9.81)?.time);
-    }
+    let heights = [0.2, 0.7, 1.0, 1.4, top];
+    let shots = tried(heights, |height| ball.strike(height, speed))?;
+    let slides = tried(&shots, |shot| Ok(shot.slide(mu, 9.81)?.time))?;
+    let latest = slides.into_iter().fold(0.0, f64::max);
     let until = 1.144 * latest;
-    let courses = shots
-        .iter()
-        .map(|shot| {
-            let start = Moment {
-                slip: shot.slip,
-                ..Moment::moving(shot.velocity, shot.rim_speed)
-            };
-            let effects = (Some(Coulomb::new(mu)?), None, None);
-            Course::new(kappa, Load::weight(9.81), effects, start, until)
-        })
-        .collect::<Result<Vec<_>>>()?;
+    let courses = tried(&shots, |shot| {
+        let start = Moment {
+            slip: shot.slip,
+            ..Moment::moving(shot.velocity, shot.rim_speed)
+        };
+        let effects = (Some(Coulomb::new(mu)?), None, None);
+        Course::new(kappa, Load::weight(9.81), effects, start, until)
+    })?;
     let finals = courses.iter().map(|course| course.at(until).velocity);
     let finals: Vec<String> = finals.map(|pace| number(pace, 2)).collect();
     let [lowest, highest] = [0, 4].map(|k| shots[k].rim_speed);
@@ -60,18 +53,14 @@ pub fn lines(values: &Values) -> Result<Figure> {
     );
     let greatest = highest.max(-lowest).max(speed);
     let x = Axis::linear([0.0, until], [LEFT, RIGHT]);
-    let y = Axis::linear(
-        [-1.04 * greatest, 1.04 * greatest],
-        [BOTTOM, 2.0 * ZERO - BOTTOM],
-    );
+    let most = 1.04 * greatest;
+    let y = Axis::linear([-most, most], [BOTTOM, 2.0 * ZERO - BOTTOM]);
     let at = |t: f64, v: f64| [x.at(t), y.at(v)];
     let made = figure("slide-to-roll", 386.0, words, |pen| {
         pen.line([at(0.0, 0.0), at(until, 0.0)], inked(AXIS));
         pen.line([[LEFT, y.ends[0]], [LEFT, y.ends[1]]], inked(AXIS));
         for (v, text) in y.ticks(38.0) {
-            let level = y.at(v);
-            pen.line([[LEFT - 5.0, level], [LEFT, level]], inked(AXIS));
-            pen.note([LEFT - 9.0, level + 5.0], End, &text);
+            pen.tick_beside([LEFT, y.at(v)], &text);
         }
         pen.note([8.0, 16.0], Start, "m/s");
         for (t, text) in x.ticks(75.0) {
@@ -99,31 +88,24 @@ pub fn lines(values: &Values) -> Result<Figure> {
             let event = courses[k].events.first();
             event.map_or([LEFT, ZERO], |event| at(event.time, event.moment.velocity))
         };
-        for (k, text, role, half) in [
-            (4, "*R*\u{03a9}, too fast", Omega, 48.0),
-            (0, "*R*\u{03a9}, backspin", Omega, 52.0),
-            (4, "*V*", Ink, 7.0),
+        for (k, start, text, role, half) in [
+            (4, highest, "*R*\u{03a9}, too fast", Omega, 48.0),
+            (0, lowest, "*R*\u{03a9}, backspin", Omega, 52.0),
+            (4, speed, "*V*", Ink, 7.0),
         ] {
-            let start = if text == "*V*" {
-                speed
-            } else {
-                shots[k].rim_speed
-            };
             let (from, to) = (at(0.0, start), meeting(k));
+            let beside = [[half + 8.0, -12.0], [half + 8.0, 14.0], [0.0, -14.0]];
             let places = (2..18).flat_map(|share| {
                 let on = between(from, to, 0.05 * f64::from(share));
-                [[half + 8.0, -12.0], [half + 8.0, 14.0], [0.0, -14.0]]
-                    .map(|[x, y]| [on[0] + x, on[1] + y])
+                beside.map(|beside| shifted(on, beside))
             });
-            pen.name(
-                places.filter(|p| p[0] > LEFT + half + 6.0),
-                text,
-                label(role),
-            );
+            let inside = places.filter(|p| p[0] > LEFT + half + 6.0);
+            pen.name(inside, text, label(role));
         }
     });
-    let mut made = made;
-    for (course, height) in courses.iter().zip(heights) {
+    let columns = "time (s) | velocity (m/s) | rim speed (m/s)";
+    let shots = courses.iter().zip(heights);
+    Ok(shots.fold(made, |made, (course, height)| {
         let events = course.events.iter().map(|event| event.time);
         let corners = core::iter::once(0.0).chain(events).chain([until]);
         let row = |t: f64| {
@@ -131,8 +113,6 @@ pub fn lines(values: &Values) -> Result<Figure> {
             [t, moment.velocity, moment.rim_speed]
         };
         let shot = format!("H = {} R", short(height, 2));
-        let columns = "time (s) | velocity (m/s) | rim speed (m/s)";
-        made = made.data(shot, columns, corners.map(row));
-    }
-    Ok(made)
+        made.data(shot, columns, corners.map(row))
+    }))
 }

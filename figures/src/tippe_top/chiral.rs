@@ -9,7 +9,7 @@ parameters! {
     RELEASE: "tilt", r"\theta_0", "°", "tilt at the release", [1.0, 30.0], 3.0;
 }
 /// What may be chosen.
-pub const BOTH_SPINS: &[Parameter] = &[
+pub const BOTH_SPINS: [Parameter; 3] = [
     SPIN.between([60.0, 200.0], super::CHIRAL_SPIN),
     RELEASE,
     FRICTION.between([0.1, 0.6], 0.3),
@@ -20,13 +20,11 @@ const END: f64 = 3.0;
 
 /// One body, two answers.
 pub fn both_spins(values: &Values) -> Result<Figure> {
-    let [spin, tilt, mu] = [0, 1, 2].map(|k| values.of(&BOTH_SPINS[k]));
-    let runs = [-spin, spin].map(|spin| {
+    let [spin, tilt, mu] = values.each(BOTH_SPINS);
+    let runs = tried([-spin, spin], |spin| {
         let scene = chiral_scene(spin, tilt.to_radians(), 0.0, mu)?;
         run(&scene, END, 600, 1e-3)
-    });
-    let [clockwise, other] = runs;
-    let runs = [clockwise?, other?];
+    })?;
     let side = [0, 1].map(|k| passage(&runs[k], degrees, 90.0));
     let last = [0, 1].map(|k| degrees(&runs[k][600].1));
     let most = [0, 1].map(|k| greatest_tilt(&runs[k]));
@@ -43,20 +41,16 @@ pub fn both_spins(values: &Values) -> Result<Figure> {
             "Released like this, the top turns over neither way within three seconds."
         }
     };
-    let told = ["Clockwise", "Anticlockwise"]
-        .into_iter()
-        .enumerate()
-        .map(|(k, way)| match side[k] {
-            Some(time) => format!(
-                "{way} it is on its side after {time:.2} s and ends at {}°.",
-                number(last[k], 0)
-            ),
-            None => format!(
-                "{way} it stays below {}° for these {END} seconds.",
-                number(most[k], 1)
-            ),
-        });
-    let told = told.collect::<Vec<_>>().join(" ");
+    let told = [0, 1].map(|k| {
+        let (way, ends, most) = (["Clockwise", "Anticlockwise"][k], last[k], most[k]);
+        match side[k] {
+            Some(time) => {
+                format!("{way} it is on its side after {time:.2} s and ends at {ends:.0}°.")
+            }
+            None => format!("{way} it stays below {most:.1}° for these {END} seconds."),
+        }
+    });
+    let told = told.join(" ");
     let spun = number(spin, 1);
     let words = words!(
         "{claim}",

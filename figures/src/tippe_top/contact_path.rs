@@ -6,7 +6,7 @@ use super::{ALPHA, FRICTION, SPIN, degrees, run, toy_scene};
 use crate::prelude::*;
 
 /// What may be chosen; in the book slow enough to be followed with the eye.
-pub const PATH: &[Parameter] = &[
+pub const PATH: [Parameter; 3] = [
     SPIN.between([100.0, 400.0], 200.0),
     ALPHA.between([0.05, 0.4], 0.2),
     FRICTION,
@@ -14,7 +14,7 @@ pub const PATH: &[Parameter] = &[
 
 /// The point that touches the table walks from the heavy pole to the light one.
 pub fn path(values: &Values) -> Result<Figure> {
-    let [spin, alpha, mu] = [0, 1, 2].map(|k| values.of(&PATH[k]));
+    let [spin, alpha, mu] = values.each(PATH);
     // Four fifths of the time that the estimate allows.
     let end = 1.25 * (spin / 200.0) / (3.0 * mu);
     let rows = run(&toy_scene(alpha, spin, mu)?, end, 4000, 1e-3)?;
@@ -22,16 +22,12 @@ pub fn path(values: &Values) -> Result<Figure> {
     let aloft = aloft.count();
     // The contact lies opposite to the vertical, seen from K in the body's axes.
     let path: Vec<Vector> = rows.iter().map(|(_, s)| -s.up().components()).collect();
-    let turns: f64 = path
-        .windows(2)
-        .map(|pair| {
-            let angle = |p: &Vector| p.y.atan2(p.x);
-            let step = angle(&pair[1]) - angle(&pair[0]);
-            (step + PI).rem_euclid(TAU) - PI
-        })
-        .sum::<f64>()
-        .abs()
-        / TAU;
+    let turned = path.windows(2).map(|pair| {
+        let angle = |p: &Vector| p.y.atan2(p.x);
+        let step = angle(&pair[1]) - angle(&pair[0]);
+        (step + PI).rem_euclid(TAU) - PI
+    });
+    let turns = turned.sum::<f64>().abs() / TAU;
     let tilt = degrees(&rows[rows.len() - 1].1);
     let claim = if tilt > 150.0 {
         "On the ball, the point of contact walks from the heavy pole to the light one.".to_owned()
@@ -62,14 +58,12 @@ pub fn path(values: &Values) -> Result<Figure> {
         pen.lines(back, inked(SECONDARY).alpha(0.45));
         pen.lines(front, inked(1.2));
         pen.ring(center, radius, inked(AXIS));
-        let pole = |z: f64| view.project(&Vector::new(0.0, 0.0, z));
-        pen.line([pole(0.0), pole(-alpha)], inked(AXIS));
-        pen.dot(pole(0.0), 3.6);
-        pen.dot(pole(-alpha), 3.6);
-        let [x, y] = pole(0.0);
-        pen.label([x + 8.0, y], Start, "*K*");
-        let [x, y] = pole(-alpha);
-        pen.label([x + 8.0, y + 12.0], Start, "*C*");
+        let [k, c] = [0.0, -alpha].map(|z| view.project(&(Vector::z() * z)));
+        pen.line([k, c], inked(AXIS));
+        pen.dot(k, 3.6);
+        pen.dot(c, 3.6);
+        pen.label(shifted(k, [8.0, 0.0]), Start, "*K*");
+        pen.label(shifted(c, [8.0, 12.0]), Start, "*C*");
         let first = view.project(&path[0]);
         pen.dot(first, 4.0);
         pen.note([474.0, 316.0], Start, "starts here");

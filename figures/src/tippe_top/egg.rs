@@ -9,7 +9,7 @@ use crate::prelude::*;
 /// Half length and half thickness in the film, units.
 const HALF: [f64; 2] = [51.0, 34.0];
 /// What may be chosen in the film.
-pub const FILM: &[Parameter] = &[
+pub const FILM: [Parameter; 2] = [
     TURNS.between([8.0, 30.0], 20.0),
     FRICTION.between([0.05, 0.3], 0.1),
 ];
@@ -34,7 +34,7 @@ fn outline(tilt: f64) -> (Vec<Point>, f64) {
 
 /// An egg that was laid down and spun stands up.
 pub fn egg_film(values: &Values) -> Result<Figure> {
-    let (turns, mu) = (values.of(&FILM[0]), values.of(&FILM[1]));
+    let [turns, mu] = values.each(FILM);
     let rows = run(&egg_scene(turns, mu)?, 2.5 * 0.1 / mu, 500, 1e-2)?;
     let last = slope(rows[500].1.tilt());
     let levels = [70.0, 50.0, 30.0, 6.0].map(|level| {
@@ -47,15 +47,13 @@ pub fn egg_film(values: &Values) -> Result<Figure> {
     if frames.len() < 5 {
         frames.push((rows[500].0, last.to_radians()));
     }
-    let ends = number(last, 0);
+    let (ends, after) = (number(last, 0), number(rows[500].0, 1));
     let claim = match frames.len() {
         2 => format!(
-            "Laid down and spun so sluggishly, a boiled egg stays down: after {} seconds its axis is {ends} degrees from the vertical.",
-            number(rows[500].0, 1)
+            "Laid down and spun so sluggishly, a boiled egg stays down: after {after} seconds its axis is {ends} degrees from the vertical."
         ),
         _ if last > 7.0 => format!(
-            "Laid down and spun, a boiled egg rises part of the way in {} seconds, to {ends} degrees from the vertical.",
-            number(rows[500].0, 1)
+            "Laid down and spun, a boiled egg rises part of the way in {after} seconds, to {ends} degrees from the vertical."
         ),
         _ => "Laid down and spun hard, a boiled egg stands up.".to_owned(),
     };
@@ -85,15 +83,12 @@ pub fn egg_film(values: &Values) -> Result<Figure> {
 fn one(pen: &mut Pen, foot: Point, time: f64, tilt: f64) {
     let (points, low) = outline(tilt);
     let center = [foot[0], foot[1] - low];
-    let moved = points.iter().map(|p| [center[0] + p[0], center[1] + p[1]]);
+    let moved = points.iter().map(|p| shifted(center, *p));
     let moved: Vec<Point> = moved.collect();
     pen.fill(&moved, Ink, 0.09);
     pen.outline(&moved, inked(1.4));
-    let tip = |sign: f64| {
-        let [x, y] = polar([0.0, 0.0], HALF[0], FRAC_PI_2 - tilt);
-        [center[0] + sign * x, center[1] + sign * y]
-    };
-    pen.line([tip(1.0), tip(-1.0)], inked(HAIR).alpha(0.7));
+    let tips = [1.0, -1.0].map(|side| polar(center, side * HALF[0], FRAC_PI_2 - tilt));
+    pen.line(tips, inked(HAIR).alpha(0.7));
     pen.dot(center, 2.8);
     let place = [foot[0], foot[1] + 22.0];
     pen.note(place, Middle, &format!("{}°", number(tilt.to_degrees(), 0)));
@@ -102,11 +97,10 @@ fn one(pen: &mut Pen, foot: Point, time: f64, tilt: f64) {
 
 /// A sluggish egg rises part of the way, then rolls. Seven runs of eight seconds: a constant figure.
 pub fn how_far_eggs_rise(_: &Values) -> Result<Figure> {
-    let one = |turns: f64| -> Result<f64> {
+    let ends = tried(SPINS, |turns| {
         let rows = run(&egg_scene(turns, 0.1)?, 8.0, 8, 1e-2)?;
         Ok(slope(rows[8].1.tilt()))
-    };
-    let ends = SPINS.iter().map(|&n| one(n)).collect::<Result<Vec<_>>>()?;
+    })?;
     let [eight, ten] = numbers([ends[0], ends[2]], 0);
     let twenty = number(ends[6], 1);
     let words = words!(

@@ -6,15 +6,14 @@ use super::{ALPHA, GAMMA, SPIN, VISCOUS, degrees, run, tippe, tippe_scene};
 use crate::prelude::*;
 
 /// What may be chosen.
-pub const ENERGY: &[Parameter] = &[SPIN, VISCOUS, ALPHA.between([0.1, 0.5], 0.3)];
+pub const ENERGY: [Parameter; 3] = [SPIN, VISCOUS, ALPHA.between([0.1, 0.5], 0.3)];
 
 /// How long it is followed, s.
 const END: f64 = 8.0;
 
 /// The centre of mass climbs, and the spin pays for it several times over.
 pub fn height_and_energy(values: &Values) -> Result<Figure> {
-    let alpha = values.of(&ENERGY[2]);
-    let (spin, friction) = (values.of(&SPIN), values.of(&VISCOUS));
+    let [spin, friction, alpha] = values.each(ENERGY);
     let scene = tippe_scene(&tippe(alpha, GAMMA.default)?, spin, friction)?;
     let rows = run(&scene, END, 400, 1e-3)?;
     let (first, last) = (rows[0].1, rows[rows.len() - 1].1);
@@ -43,9 +42,8 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
         Some(half) => format!("It lies on its side at {half:.2} s"),
         None => "It does not get to its side".to_owned(),
     };
-    let steady = rows
-        .windows(2)
-        .all(|pair| pair[1].1.energy <= pair[0].1.energy * (1.0 + 1e-6));
+    let energies: Vec<f64> = rows.iter().map(|(_, s)| s.energy).collect();
+    let steady = energies.is_sorted_by(|before, after| *after <= before * (1.0 + 1e-6));
     let [low, high] = numbers([first, last].map(|s| 1e3 * s.position.z()), 2);
     let climb = number(1e3 * gain, 2);
     let energies = [first, last].map(|s| 1e3 * s.energy);
@@ -78,24 +76,17 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
         if let Some(half) = half {
             let line = [frame.at(half, 0.0), frame.at(half, top)];
             pen.line(line, muted(HAIR).dotted());
-            let (side, anchor) = if half < 6.0 {
-                (6.0, Start)
-            } else {
-                (-6.0, End)
+            let (side, anchor) = match half < 6.0 {
+                true => (6.0, Start),
+                false => (-6.0, End),
             };
-            let place = [line[1][0] + side, line[1][1] + 8.0];
-            pen.remark(place, anchor, "on its side");
+            pen.remark(shifted(line[1], [side, 8.0]), anchor, "on its side");
         }
         let ends = [1e3 * last.energy, height(&last)].map(|y| frame.y.at(y));
         let places = apart(&ends, 24.0, 308.0);
-        let of = places[1] + 18.0;
-        for (y, text) in [
-            (places[0], "energy"),
-            (places[1], "*Mg* × height"),
-            (of, "of *C*"),
-        ] {
-            pen.label([490.0, y + 5.0], Start, text);
-        }
+        pen.label([490.0, places[0] + 5.0], Start, "energy");
+        pen.label([490.0, places[1] + 5.0], Start, "*Mg* × height");
+        pen.label([490.0, places[1] + 23.0], Start, "of *C*");
         // In the early gap, which is the wider one.
         let early = &rows[95].1;
         let (upper, lower) = (frame.y.at(1e3 * early.energy), frame.y.at(height(early)));
@@ -108,7 +99,7 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
     let table = rows.iter().map(|(t, s)| [*t, 1e3 * s.energy, height(s)]);
     Ok(made
         .data("tippe top", columns, table)
-        .value("climb", number(1e3 * gain, 2))
-        .value("before", number(1e3 * first.energy, 2))
-        .value("after", number(1e3 * last.energy, 2)))
+        .value("climb", climb)
+        .value("before", before)
+        .value("after", after))
 }

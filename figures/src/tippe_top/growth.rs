@@ -11,7 +11,7 @@ parameters! {
     SKEW: "skew", "s", "", "skewness of the inertia matrix, over that of the book's top", [0.0, 1.5], 1.0;
 }
 /// What may be chosen.
-pub const GROWTH: &[Parameter] = &[RATE_OF_SPIN, SKEW, ALPHA.between([0.15, 0.25], 0.19)];
+pub const GROWTH: [Parameter; 3] = [RATE_OF_SPIN, SKEW, ALPHA.between([0.15, 0.25], 0.19)];
 
 /// Friction and rates shown.
 const MU: [f64; 2] = [1e-3, 0.25];
@@ -22,11 +22,7 @@ const STEP: f64 = 1.258_925_411_794_167_2;
 /// Handedness is of second order in friction.
 pub fn growth_rates(values: &Values) -> Result<Figure> {
     let (natural, speed) = ((G / 0.02).sqrt(), (G * 0.02).sqrt());
-    let (spin, skew, alpha) = (
-        values.of(&RATE_OF_SPIN),
-        values.of(&SKEW),
-        values.of(&GROWTH[2]),
-    );
+    let [spin, skew, alpha] = values.each(GROWTH);
     let mut inertia = chiral_top()?.inertia().matrix() / 0.02_f64.powi(3);
     for (i, j) in [(0, 1), (0, 2), (1, 2)] {
         (inertia[(i, j)], inertia[(j, i)]) = (skew * inertia[(i, j)], skew * inertia[(j, i)]);
@@ -34,10 +30,8 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
     let body = eccentric_ball(0.02, 0.02, alpha, inertia)?;
     let swing = |mu: f64, sense: f64| -> Result<f64> {
         let law = Regularised::new(mu, 1e-3 * speed)?;
-        Ok(quasi_steady(&body, G, law, sense * spin * natural)?
-            .slow_swing
-            .growth
-            / natural)
+        let steady = quasi_steady(&body, G, law, sense * spin * natural)?;
+        Ok(steady.slow_swing.growth / natural)
     };
     // Where the top has no such state, nothing is drawn.
     let both = |mu: f64| Some((mu, swing(mu, 1.0).ok()?, swing(mu, -1.0).ok()?));
@@ -120,11 +114,8 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
                 continue;
             }
             let half = [4.2 * text.chars().count() as f64, 8.0];
-            let sides = if which == 0 {
-                [26.0, 44.0, -26.0, -44.0]
-            } else {
-                [-26.0, -44.0, 26.0, 44.0]
-            };
+            let side = [1.0, -1.0][which];
+            let sides = [26.0, 44.0, -26.0, -44.0].map(|far| side * far);
             let middle = line.len() / 2;
             let order = (0..line.len()).map(|k| match k % 2 {
                 0 => middle - k / 2,

@@ -10,7 +10,7 @@ parameters! {
     OFF_LEVEL: "tilt", r"\theta_0", "°", "angle off level at the release", [0.1, 5.0], 0.5, logarithmic;
 }
 /// What may be chosen.
-pub const REVERSALS: &[Parameter] = &[SPIN.between([1.0, 8.0], 5.0), OFF_LEVEL];
+pub const REVERSALS: [Parameter; 2] = [SPIN.between([1.0, 8.0], 5.0), OFF_LEVEL];
 
 /// How long the stones are followed, s.
 const END: f64 = 14.0;
@@ -40,24 +40,22 @@ fn spins(rows: &[(f64, State)]) -> impl Iterator<Item = Point> {
 
 /// It turns back from one sense quickly, from the other slowly.
 pub fn reversals(values: &Values) -> Result<Figure> {
-    let (spin, tilt) = (values.of(&REVERSALS[0]), values.of(&OFF_LEVEL));
-    let [quick, slow] = [-spin, spin].map(|spin| followed(spin, tilt.to_radians()));
-    let ((quick, first), (slow, second)) = (quick?, slow?);
+    let [spin, tilt] = values.each(REVERSALS);
+    let (quick, first) = followed(-spin, tilt.to_radians())?;
+    let (slow, second) = followed(spin, tilt.to_radians())?;
     let lost = [&quick, &slow].map(|rows| rows.last().map_or(0.0, |row| row.0));
     let back = [
-        passage(&quick, |s| s.spin(), 0.0),
+        passage(&quick, State::spin, 0.0),
         passage(&slow, |s| -s.spin(), 0.0),
     ];
+    let [wrong, right] = lost;
+    let does = match first || second {
+        true => "leaves the table",
+        false => "shakes itself beyond foretelling",
+    };
     let claim = match back {
-        _ if lost[0].min(lost[1]) < END => format!(
-            "So far off level and so fast, the stone {}: the curves end after {} seconds spun the wrong way, {} the right way.",
-            if first || second {
-                "leaves the table"
-            } else {
-                "shakes itself beyond foretelling"
-            },
-            number(lost[0], 2),
-            number(lost[1], 2)
+        _ if wrong.min(right) < END => format!(
+            "So far off level and so fast, the stone {does}: the curves end after {wrong:.2} seconds spun the wrong way, {right:.2} the right way."
         ),
         [Some(wrong), Some(right)] if right > wrong => format!(
             "A rattleback spun the wrong way rattles, stops and turns back; spun the right way it takes {} times as long about it.",
@@ -100,8 +98,8 @@ pub fn reversals(values: &Values) -> Result<Figure> {
             (-least, "the wrong way", Ink),
             (least, "the right way", Muted),
         ] {
-            let [x, y] = frame.at(0.6, at);
-            pen.text([x, y + 5.0], Start, text, label(role));
+            let at = shifted(frame.at(0.6, at), [0.0, 5.0]);
+            pen.text(at, Start, text, label(role));
         }
     });
     let columns = "time (s) | spin (rad/s)";

@@ -12,7 +12,7 @@ parameters! {
     PRODUCT: "product", "I_{12}/M", "cm²", "product of inertia over the mass", [-2.0, 2.0], -0.2;
 }
 /// What may be chosen.
-pub const STONE: &[Parameter] = &[PRODUCT, SPIN.between([1.0, 8.0], 5.0)];
+pub const STONE: [Parameter; 2] = [PRODUCT, SPIN.between([1.0, 8.0], 5.0)];
 
 /// Half axes of the belly, m; its middle on the page, units to a metre.
 const BELLY: [f64; 3] = [0.2, 0.03, 0.02];
@@ -31,7 +31,7 @@ fn stone(product: f64) -> Result<ConvexBody> {
 
 /// Its outline with both pairs of axes, the tip enlarged.
 pub fn two_pairs_of_axes(values: &Values) -> Result<Figure> {
-    let (product, spin) = (values.of(&PRODUCT), values.of(&STONE[1]));
+    let [product, spin] = values.each(STONE);
     let body = stone(1e-4 * product)?;
     let axes = body.inertia().principal_axes().axes;
     let angle = (axes[(1, 0)] / axes[(0, 0)]).atan();
@@ -41,10 +41,8 @@ pub fn two_pairs_of_axes(values: &Values) -> Result<Figure> {
     let out = number(angle.abs().to_degrees(), 2);
     let none = 1e-4;
     let told = rates.map(|rate| match rate > none {
-        true => format!(
-            "grows at {} per second",
-            number(rate, if rate < 0.995 { 4 } else { 3 })
-        ),
+        true if rate < 0.995 => format!("grows at {rate:.4} per second"),
+        true => format!("grows at {rate:.3} per second"),
         false => "does not grow".to_owned(),
     });
     let claim = match (fast > none, slow > none) {
@@ -79,35 +77,27 @@ pub fn two_pairs_of_axes(values: &Values) -> Result<Figure> {
             .map(f64::sin_cos)
             .map(|(s, c)| [METRE * BELLY[0] * c, METRE * BELLY[1] * s])
             .collect();
-        let placed = outline.iter().map(|p| [MIDDLE[0] + p[0], MIDDLE[1] - p[1]]);
+        let placed = outline.iter().map(|p| planned(MIDDLE, 1.0, *p));
         let placed: Vec<Point> = placed.collect();
         pen.fill(&placed, Ink, 0.08);
         pen.outline(&placed, inked(SECONDARY));
         let cross = |pen: &mut Pen, turned: f64, style: Stroke| {
             for (turned, half) in [(turned, 284.0), (turned + FRAC_PI_2, 70.0)] {
-                pen.line(
-                    [
-                        polar(MIDDLE, half, turned + PI),
-                        polar(MIDDLE, half, turned),
-                    ],
-                    style,
-                );
+                let ends = [turned + PI, turned].map(|way| polar(MIDDLE, half, way));
+                pen.line(ends, style);
             }
         };
         cross(pen, 0.0, belly);
         cross(pen, angle, inertia);
         pen.dot(MIDDLE, 3.5);
         lens(pen, &outline, angle, [belly, inertia]);
-        for (k, (way, text)) in [("clockwise", &told[0]), ("anticlockwise", &told[1])]
-            .into_iter()
-            .enumerate()
-        {
-            let center = [54.0, 204.0 + 74.0 * k as f64];
-            let (from, to) = [(2.6, 0.5), (0.5, 2.6)][k];
-            pen.arc_arrow([center[0], center[1] + 6.0], 24.0, from, to, inked(DATA));
-            pen.label([center[0] + 44.0, center[1] - 4.0], Start, way);
-            let text = format!("rattling {text}");
-            pen.note([center[0] + 44.0, center[1] + 18.0], Start, &text);
+        for (way, text, y, [from, to]) in [
+            ("clockwise", clockwise, 204.0, [2.6, 0.5]),
+            ("anticlockwise", other, 278.0, [0.5, 2.6]),
+        ] {
+            pen.arc_arrow([54.0, y + 6.0], 24.0, from, to, inked(DATA));
+            pen.label([98.0, y - 4.0], Start, way);
+            pen.note([98.0, y + 18.0], Start, &format!("rattling {text}"));
         }
     });
     let columns = "angle (°) | growth clockwise (1/s) | growth anticlockwise (1/s)";
@@ -120,12 +110,8 @@ fn lens(pen: &mut Pen, outline: &[Point], angle: f64, [belly, inertia]: [Stroke;
     let (center, radius, times) = LENS;
     let tip = METRE * BELLY[0];
     // The tip stands right of the middle of the lens.
-    let place = |p: &Point| {
-        [
-            center[0] + 0.4 * radius + times * (p[0] - tip),
-            center[1] - times * p[1],
-        ]
-    };
+    let origin = shifted(center, [0.4 * radius, 0.0]);
+    let place = |p: &Point| planned(origin, times, [p[0] - tip, p[1]]);
     let within = |p: &Point| distance(*p, center) < radius - 1.0;
     let axis = |turned: f64| -> Vec<Point> {
         (-400..=400)

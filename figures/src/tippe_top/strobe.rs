@@ -18,20 +18,17 @@ const RADIUS: f64 = 36.0;
 
 /// Seven looks at one top, spun one way and the other.
 pub fn strobed(values: &Values) -> Result<Figure> {
-    let [spin, tilt, mu, step] = [0, 1, 2, 3].map(|k| values.of(&STROBED[k]));
+    let ([spin, tilt, mu], step) = (values.each(BOTH_SPINS), values.of(&STEP));
     let end = step * f64::from(PICTURES - 1);
-    let rows = [-spin, spin].map(|spin| {
+    let rows = tried([-spin, spin], |spin| {
         let scene = chiral_scene(spin, tilt.to_radians(), 0.0, mu)?;
         run(&scene, end, PICTURES - 1, 1e-2)
-    });
-    let [over, stays] = rows;
-    let rows = [over?, stays?];
-    let told = |k: usize| -> Vec<String> {
-        let tilts = tilts(&rows[k]);
-        tilts.map(|[_, tilt]| number(tilt, 0)).collect()
-    };
+    })?;
     let spun = number(spin, 1);
-    let [above, below] = [0, 1].map(|k| told(k).join(", "));
+    let [above, below] = [0, 1].map(|k: usize| {
+        let told = tilts(&rows[k]).map(|[_, tilt]| number(tilt, 0));
+        told.collect::<Vec<_>>().join(", ")
+    });
     let words = words!(
         "Seven looks at one top: clockwise above, anticlockwise below.",
         "The chiral top every {step:.2} s, released at {tilt:.0}° with {spun} rad/s, $\\mu = {mu:.2}$. The dark cap is on the light side of the ball, so it is on top of one that \
@@ -52,16 +49,14 @@ pub fn strobed(values: &Values) -> Result<Figure> {
 fn row(pen: &mut Pen, rows: &[(f64, State)], floor: f64, name: &str) {
     table(pen, 8.0, 592.0, floor);
     pen.label([10.0, floor - 2.0 * RADIUS - 14.0], Start, name);
-    let x = 116.0;
-    let y = floor - 2.0 * RADIUS - 19.0;
-    let arrow = inked(DATA);
-    let from = if name.len() > 9 { x + 10.0 } else { x - 22.0 };
-    let (a, b) = ([from, y], [from + 34.0, y]);
-    if name.len() > 9 {
-        pen.arrow(a, b, arrow);
+    // The near side goes to the left if the top is spun clockwise, seen from above.
+    let ends = if name == "clockwise" {
+        [128.0, 94.0]
     } else {
-        pen.arrow(b, a, arrow);
-    }
+        [126.0, 160.0]
+    };
+    let [from, to] = ends.map(|x| [x, floor - 2.0 * RADIUS - 19.0]);
+    pen.arrow(from, to, inked(DATA));
     for (k, (time, state)) in rows.iter().enumerate() {
         let center = [50.0 + 83.3 * k as f64, floor - RADIUS];
         ball(pen, &state.attitude, center, RADIUS, 0.6);

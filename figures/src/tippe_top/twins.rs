@@ -8,9 +8,6 @@ use super::beads::{inside, view};
 use super::{BOTH_SPINS, body_scene, degrees, greatest_tilt, run, tilts};
 use crate::prelude::*;
 
-/// What may be chosen: the release of the figure with both spins.
-pub const TWINS: &[Parameter] = BOTH_SPINS;
-
 /// How long the tops are followed, s; pictures of each; radius of a picture.
 const END: f64 = 3.0;
 const PICTURES: usize = 4;
@@ -18,21 +15,14 @@ const RADIUS: f64 = 30.0;
 
 /// One spin, a body and its mirror image, two answers.
 pub fn twins(values: &Values) -> Result<Figure> {
-    let [spin, tilt, mu] = [0, 1, 2].map(|k| values.of(&TWINS[k]));
+    let [spin, tilt, mu] = values.each(BOTH_SPINS);
     let top = bodies::chiral_top()?;
     let tops = [top, top.mirrored()];
-    let [own, image] = tops.map(|body| inside(&body));
-    let rods = [own?, image?];
-    let runs = tops.map(|body| {
-        run(
-            &body_scene(body, -spin, tilt.to_radians(), 0.0, mu)?,
-            END,
-            600,
-            1e-3,
-        )
-    });
-    let [first, second] = runs;
-    let runs = [first?, second?];
+    let rods = tried(&tops, inside)?;
+    let runs = tried(tops, |body| {
+        let scene = body_scene(body, -spin, tilt.to_radians(), 0.0, mu)?;
+        run(&scene, END, 600, 1e-3)
+    })?;
     let side = [0, 1].map(|k| passage(&runs[k], degrees, 90.0));
     let most = [0, 1].map(|k| greatest_tilt(&runs[k]));
     let claim = match side.map(|time| time.is_some()) {

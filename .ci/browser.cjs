@@ -170,6 +170,7 @@ async function toBothEnds() {
                 const said = [...figure.querySelectorAll('figcaption > .formula, .live')].map((one) => one.textContent).join(' ');
                 if (/[\\${}]/.test(said)) fault(`no formula: ${said}`);
                 if (slider.getBoundingClientRect().height < 24) fault('too low for a finger');
+                if (/10[⁻⁰-⁹]/.test(slider.getAttribute('aria-valuetext'))) fault('a power is not told in words');
                 figure.querySelector('.live button').click();
                 if (picture().outerHTML !== printed || figure.querySelector('figcaption').outerHTML !== words) fault('the printed figure does not come back');
             }

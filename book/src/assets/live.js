@@ -41,9 +41,10 @@ function element(tag, properties, ...children) {
 }
 
 // LaTeX of one line as letters, raised and lowered ones among them. What the press has set already is taken from the page instead.
+const TIMES = '\u2009·\u2009';
 const SIGNS = {
     alpha: 'α', gamma: 'γ', epsilon: 'ϵ', varepsilon: 'ε', theta: 'θ', kappa: 'κ', lambda: 'λ', mu: 'μ', rho: 'ρ', varphi: 'φ', Psi: 'Ψ', Omega: 'Ω', Delta: 'Δ',
-    ell: 'ℓ', perp: '⊥', pm: '±', cdot: '\u2009·\u2009', lvert: '|', rvert: '|', cos: '\u2009cos\u2009', ln: '\u2009ln\u2009', ',': '\u2009',
+    ell: 'ℓ', perp: '⊥', pm: '±', cdot: TIMES, lvert: '|', rvert: '|', cos: '\u2009cos\u2009', ln: '\u2009ln\u2009', ',': '\u2009',
 };
 function readable(latex) {
     const tokens = latex.match(/\\[A-Za-z]+|\\.|[0-9.]+|\S/gu) ?? [];
@@ -100,7 +101,9 @@ const aloud = (power) => ` to the power of ${power.replace('-', '−')}`;
 function shown(value, raise = raised) {
     const round = Number(value.toPrecision(4));
     const text = round !== 0 && Math.abs(round) < 1e-4 ? round.toExponential() : String(round);
-    return text.replace(/^-/, '−').replace(/^1e(.+)/, (_, power) => `10${raise(power)}`).replace(/e(.+)/, (_, power) => `\u2009·\u200910${raise(power)}`);
+    const [digits, power] = text.replace(/^-/, '−').split('e');
+    if (!power) return digits;
+    return `${digits === '1' ? '' : `${digits}${TIMES}`}10${raise(power)}`;
 }
 const tidy = (value) => Number(value.toPrecision(12));
 
@@ -120,7 +123,7 @@ function spoken(...parts) {
         const text = power.textContent;
         if (/\w/.test(text) && power.nextSibling?.textContent !== '⁄') power.textContent = { 2: ' squared', 3: ' cubed' }[text] ?? aloud(text);
     }
-    return words.textContent;
+    return words.textContent.replaceAll(TIMES, ' times ');
 }
 
 // What is said aloud, a second after the hand rests.
@@ -173,7 +176,7 @@ function live(figure) {
         input.value = place(values[key]);
         const measured = (number) => `${number}${unit && !unit.startsWith('°') ? ' ' : ''}${unit}`;
         output.textContent = measured(shown(values[key]));
-        input.setAttribute('aria-valuetext', measured(shown(values[key], aloud)));
+        input.setAttribute('aria-valuetext', measured(shown(values[key], aloud).replace(TIMES, ' times ')));
     }
     // The same at a round value, unless that is beyond an end.
     function rest(key, wanted, grain = 1) {

@@ -22,10 +22,10 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
     let gain = weight * (last.position.z() - first.position.z());
     let loss = first.energy - last.energy;
     let ends = number(degrees(&last), 0);
+    let taken = number(loss / gain, 1);
     let paid = if gain > 0.05 * weight * 0.02 * alpha {
         format!(
-            "its energy falls: the spin pays the climb, and friction takes {} times as much.",
-            number(loss / gain, 1)
+            "its energy falls: the spin pays the climb, and friction takes {taken} times as much."
         )
     } else {
         "what friction takes does not lift it.".to_owned()
@@ -100,6 +100,7 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
     Ok(made
         .data("tippe top", columns, table)
         .value("climb", climb)
+        .value("taken", taken)
         .value("before", before)
         .value("after", after))
 }

@@ -1,11 +1,12 @@
 //! What a throw keeps (tutorial 3.2, 3.3): L of a brick in the air, and Ω that wanders about it.
 
-use crate::prelude::*;
 use nalgebra::UnitQuaternion;
 use spinning_bodies::conservation::uniform_gravity;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use spinning_bodies::inertia::{PlatonicSolid, shapes};
+
+use crate::prelude::*;
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[of("thrown-brick", &[OFF, TURNS], thrown_brick)];

@@ -2,12 +2,13 @@
 
 mod triangle;
 
-use crate::prelude::*;
 use spinning_bodies::euler_equations::{
     AxisMoments, Equilibrium, Nature, equilibria, fastest_flow, separatrix_slope, streamline,
 };
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::PrincipalMoments;
+
+use crate::prelude::*;
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
@@ -240,20 +241,20 @@ pub fn momentum_flow(values: &Values) -> Result<Figure> {
                 Nature::Saddle => "a saddle",
                 Nature::Degenerate => "at rest",
             };
-            let mut line = |dx: f64, dy: f64, anchor: Anchor, text: &str| {
-                pen.label([at[0] + dx, at[1] + dy], anchor, text);
+            pen.label(at, anchor, &format!("*x*_{{{}}}", axis + 1));
+            if axis == 2 {
+                let text = format!("{size} {nature}");
+                pen.label(shifted(at, [20.0, 0.0]), Start, &text);
+                continue;
+            }
+            // Below each other, next to the sphere in short lines.
+            let lines: Vec<&str> = match axis {
+                0 => size.split(' ').chain([nature]).collect(),
+                _ => vec![size, nature],
             };
-            line(0.0, 0.0, anchor, &format!("*x*_{{{}}}", axis + 1));
-            match axis {
-                0 => {
-                    let pieces = size.split(' ').chain([nature]).zip(1_u8..);
-                    pieces.for_each(|(text, k)| line(0.0, 3.0 + 19.0 * f64::from(k), anchor, text));
-                }
-                1 => {
-                    line(0.0, 22.0, anchor, size);
-                    line(0.0, 41.0, anchor, nature);
-                }
-                _ => line(20.0, 0.0, Start, &format!("{size} {nature}")),
+            for (text, k) in lines.into_iter().zip(1_u8..) {
+                let below = 3.0 + 19.0 * f64::from(k);
+                pen.label(shifted(at, [0.0, below]), anchor, text);
             }
         }
         // Named where it leaves the picture's half of the sphere at the upper left.

@@ -3,7 +3,7 @@
 use std::fmt::{Display, Write as _};
 
 use crate::Figure;
-use crate::style::{LEAST, Role, SCALE};
+use crate::style::{self, LEAST, Role, SCALE};
 
 /// How a file looks that is looked at by itself.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -270,16 +270,7 @@ pub fn stops(name: &str, moving: &str) -> String {
     )
 }
 
-/// A number without the digits that say nothing.
+/// A number without the digits that say nothing, and with the minus of a style sheet.
 pub fn short(value: f64, digits: usize) -> String {
-    let text = format!("{value:.digits$}");
-    let text = if digits > 0 {
-        text.trim_end_matches('0').trim_end_matches('.')
-    } else {
-        &text
-    };
-    match text {
-        "-0" | "" => "0".to_owned(),
-        _ => text.to_owned(),
-    }
+    style::short(value, digits).replace('\u{2212}', "-")
 }

@@ -2,13 +2,14 @@
 
 use core::f64::consts::FRAC_PI_6;
 
-use crate::prelude::*;
 use spinning_bodies::conservation::uniform_gravity;
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use spinning_bodies::lagrange_top::{LagrangeTop, PurePrecession, pure_precession};
 
+use crate::prelude::*;
+
 /// The figures of the chapter, in its order.
-pub const FIGURES: &[Entry] = &[of("gyroscope", GYROSCOPE, gyroscope)];
+pub const FIGURES: &[Entry] = &[of("gyroscope", &[TURNS, TILT], gyroscope)];
 
 /// The chapter's toy: mass, kg, place of its centre on the axle, m, radius of the wheel, m, moments about the support, kg m².
 const MASS: f64 = 0.1;
@@ -26,8 +27,6 @@ parameters! {
     TURNS: "turns", "n", "turns/s", "spin of the wheel", [60.0, 150.0], 100.0;
     TILT: "tilt", r"\theta", "°", "angle of the axle from the vertical", [30.0, 120.0], 90.0;
 }
-/// What may be chosen.
-pub const GYROSCOPE: &[Parameter] = &[TURNS, TILT];
 
 /// How far the axle reaches, m.
 const HOLD: f64 = 0.06;
@@ -47,14 +46,13 @@ fn view(values: &Values) -> View {
 
 /// The wheel on its axle, L now and a moment later, and the torque that carries the one to the other.
 pub fn gyroscope(values: &Values) -> Result<Figure> {
-    let (turns, tilt) = (values.of(&TURNS), values.of(&TILT).to_radians());
+    let [turns, degrees] = values.each([TURNS, TILT]);
+    let tilt = degrees.to_radians();
     let (l3, height) = (ALONG * TAU * turns, tilt.cos());
     let attitude = Attitude::about_axis(BodyVector::new(0.0, 1.0, 0.0), tilt)?;
     let center = attitude.to_space(BodyVector::new(0.0, 0.0, ARM));
     let [pivot, weight] = [0.0, -GRAVITY].map(|z| SpaceVector::new(0.0, 0.0, z));
-    let torque = uniform_gravity(MASS, center, pivot, weight)?
-        .torque
-        .components();
+    let weight = uniform_gravity(MASS, center, pivot, weight)?;
     let law = MASS * GRAVITY * ARM / l3;
     let rate = match pure_precession(ACROSS, MASS * GRAVITY * ARM, l3, height)? {
         PurePrecession::One(rate) | PurePrecession::Two { slow: rate, .. } => rate,
@@ -66,8 +64,8 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
         let state = top.at(time)?;
         Ok(state.attitude.to_space(state.angular_momentum).components())
     };
-    let path = spaced([0.0, TAU / rate], 180).map(momentum);
-    let path = path.collect::<Result<Vec<_>>>()?;
+    let times = spaced([0.0, TAU / rate], 180);
+    let path = tried(times.clone(), momentum)?;
     let [now, later] = [path[0], momentum(STEP)?];
     let percent = 1e2 * (rate / law - 1.0);
     let level = percent.abs() < 5e-4;
@@ -80,7 +78,7 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
         }
     };
     let (pace, round) = (number(rate, 3), number(TAU / rate, 2));
-    let (spun, lean) = (short(turns, 1), short(values.of(&TILT), 1));
+    let [spun, lean] = shorts([turns, degrees], 1);
     let words = words!(
         "The weight's torque pushes the tip of L sideways, so the axle goes round instead of down: at {pace} rad/s, {beside}.",
         "A wheel of 0.1 kg at $\\ell = 4$ cm from its support, $I_3 = 6 \\cdot 10^{{-5}}$ kg m², {spun} turns a second, axle {lean}° from the vertical. Orange: $L$ now and {STEP} s later, \
@@ -98,21 +96,14 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
         let axle = Vector::new(tilt.sin(), 0.0, tilt.cos());
         let foot = Vector::new(0.0, 0.0, -0.075);
         let hub = axle * ARM;
-        let rim = ellipse(
-            hub,
-            Vector::y() * WHEEL,
-            Vector::y().cross(&axle) * WHEEL,
-            96,
-        );
+        let [across, upward] = [Vector::y(), Vector::y().cross(&axle)];
+        let rim = view.trace(&ellipse(hub, across * WHEEL, upward * WHEEL, 96));
         let tips = [now, later].map(|l| l * LENGTH);
-        let circle: Vec<Vector> = path.iter().map(|l| l * LENGTH).collect();
-        let [circle, rim] = [&circle, &rim].map(|curve| view.trace(curve));
-        pen.outline(
-            view.trace(&ellipse(foot, Vector::x() * 0.018, Vector::y() * 0.018, 60)),
-            inked(AXIS),
-        );
+        let stand = ellipse(foot, Vector::x() * 0.018, Vector::y() * 0.018, 60);
+        pen.outline(view.trace(&stand), inked(AXIS));
         pen.line([at(&foot), at(&origin)], inked(DATA));
-        pen.line(&circle, muted(AXIS).dotted());
+        let circle = path.iter().map(|l| at(&(l * LENGTH)));
+        pen.line(circle, muted(AXIS).dotted());
         pen.line([at(&origin), at(&(axle * HOLD))], inked(SECONDARY));
         let style = stroke(AngularMomentum, DATA).alpha(0.5);
         pen.arrow(at(&origin), at(&tips[1]), style);
@@ -120,14 +111,14 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
         pen.outline(&rim, inked(SECONDARY));
         for k in 0..3 {
             let angle = f64::from(k) * 2.0 * FRAC_PI_6;
-            let spoke = Vector::y() * angle.cos() + Vector::y().cross(&axle) * angle.sin();
-            let ends = segment(hub - spoke * WHEEL, hub + spoke * WHEEL, 1);
+            let spoke = across * angle.cos() + upward * angle.sin();
+            let ends = [hub - spoke * WHEEL, hub + spoke * WHEEL];
             pen.line(view.trace(&ends), inked(AXIS).alpha(0.4));
         }
         pen.arrow(at(&origin), at(&tips[0]), stroke(AngularMomentum, 2.6));
         let down = hub - Vector::z() * 0.055;
         pen.arrow(at(&hub), at(&down), inked(DATA));
-        let pushed = tips[0] + torque * STEP * LENGTH;
+        let pushed = tips[0] + weight.torque.components() * STEP * LENGTH;
         pen.arrow(at(&tips[0]), at(&pushed), stroke(Torque, 2.6));
         let style = stroke(AngularMomentum, DATA).dashed();
         pen.arrow(at(&tips[0]), at(&tips[1]), style);
@@ -135,7 +126,7 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
 
         // Each name near its point, in this direction if there is room.
         let momentum = label(AngularMomentum);
-        let again = format!("once round in {} s", number(TAU / rate, 2));
+        let again = format!("once round in {round} s");
         for (by, direction, text, lettering) in [
             (0.8 * tips[0], -1.2, "*L*", momentum),
             (tips[1], 0.8, "*L* + *dL*", momentum),
@@ -152,18 +143,13 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
                 let angle = direction + TAU / 24.0 * f64::from(turned);
                 polar(at(&by), 18.0 + 8.0 * f64::from(out), angle)
             });
-            let places = places
-                .filter(|p| (44.0..556.0).contains(&p[0]) && (12.0..height - 12.0).contains(&p[1]));
-            pen.name(places, text, lettering);
+            let inside = within([44.0, 556.0], [12.0, height - 12.0]);
+            pen.name(places.filter(inside), text, lettering);
         }
     });
     let columns = "time (s) | L_x (kg m²/s) | L_y (kg m²/s) | L_z (kg m²/s)";
-    let rows = path.iter().enumerate();
-    Ok(made.data(
-        "tip of L",
-        columns,
-        rows.map(|(k, l)| [TAU / rate * k as f64 / 180.0, l.x, l.y, l.z]),
-    ))
+    let rows = times.zip(&path).map(|(time, l)| [time, l.x, l.y, l.z]);
+    Ok(made.data("tip of L", columns, rows))
 }
 
 #[cfg(test)]

@@ -1,7 +1,8 @@
 //! Hard cases (chapter "Hard cases"): the error of the textbook's formula beside the error of ours.
 
-use crate::prelude::*;
 use lab::hard_cases::{Comparison, Family, families};
+
+use crate::prelude::*;
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[

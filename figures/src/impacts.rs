@@ -1,11 +1,12 @@
 //! A meteorite tilts a planet (tutorial 4.2, picture c).
 
-use crate::prelude::*;
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::impacts::{Meteorite, Planet, strike};
 
+use crate::prelude::*;
+
 /// The figures of the chapter, in its order.
-pub const FIGURES: &[Entry] = &[of("meteorite", METEORITE, meteorite)];
+pub const FIGURES: &[Entry] = &[of("meteorite", &[MASS, HEIGHT, ACROSS, MOMENT], meteorite)];
 
 parameters! {
     MASS: "mass", "m/M", "", "mass of the meteorite over that of the planet", [0.001, 0.03], 0.01, logarithmic;
@@ -13,9 +14,6 @@ parameters! {
     ACROSS: "across", "-v_y", "", "speed of the meteorite along the circle of latitude, against the turn, radii a second over Ω", [0.0, 40.0], 20.0;
     MOMENT: "moment", "I/MR^2", "", "moment of inertia of the planet over MR²", [0.2, 0.66], 0.4;
 }
-
-/// What may be chosen of planet and meteorite.
-pub const METEORITE: &[Parameter] = &[MASS, HEIGHT, ACROSS, MOMENT];
 
 /// Where the planet is drawn, its radius and the length of Ω = 1, units.
 const CENTER: Point = [254.0, 252.0];
@@ -27,11 +25,11 @@ const GLASS_RADIUS: f64 = 74.0;
 
 /// A planet before and after a hit, exactly and in first order.
 pub fn meteorite(values: &Values) -> Result<Figure> {
-    let (mass, moment, small_mass) = (1.0, values.of(&MOMENT), values.of(&MASS));
-    let height = values.of(&HEIGHT);
+    let [small_mass, height, across, moment] = values.each([MASS, HEIGHT, ACROSS, MOMENT]);
+    let mass = 1.0;
     let out = ((1.0 - height) * (1.0 + height)).sqrt();
     let at = BodyVector::new(out, 0.0, height);
-    let velocity = BodyVector::new(-10.0, -values.of(&ACROSS), 5.0);
+    let velocity = BodyVector::new(-10.0, -across, 5.0);
     let before = BodyVector::new(0.0, 0.0, 1.0);
     let planet = Planet::spherical(mass, moment, BodyVector::zero(), before)?;
     let hit = strike(&planet, &Meteorite::new(small_mass, velocity)?, at)?;
@@ -86,11 +84,10 @@ pub fn meteorite(values: &Values) -> Result<Figure> {
         let place = view.project(&at.components());
         let back = velocity.components() / velocity.norm();
         let start = |far: f64| view.project(&(at.components() - far * back));
-        let inside = |p: Point| (40.0..400.0).contains(&p[0]) && (20.0..364.0).contains(&p[1]);
         // From as far away as there is room for.
-        let far = (0..60).map(|k| 3.3 - 0.05 * f64::from(k));
-        let far = far.into_iter().find(|far| inside(start(*far)));
-        let come = start(far.unwrap_or(0.3));
+        let far = (0..60).map(|k| start(3.3 - 0.05 * f64::from(k)));
+        let come = far.into_iter().find(within([40.0, 400.0], [20.0, 364.0]));
+        let come = come.unwrap_or(start(0.3));
         pen.line([CENTER, place], inked(AXIS).dotted());
         pen.arrow(come, place, inked(DATA));
         pen.dot(come, 7.0);
@@ -98,22 +95,12 @@ pub fn meteorite(values: &Values) -> Result<Figure> {
             let far = [1.0, 1.4, 1.9, 2.5];
             let places = far.into_iter().flat_map(|far| {
                 let (x, y) = (far * (half + 8.0), far * 14.0);
-                [
-                    [-x, 0.0],
-                    [x, 0.0],
-                    [-x, -y],
-                    [x, -y],
-                    [0.0, -y],
-                    [-x, y],
-                    [x, y],
-                    [0.0, y],
-                ]
-                .map(|[dx, dy]| [at[0] + dx, at[1] + dy])
+                let beside = [[-x, 0.0], [x, 0.0], [-x, -y], [x, -y]];
+                let around = [beside, [[0.0, -y], [-x, y], [x, y], [0.0, y]]];
+                around.concat().into_iter().map(move |by| shifted(at, by))
             });
-            let inside = places.filter(|p| {
-                (half + 4.0..412.0 - half).contains(&p[0]) && (14.0..368.0).contains(&p[1])
-            });
-            pen.name(inside, text, lettering);
+            let inside = within([half + 4.0, 412.0 - half], [14.0, 368.0]);
+            pen.name(places.filter(inside), text, lettering);
         };
         name(tips[0], "before, *Ω*", label(Omega), 42.0);
         name(tips[1], "after, *Ω*\u{2032}", label(Omega), 36.0);
@@ -146,20 +133,12 @@ fn glass(pen: &mut Pen, exact: Point, rough: Point) {
     pen.ring(exact, rim, inked(AXIS));
     let (dx, dy) = (GLASS[0] - exact[0], GLASS[1] - exact[1]);
     let way = dy.atan2(dx);
-    let start = [exact[0] + rim * way.cos(), exact[1] + rim * way.sin()];
-    let stop = [
-        GLASS[0] - GLASS_RADIUS * way.cos(),
-        GLASS[1] - GLASS_RADIUS * way.sin(),
-    ];
+    let start = polar(exact, rim, -way);
+    let stop = polar(GLASS, -GLASS_RADIUS, -way);
     pen.line([start, stop], inked(HAIR));
     pen.disc(GLASS, GLASS_RADIUS, Ink, 0.04);
     pen.ring(GLASS, GLASS_RADIUS, inked(SECONDARY));
-    let enlarged = |p: Point| {
-        [
-            GLASS[0] + magnified * (p[0] - exact[0]),
-            GLASS[1] + magnified * (p[1] - exact[1]),
-        ]
-    };
+    let enlarged = |[x, y]: Point| planned(GLASS, magnified, [x - exact[0], exact[1] - y]);
     for (tip, style) in [
         (exact, stroke(Omega, 2.8)),
         (rough, stroke(Omega, SECONDARY).dashed()),
@@ -167,9 +146,9 @@ fn glass(pen: &mut Pen, exact: Point, rough: Point) {
         // The shaft as far as the glass reaches.
         let there = enlarged(tip);
         let angle = (CENTER[1] - tip[1]).atan2(CENTER[0] - tip[0]);
-        let on = |t: f64| [there[0] + t * angle.cos(), there[1] + t * angle.sin()];
+        let on = |t: f64| polar(there, t, -angle);
         let mut t = 0.0;
-        while (on(t)[0] - GLASS[0]).hypot(on(t)[1] - GLASS[1]) < GLASS_RADIUS {
+        while distance(on(t), GLASS) < GLASS_RADIUS {
             t += 0.5;
         }
         pen.arrow(on(t), there, style);
@@ -178,17 +157,8 @@ fn glass(pen: &mut Pen, exact: Point, rough: Point) {
     let shaft = |tip: Point, end: Point| {
         let back = between(CENTER, tip, 0.5);
         let length = distance(back, tip).max(1.0);
-        along(
-            &[
-                end,
-                between(
-                    end,
-                    [end[0] + back[0] - tip[0], end[1] + back[1] - tip[1]],
-                    GLASS_RADIUS / length,
-                ),
-            ],
-            4.0,
-        )
+        let beyond = [end[0] + back[0] - tip[0], end[1] + back[1] - tip[1]];
+        along(&[end, between(end, beyond, GLASS_RADIUS / length)], 4.0)
     };
     let mut taken = shaft(exact, tips[0]);
     taken.extend(shaft(rough, tips[1]));
@@ -197,7 +167,7 @@ fn glass(pen: &mut Pen, exact: Point, rough: Point) {
         let places = (0..24).flat_map(|k| {
             [30.0, 38.0, 46.0].map(|far| {
                 let [x, y] = polar([0.0; 2], far, TAU * f64::from(k) / 24.0);
-                [tip[0] + x, tip[1] + 0.8 * y]
+                shifted(tip, [x, 0.8 * y])
             })
         });
         let inside = places.filter(|p| distance(*p, GLASS) < GLASS_RADIUS - 24.0);
@@ -208,6 +178,6 @@ fn glass(pen: &mut Pen, exact: Point, rough: Point) {
             pen.text(at, Middle, text, small(Omega));
         }
     }
-    let under = [GLASS[0], GLASS[1] + GLASS_RADIUS + 20.0];
+    let under = shifted(GLASS, [0.0, GLASS_RADIUS + 20.0]);
     pen.remark(under, Middle, &format!("{magnified:.0} times"));
 }

@@ -1,15 +1,16 @@
 //! The ellipsoid of inertia (tutorial 2.4) and the cube quiz (2.6).
 
-use crate::prelude::*;
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::{InertiaMatrix, PlatonicSolid, ellipsoid_of_inertia, shapes};
+
+use crate::prelude::*;
 
 mod leaning;
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
     of("cube-quiz", &[], quiz),
-    of("leaning", leaning::LEANING, leaning::leaning),
+    of("leaning", &leaning::LEANING, leaning::leaning),
     of(
         "ellipsoid-of-inertia",
         &[LONG, MIDDLE, SHORT, MASS],

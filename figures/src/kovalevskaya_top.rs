@@ -1,9 +1,10 @@
 //! Kovalevskaya's scribble, her circle, and the two bands of her polynomial (tutorial 8.2).
 
-use crate::prelude::*;
 use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, TopState};
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::kovalevskaya_top::{Diagram, KovalevskayaTop};
+
+use crate::prelude::*;
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
@@ -221,10 +222,7 @@ pub fn bands(values: &Values) -> Result<Figure> {
             pen.dot([x(*e), LEVEL], 3.5);
         }
         pen.label([588.0, LEVEL - 8.0], End, "*s*");
-        let top = grid
-            .iter()
-            .find(seen)
-            .map_or([0.0; 2], |&(s, p)| [x(s), y(p)]);
+        let top = graph.first().copied().unwrap_or_default();
         let spot = [top[0] + 80.0, (top[1] + 12.0).max(24.0)];
         pen.label(spot, Start, "*P*(*s*)");
     });

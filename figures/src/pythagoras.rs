@@ -1,18 +1,17 @@
 //! The box of gas that proves Pythagoras (tutorial 9.1).
 
-use crate::prelude::*;
 use spinning_bodies::pythagoras::GasBox;
 
+use crate::prelude::*;
+
 /// The figures of the chapter, in its order.
-pub const FIGURES: &[Entry] = &[of("gas-box", GAS_BOX, gas_box)];
+pub const FIGURES: &[Entry] = &[of("gas-box", &[AR, RB, ANGLE], gas_box)];
 
 parameters! {
     AR: "ar", "AR", "", "side from the hinge", [1.0, 5.0], 4.0, dragged(|values| corner(values, 1));
     RB: "rb", "RB", "", "the other side at R", [1.0, 5.0], 3.0;
     ANGLE: "angle", r"\gamma", "°", "angle at R", [30.0, 150.0], 90.0, dragged(|values| corner(values, 2));
 }
-/// What may be chosen; R and B are dragged.
-pub const GAS_BOX: &[Parameter] = &[AR, RB, ANGLE];
 
 /// Units for the force on a side of length one, over those for the length.
 const FORCE: f64 = 2.0 / 7.0;
@@ -31,22 +30,19 @@ struct Drawn {
 impl Drawn {
     /// As large as its arrows and arms allow.
     fn of(values: &Values) -> Result<Self> {
-        let (ar, rb) = (values.of(&AR), values.of(&RB));
-        let gamma = values.of(&ANGLE).to_radians();
+        let [ar, rb, angle] = values.each([AR, RB, ANGLE]);
+        let gamma = angle.to_radians();
         let base = [
             [0.0, 0.0],
             [ar, 0.0],
             [ar - rb * gamma.cos(), rb * gamma.sin()],
         ];
         let gas = GasBox::from_sides(ar, rb, gamma)?;
-        let mut box_of = [[0.0, 0.0], base[1], base[2]].to_vec();
+        let mut box_of = base.to_vec();
         for (k, from) in base.into_iter().enumerate() {
             let to = base[(k + 1) % 3];
-            let middle = between(from, to, 0.5);
-            box_of.push([
-                middle[0] + FORCE * (to[1] - from[1]),
-                middle[1] - FORCE * (to[0] - from[0]),
-            ]);
+            let out = [to[1] - from[1], to[0] - from[0]];
+            box_of.push(planned(between(from, to, 0.5), FORCE, out));
         }
         let end = |k: usize, pick: fn(f64, f64) -> f64| {
             box_of.iter().map(|p| p[k]).reduce(pick).unwrap_or(0.0)
@@ -65,15 +61,8 @@ impl Drawn {
         })
     }
 
-    fn place(&self, p: Point) -> Point {
-        [
-            self.hinge[0] + self.length * p[0],
-            self.hinge[1] - self.length * p[1],
-        ]
-    }
-
     fn corners(&self) -> [Point; 3] {
-        self.base.map(|p| self.place(p))
+        self.base.map(|p| planned(self.hinge, self.length, p))
     }
 }
 
@@ -91,49 +80,38 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
     let shown = torques.map(halves);
     let defect = gas.right_angle_defect();
     let right = defect.abs() < 1e-12 * sides[2] * sides[2];
-    let claim = if right {
-        "A box of gas does not start to turn by itself, and that is the theorem of Pythagoras."
-    } else {
-        "A box of gas does not start to turn by itself, and that is the law of cosines."
+    let (theorem, half, so) = match right {
+        true => (
+            "theorem of Pythagoras",
+            ", half the side each time",
+            ", so the squares over the legs make up the square over the hypotenuse",
+        ),
+        false => ("law of cosines", "", ""),
     };
-    let law = if right {
-        "that is $\\tfrac12 AR^2$, $\\tfrac12 RB^2$ and $\\tfrac12 AB^2$ with their signs"
-            .to_owned()
-    } else {
-        format!(
+    let law = match right {
+        true => "that is $\\tfrac12 AR^2$, $\\tfrac12 RB^2$ and $\\tfrac12 AB^2$ with their signs"
+            .to_owned(),
+        false => format!(
             "that is $\\tfrac12 AR^2$, $\\tfrac12 RB^2-AR\\cdot RB\\cos\\gamma$ and $\\tfrac12 AB^2$ with their signs, where $AR^2+RB^2-AB^2={}$",
             halves(defect).replace('\u{2212}', "-")
-        )
+        ),
     };
     let angle = number(values.of(&ANGLE), 0);
     let side = |k: usize| {
         let text = number(sides[k], 2);
         text.strip_suffix(".00").unwrap_or(&text).to_owned()
     };
-    let way = |torque: f64| {
-        if torque < 0.0 {
-            "clockwise"
-        } else {
-            "anticlockwise"
-        }
+    let turns = match torques[1] < 0.0 {
+        true => "clockwise",
+        false => "anticlockwise",
     };
-
     let [ar, rb, ab] = [0, 1, 2].map(side);
     let [arm_ar, arm_rb, arm_ab] = arms.map(halves);
-    let half = if right {
-        ", half the side each time"
-    } else {
-        ""
-    };
     let [first, second, third] = &shown;
     let [one, two] = [first, second].map(|torque| torque.replace('\u{2212}', "-"));
-    let (sum, turns) = (halves(torques.iter().sum()), way(torques[1]));
-    let so = match right {
-        true => ", so the squares over the legs make up the square over the hypotenuse",
-        false => "",
-    };
+    let sum = halves(torques.iter().sum());
     let words = words!(
-        "{claim}",
+        "A box of gas does not start to turn by itself, and that is the {theorem}.",
         "Sides $AR = {ar}$, $RB = {rb}$, $AB = {ab}$, $\\gamma = {angle}°$ at $R$. The gas pushes on each side with a force proportional to its length, \
          at its middle; the arms about the hinge $A$ are {arm_ar}, {arm_rb} and {arm_ab}{half}. Torques \
          ${one}$, ${two}$ and ${third}$, {law}; the sum is ${sum}$.",
@@ -175,12 +153,8 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
         }
         pen.outline([a, r, b], inked(DATA));
         if right {
-            let square = [
-                [r[0] - 13.0, r[1]],
-                [r[0] - 13.0, r[1] - 13.0],
-                [r[0], r[1] - 13.0],
-            ];
-            pen.line(square, inked(AXIS));
+            let square = [[-13.0, 0.0], [-13.0, -13.0], [0.0, -13.0]];
+            pen.line(square.map(|corner| shifted(r, corner)), inked(AXIS));
         } else {
             let to = PI - values.of(&ANGLE).to_radians();
             pen.arc(r, 20.0, PI, to, inked(AXIS));
@@ -190,21 +164,17 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
             let middle = between(from, to, 0.5);
             let outward = outward(from, to);
             let reach = FORCE * drawn.length * length;
-            let tip = [
-                middle[0] + reach * outward[0],
-                middle[1] + reach * outward[1],
-            ];
+            let tip = shifted(middle, outward.map(|part| reach * part));
             pen.arrow(middle, tip, inked(2.8));
             let sign = if torques[k] > 0.0 { "+" } else { "" };
             let text = format!("{sign}{}", shown[k]);
-            let ([dx, dy], anchor) = match outward {
+            let (beside, anchor) = match outward {
                 [_, down] if down > 0.75 => ([0.0, 22.0], Middle),
                 [_, down] if down < -0.75 => ([0.0, -10.0], Middle),
                 [side, _] if side < 0.0 => ([-10.0, 5.0], End),
                 _ => ([10.0, 5.0], Start),
             };
-            let at = [tip[0] + dx, tip[1] + dy];
-            pen.text(at, anchor, &text, sized(Torque, 20.0));
+            pen.text(shifted(tip, beside), anchor, &text, sized(Torque, 20.0));
         }
         // The hinge, and which way each torque turns.
         pen.dot(a, 5.0);
@@ -212,9 +182,8 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
         // Each corner's letter stands away from the middle of the box.
         let middle = between(a, between(r, b, 0.5), 2.0 / 3.0);
         for (corner, name) in corners.into_iter().zip(["*A*", "*R*", "*B*"]) {
-            let away = distance(corner, middle);
-            let [x, y] = between(corner, middle, -21.0 / away);
-            pen.label([x, y + 6.0], Middle, name);
+            let out = between(corner, middle, -21.0 / distance(corner, middle));
+            pen.label(shifted(out, [0.0, 6.0]), Middle, name);
         }
         let sign = |k: usize| match shown[k].strip_prefix('\u{2212}') {
             Some(rest) => format!("\u{2212} {rest}"),
@@ -226,10 +195,10 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
     });
     let columns = "side | arm | torque";
     let rows = |k: usize| [[sides[k], arms[k], torques[k]]];
-    let made = made
+    Ok(made
         .data("AR", columns, rows(0))
-        .data("RB", columns, rows(1));
-    Ok(made.data("AB", columns, rows(2)))
+        .data("RB", columns, rows(1))
+        .data("AB", columns, rows(2)))
 }
 
 /// The unit vector out of the box across a side that is run along with the gas at the left.

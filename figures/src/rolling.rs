@@ -2,8 +2,9 @@
 
 mod slide;
 
-use crate::prelude::*;
 use spinning_bodies::rolling::RoundBody;
+
+use crate::prelude::*;
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[

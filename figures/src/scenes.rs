@@ -93,13 +93,10 @@ fn head(pen: &mut Pen, height: f64) {
         let ends = [[x, 50.0], [x, height - 12.0]];
         pen.line(ends, muted(HAIR).alpha(0.5).dotted());
     }
-    for (x, anchor, text) in [
-        (0.5 * (AXIS[0] + AXIS[1]), Middle, "ms a second"),
-        (MARGIN[0], End, "ms"),
-        (MARGIN[1], End, "evaluations"),
-    ] {
-        pen.note([x, 18.0], anchor, text);
-    }
+    let middle = 0.5 * (AXIS[0] + AXIS[1]);
+    pen.note([middle, 18.0], Middle, "ms a second");
+    pen.note([MARGIN[0], 18.0], End, "ms");
+    pen.note([MARGIN[1], 18.0], End, "evaluations");
 }
 
 fn row(pen: &mut Pen, cell: &Cell, y: f64) {

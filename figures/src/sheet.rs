@@ -84,8 +84,7 @@ pub fn speeds(values: &Values) -> Result<Figure> {
          lines to zero at the same moment. Below: the slip goes down to {lowest}, jumps to {highest} as the sheet leaves, and ends at zero at that moment."
     );
     let time = Axis::linear([0.0, until], [66.0, 580.0]);
-    let (fastest, slowest) = (then.velocity, then.rim_speed);
-    let high = Axis::linear([slowest, fastest], [210.0, 52.0]);
+    let high = Axis::linear([then.rim_speed, then.velocity], [210.0, 52.0]);
     let low = Axis::linear([least, most], [344.0, 254.0]);
     let (x, upper, lower) = (|t| time.at(t), |v| high.at(v), |u| low.at(u));
     let bottom = 352.0;

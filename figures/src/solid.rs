@@ -140,20 +140,15 @@ fn straighten(piece: &mut Vec<Point>) {
 }
 
 /// `steps + 1` points from `a` to `b`.
-pub fn segment(a: Vector, b: Vector, steps: usize) -> Vec<Vector> {
-    (0..=steps)
-        .map(|k| a + (b - a) * (k as f64 / steps as f64))
-        .collect()
+pub fn segment(a: Vector, b: Vector, steps: u32) -> Vec<Vector> {
+    let shares = spaced([0.0, 1.0], steps);
+    shares.map(|share| a + (b - a) * share).collect()
 }
 
 /// The closed ellipse with conjugate half axes `u` and `v`.
-pub fn ellipse(center: Vector, u: Vector, v: Vector, steps: usize) -> Vec<Vector> {
-    (0..=steps)
-        .map(|k| {
-            let (s, c) = (core::f64::consts::TAU * k as f64 / steps as f64).sin_cos();
-            center + u * c + v * s
-        })
-        .collect()
+pub fn ellipse(center: Vector, u: Vector, v: Vector, steps: u32) -> Vec<Vector> {
+    let round = spaced([0.0, core::f64::consts::TAU], steps).map(f64::sin_cos);
+    round.map(|(s, c)| center + u * c + v * s).collect()
 }
 
 /// A place in a body, in space.
@@ -168,13 +163,13 @@ pub fn axes(attitude: &Attitude) -> [Vector; 3] {
 }
 
 /// A level circle so high about the vertical through the origin.
-pub fn latitude(height: f64, radius: f64, steps: usize) -> Vec<Vector> {
+pub fn latitude(height: f64, radius: f64, steps: u32) -> Vec<Vector> {
     let [x, y, z] = [Vector::x(), Vector::y(), Vector::z()];
     ellipse(z * height, x * radius, y * radius, steps)
 }
 
 /// Where an ellipsoid of these half axes, its own, is seen edge on.
-pub fn rim(semi: &Vector, toward: &Vector, steps: usize) -> Vec<Vector> {
+pub fn rim(semi: &Vector, toward: &Vector, steps: u32) -> Vec<Vector> {
     let n = toward.component_div(semi).normalize();
     let u = n.cross(&Vector::z()).normalize();
     let sides = [u, n.cross(&u)].map(|side| side.component_mul(semi));

@@ -1,12 +1,13 @@
 //! Which way a spool rolls (tutorial 4.4, pictures e to g).
 
-use crate::prelude::*;
 use spinning_bodies::rolling::{RoundBody, Spool, Tug, Way};
+
+use crate::prelude::*;
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
-    of("spool", THREE_TUGS, three_tugs),
-    of("spool-dial", DIAL, dial),
+    of("spool", &[AXLE, LOW, STEEP], three_tugs),
+    of("spool-dial", &[AXLE.dragged(critical_place), TENSION], dial),
 ];
 
 parameters! {
@@ -15,11 +16,6 @@ parameters! {
     STEEP: "steep", r"\theta_2", "°", "angle of the last tug above the ground", [0.0, 89.0], 85.0;
     TENSION: "tension", "T", "N", "pull of the string", [0.05, 0.5], 0.3;
 }
-
-/// What may be chosen in the three tugs.
-pub const THREE_TUGS: &[Parameter] = &[AXLE, LOW, STEEP];
-/// What may be chosen in the dial; its handle is the tug that does not roll.
-pub const DIAL: &[Parameter] = &[AXLE.dragged(critical_place), TENSION];
 
 /// M = 0.2 kg, R = 5 cm, a full disc.
 fn reel(values: &Values) -> Result<Spool> {
@@ -30,38 +26,36 @@ fn reel(values: &Values) -> Result<Spool> {
 const RADIUS: f64 = 62.0;
 const GROUND: f64 = 214.0;
 
-/// A spool tugged to the left, its line of force, and the way it rolls.
-fn tugged(pen: &mut Pen, spool: &Spool, ratio: f64, x: f64, angle: f64) -> Result<()> {
-    let center = [x, GROUND - RADIUS];
-    let contact = [x, GROUND];
+/// A spool tugged to the left at this angle, its line of force down to the foot, and the way it rolls.
+fn tugged(pen: &mut Pen, center: Point, ratio: f64, (angle, foot, way): (f64, f64, Way)) {
+    let x = center[0];
     let r = ratio * RADIUS;
     let (sin, cos) = angle.sin_cos();
     // The tug goes to the left, as the tutorial draws it.
-    let touch = [x - r * sin, center[1] + r * cos];
-    let along = |from: Point, way: f64| [from[0] - way * cos, from[1] - way * sin];
-    let foot = [x - spool.foot_of_the_line(angle)? / 0.05 * RADIUS, GROUND];
+    let touch = shifted(center, [-r * sin, r * cos]);
+    let along = |way: f64| shifted(touch, [-way * cos, -way * sin]);
     pen.disc(center, RADIUS, Shade, 0.6);
     pen.ring(center, RADIUS, inked(DATA));
     pen.ring(center, r, inked(SECONDARY));
-    let shown = (foot[0] - x).abs() < 105.0;
-    let end = if shown { foot } else { along(touch, -98.0) };
+    let end = match (foot - x).abs() < 105.0 {
+        true => [foot, GROUND],
+        false => along(-98.0),
+    };
+    let tip = along(98.0);
     pen.line([touch, end], inked(AXIS).dotted());
-    pen.arrow(touch, along(touch, 98.0), inked(2.6));
+    pen.arrow(touch, tip, inked(2.6));
     pen.dot(center, 2.2);
-    pen.disc(contact, 5.0, Torque, 1.0);
-    let tip = along(touch, 98.0);
+    pen.disc([x, GROUND], 5.0, Torque, 1.0);
     let spot = [(tip[0] - 2.0).max(24.0), tip[1] - 9.0];
     pen.note(spot, Middle, &degrees(angle));
     let below = GROUND + 26.0;
-    let way = spool.way(angle)?;
-    let (from, to) = match way {
-        Way::Stays => (0.0, 0.0),
-        Way::WindsUp => (30.0, -30.0),
-        Way::PaysOut => (-30.0, 30.0),
+    let aside = match way {
+        Way::Stays => 0.0,
+        Way::WindsUp => 30.0,
+        Way::PaysOut => -30.0,
     };
-    pen.arrow([x + from, below], [x + to, below], inked(2.8));
+    pen.arrow([x + aside, below], [x - aside, below], inked(2.8));
     pen.note([x, below + 24.0], Middle, told(way));
-    Ok(())
 }
 
 fn told(way: Way) -> &'static str {
@@ -82,18 +76,14 @@ fn degrees(angle: f64) -> String {
 pub fn three_tugs(values: &Values) -> Result<Figure> {
     let spool = reel(values)?;
     let critical = spool.critical_angle().unwrap_or(0.0);
-    let angles = [
-        values.of(&LOW).to_radians(),
-        critical,
-        values.of(&STEEP).to_radians(),
-    ];
-    let named = angles.map(degrees);
-    let [low, _, steep] = angles.map(|angle| spool.way(angle));
-    let ways = (low?, steep?);
-    let [first, second, third] = &named;
-    let [low, steep] = [ways.0, ways.1].map(told);
-    let claim = match ways {
-        (Way::WindsUp, Way::PaysOut) => {
+    let [ratio, low, steep] = values.each([AXLE, LOW, STEEP]);
+    let angles = [low.to_radians(), critical, steep.to_radians()];
+    let [first, second, third] = angles.map(degrees);
+    let ways = tried(angles, |angle| spool.way(angle))?;
+    let feet = tried(angles, |angle| spool.foot_of_the_line(angle))?;
+    let [low, steep] = [ways[0], ways[2]].map(told);
+    let claim = match [ways[0], ways[2]] {
+        [Way::WindsUp, Way::PaysOut] => {
             "The line of force decides: above the point of contact the spool comes, below it the spool goes."
                 .to_owned()
         }
@@ -104,7 +94,7 @@ pub fn three_tugs(values: &Values) -> Result<Figure> {
             "The line of force decides: at {first} the spool {low}, at {third} it {steep}."
         ),
     };
-    let axle = number(values.of(&AXLE), 2);
+    let axle = number(ratio, 2);
     let words = words!(
         "{claim}",
         "Axle {axle} of the discs, string leaving from below, tug to the left at {first}, {second} and {third} (the tutorial's pictures f, e \
@@ -114,21 +104,19 @@ pub fn three_tugs(values: &Values) -> Result<Figure> {
          of contact, and the spool does not roll. At {third} it {steep}. The line that meets the ground on the far side winds the string up, the one that \
          meets it on the tug's side pays it out."
     );
-    let mut drawn = Ok(());
     let made = figure("spool", 276.0, words, |pen| {
         pen.line([[8.0, GROUND], [592.0, GROUND]], inked(SECONDARY));
-        drawn = [124.0, 322.0, 494.0]
-            .into_iter()
-            .zip(angles)
-            .try_for_each(|(x, angle)| tugged(pen, &spool, values.of(&AXLE), x, angle));
+        for (k, x) in [124.0, 322.0, 494.0].into_iter().enumerate() {
+            let foot = x - feet[k] / 0.05 * RADIUS;
+            tugged(pen, [x, GROUND - RADIUS], ratio, (angles[k], foot, ways[k]));
+        }
     });
-    drawn?;
-    let rows = angles
-        .into_iter()
-        .map(|angle| Ok([angle.to_degrees(), spool.foot_of_the_line(angle)?]))
-        .collect::<Result<Vec<_>>>()?;
     // A level tug has no foot.
-    let rows = rows.into_iter().filter(|row| row[1].is_finite());
+    let rows = angles
+        .iter()
+        .zip(&feet)
+        .map(|(angle, foot)| [angle.to_degrees(), *foot]);
+    let rows = rows.filter(|row| row[1].is_finite());
     Ok(made.data("tug", "angle (°) | foot of the line (m)", rows))
 }
 
@@ -152,14 +140,11 @@ pub fn dial(values: &Values) -> Result<Figure> {
     let spool = reel(values)?;
     let critical = spool.critical_angle().unwrap_or(0.0);
     let degrees = number(critical.to_degrees(), 2);
-    let tension = values.of(&TENSION);
+    let [ratio, tension] = values.each([AXLE, TENSION]);
     let at = |angle: f64| Ok(spool.rolling_acceleration(Tug::new(tension, angle)?));
-    let rays = spaced([0.0, PI], 36)
-        .map(|angle| at(angle).map(|a| (angle, a)))
-        .collect::<Result<Vec<_>>>()?;
-    let level = at(0.0)?;
-    let back = at(PI)?;
-    let axle = number(values.of(&AXLE), 2);
+    let rays = tried(spaced([0.0, PI], 36), |angle| Ok((angle, at(angle)?)))?;
+    let (level, back) = (at(0.0)?, at(PI)?);
+    let axle = number(ratio, 2);
     let [most, away, after] = numbers([level, -at(PI / 2.0)?, -back], 1);
     let words = words!(
         "The spool comes for every tug lower than {degrees} degrees, runs away from a steeper one, and follows a hand beyond the vertical.",
@@ -173,7 +158,7 @@ pub fn dial(values: &Values) -> Result<Figure> {
     let made = figure("spool-dial", 330.0, words, |pen| {
         pen.disc(HUB, 44.0, Shade, 0.6);
         pen.ring(HUB, 44.0, inked(DATA));
-        pen.ring(HUB, 44.0 * values.of(&AXLE), inked(SECONDARY));
+        pen.ring(HUB, 44.0 * ratio, inked(SECONDARY));
         let ends = [[20.0, HUB[1] + 44.0], [580.0, HUB[1] + 44.0]];
         pen.line(ends, inked(SECONDARY));
         pen.arc(HUB, INNER, 0.0, PI, inked(HAIR));
@@ -186,9 +171,9 @@ pub fn dial(values: &Values) -> Result<Figure> {
         let ends = [place(44.0, critical), outside];
         pen.line(ends, stroke(Torque, 1.4).dotted());
         let name = place(INNER + 72.0, critical);
-        let spot = [name[0] + 4.0, name[1] - 16.0];
+        let spot = shifted(name, [4.0, -16.0]);
         pen.text(spot, End, "cos θ = *r*/*R*", label(Torque));
-        let spot = [name[0] + 4.0, name[1] + 2.0];
+        let spot = shifted(name, [4.0, 2.0]);
         pen.text(spot, End, &format!("θ = {degrees}°"), small(Torque));
         // The words stand clear of the rays, however long these are.
         let tip = |k: usize| INNER + unit * rays[k].1.abs();

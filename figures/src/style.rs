@@ -318,35 +318,20 @@ impl Pen {
             let (reach, _) = head_size(stroke.width, length);
             let back = (to - from) * (reach / length).min(1.0);
             self.arc(center, radius, from, to - 0.7 * back, stroke);
-            self.head(
-                polar(center, radius, to - back),
-                polar(center, radius, to),
-                stroke,
-            );
+            let [from, to] = [to - back, to].map(|angle| polar(center, radius, angle));
+            self.head(from, to, stroke);
         }
     }
 
     /// The head of an arrow that comes from `from`, its tip at `to`.
     fn head(&mut self, from: Point, to: Point, stroke: Stroke) {
         let length = distance(to, from);
-        let (along, across) = (
-            [(to[0] - from[0]) / length, (to[1] - from[1]) / length],
-            [(from[1] - to[1]) / length, (to[0] - from[0]) / length],
-        );
+        let [u, v] = [0, 1].map(|k| (to[k] - from[k]) / length);
         let (reach, half) = head_size(stroke.width, f64::INFINITY);
-        let at = |back: f64, side: f64| {
-            [
-                to[0] - back * along[0] + side * across[0],
-                to[1] - back * along[1] + side * across[1],
-            ]
-        };
-        let barb = [
-            at(0.0, 0.0),
-            at(reach, half),
-            at(0.72 * reach, 0.0),
-            at(reach, -half),
-        ];
-        self.fill(barb, stroke.role, stroke.alpha);
+        let at = |back: f64, side: f64| [to[0] - back * u - side * v, to[1] - back * v + side * u];
+        let notch = at(0.72 * reach, 0.0);
+        let head = [to, at(reach, half), notch, at(reach, -half)];
+        self.fill(head, stroke.role, stroke.alpha);
     }
 
     /// A label in ink, as [`Pen::text`] writes it.
@@ -379,10 +364,9 @@ impl Pen {
     /// A text whose base line starts, is centred or ends at the point. `*x*` is an italic letter,
     /// `_{…}` an index, `^{…}` a power.
     pub fn text(&mut self, at: Point, anchor: Anchor, body: &str, lettering: Lettering) {
-        let weight = if lettering.strong {
-            " font-weight=\"600\""
-        } else {
-            ""
+        let weight = match lettering.strong {
+            true => " font-weight=\"600\"",
+            false => "",
         };
         let size = lettering.size.max(LEAST) * SCALE;
         let text = Mark::Text {
@@ -409,7 +393,7 @@ impl Pen {
     ) {
         let size = lettering.size;
         let at = roomiest(places, half_of(text, size), &self.taken());
-        let line = [at[0], at[1] + LOWER * size];
+        let line = shifted(at, [0.0, LOWER * size]);
         self.text(line, Anchor::Middle, text, lettering);
     }
 
@@ -467,16 +451,16 @@ impl Pen {
         let size = lettering.size;
         let digits = over.chars().count().max(under.chars().count()) as f64;
         let half = 0.29 * size * digits + 0.1 * size;
-        for ([x, y], anchor, body) in [
+        for (beside, anchor, body) in [
             ([-half - 0.2 * size, 0.36 * size], Anchor::End, before),
             ([0.0, -0.32 * size], Anchor::Middle, over),
             ([0.0, 1.02 * size], Anchor::Middle, under),
         ] {
-            self.text([at[0] + x, at[1] + y], anchor, body, lettering);
+            self.text(shifted(at, beside), anchor, body, lettering);
         }
-        let bar = [[at[0] - half, at[1]], [at[0] + half, at[1]]];
+        let bar = [-half, half].map(|end| shifted(at, [end, 0.0]));
         self.line(bar, stroke(lettering.role, AXIS));
-        let beyond = [at[0] + half + 0.22 * size, at[1] + 0.36 * size];
+        let beyond = shifted(at, [half + 0.22 * size, 0.36 * size]);
         self.text(beyond, Anchor::Start, after, lettering);
     }
 }
@@ -523,10 +507,7 @@ pub fn within([left, right]: [f64; 2], [top, bottom]: [f64; 2]) -> impl Fn(&Poin
 
 /// The point at `radius` and `angle` (counterclockwise from the right) about `center`.
 pub fn polar(center: Point, radius: f64, angle: f64) -> Point {
-    [
-        center[0] + radius * angle.cos(),
-        center[1] - radius * angle.sin(),
-    ]
+    planned(center, radius, [angle.cos(), angle.sin()])
 }
 
 /// Points of an arc, a step every two degrees or closer.

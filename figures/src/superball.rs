@@ -10,7 +10,7 @@ use crate::rolling;
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
-    of("superball", UNDER_THE_TABLE, under_the_table),
+    of("superball", &[KAPPA, GRIP, SPIN], under_the_table),
     of("three-superballs", bounces::BALLS, bounces::three_balls),
     of("bounce-reflections", bounces::MIRRORS, bounces::reflections),
 ];
@@ -20,9 +20,6 @@ parameters! {
     GRIP: "restitution", "e_t", "", "part of its contact speed that the ball gets back in a bounce", [0.0, 1.0], 1.0;
     SPIN: "spin", r"R\Omega/V", "", "rim speed of the thrown ball over its speed", [-0.8, 0.8], 0.0;
 }
-
-/// What may be chosen of the ball under the table.
-pub const UNDER_THE_TABLE: &[Parameter] = &[KAPPA, GRIP, SPIN];
 
 /// Where the centre first is at bouncing height above the floor, units.
 const FIRST: f64 = 290.0;
@@ -243,9 +240,8 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
         let tip = between(path[last - 1], path[last], 0.93);
         pen.arrow(tip, path[last], inked(DATA));
 
-        let mut taken = along(&arrive, 6.0);
-        taken.extend(along(&ghost, 6.0));
-        taken.extend(along(&path, 6.0));
+        let lines = [&arrive[..], &ghost, &path];
+        let mut taken = lines.map(|line| along(line, 6.0)).concat();
         for (left, y) in [(place(EDGE, 0.0)[0], CEILING - SLAB), (10.0, FLOOR)] {
             taken.extend(along(&[[left, y], [590.0, y]], 6.0));
         }

@@ -8,7 +8,7 @@ use spinning_bodies::integrators::geometric::{
 };
 use spinning_bodies::integrators::{Effort, Method};
 
-use super::{named_line, problem};
+use super::problem;
 use crate::prelude::*;
 
 /// A sixteenth of a second, about a thirtieth of a turn.
@@ -52,25 +52,21 @@ pub fn energy_drift(_: &Values) -> Result<Figure> {
             Ok(())
         })
     };
+    let rk4 = followed(start, moments, |phase| {
+        let effort = Effort::Step(STEP * (1.0 + 1e-9));
+        *phase = general.follow(phase, &[span], effort)?.states[0];
+        Ok(())
+    })?;
     let lines = [
-        (
-            followed(start, moments, |phase| {
-                *phase = general
-                    .follow(phase, &[span], Effort::Step(STEP * (1.0 + 1e-9)))?
-                    .states[0];
-                Ok(())
-            })?,
-            muted(DATA),
-            "rk4",
-        ),
+        (rk4, muted(DATA), "rk4"),
         (by_steps(&rotations)?, inked(DATA).dashed(), "rotations-2"),
         (by_steps(&discrete)?, inked(DATA), "moser-veselov-2"),
     ];
-    let last = lines.iter().filter_map(|(line, ..)| line.last());
-    let last: Vec<f64> = last.map(|p| p[1]).collect();
     let frame = Frame::log([2e3, 1e7], [1e-16, 1e-2], [64.0, 584.0, 332.0, 32.0]);
-    let told = |k: usize| format!("${}$", scientific(last[k], 1));
-    let [rk4, rotations, discrete] = [0, 1, 2].map(told);
+    let [rk4, rotations, discrete] = lines.each_ref().map(|(line, ..)| {
+        let last = line.last().map_or(f64::NAN, |point| point[1]);
+        format!("${}$", scientific(last, 1))
+    });
     let words = words!(
         "Ten million steps: rk4 leaks energy without end, rotations borrow it and give it back, the discrete top keeps it.",
         "Relative error of the energy of a free body, the largest so far, against the number of steps, 32 a turn. After $10^7$ of them: rk4 {rk4}, \
@@ -86,10 +82,10 @@ pub fn energy_drift(_: &Values) -> Result<Figure> {
             let places = thinned(line).map(|[x, y]| frame.at(x, y.max(1e-16)));
             let places: Vec<Point> = places.collect();
             pen.line(&places, *style);
-            if let Some(end) = places.last() {
+            if let Some(&end) = places.last() {
                 let beside = if k == 1 { 22.0 } else { -10.0 };
-                let at = [end[0] - 6.0, end[1] + beside];
-                named_line(pen, at, End, name, style.role());
+                let at = shifted(end, [-6.0, beside]);
+                pen.text(at, End, name, label(style.role()));
             }
         }
     }))

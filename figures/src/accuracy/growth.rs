@@ -2,12 +2,12 @@
 
 use lab::accuracy::{Candidate, candidates, measure, named};
 use spinning_bodies::integrators::Effort;
-use spinning_bodies::integrators::geometric::Phase;
 
-use super::{named_line, problem};
+use super::problem;
+
+use Hardness::{StepsATurn, Tolerance};
 
 use crate::prelude::*;
-use Hardness::{StepsATurn, Tolerance};
 
 /// How hard a method works.
 enum Hardness {
@@ -18,27 +18,18 @@ enum Hardness {
 /// A method, how hard it works, for how many powers of ten turns, its line, and where its name stands beside its last point.
 type Line = (&'static str, Hardness, i32, Stroke, Point);
 
+const RK4: Stroke = muted(DATA).dotted();
+const ROTATIONS: Stroke = inked(DATA).dashed();
+const DISCRETE: Stroke = inked(DATA);
 const LINES: [Line; 4] = [
-    (
-        "rk4",
-        StepsATurn(32.0),
-        4,
-        muted(DATA).dotted(),
-        [-8.0, -12.0],
-    ),
+    ("rk4", StepsATurn(32.0), 4, RK4, [-8.0, -12.0]),
     ("dop853", Tolerance(1e-11), 4, muted(DATA), [10.0, 5.0]),
-    (
-        "rotations-4",
-        StepsATurn(8.0),
-        6,
-        inked(DATA).dashed(),
-        [-14.0, -10.0],
-    ),
+    ("rotations-4", StepsATurn(8.0), 6, ROTATIONS, [-14.0, -10.0]),
     (
         "moser-veselov-10",
         StepsATurn(16.0),
         6,
-        inked(DATA),
+        DISCRETE,
         [0.0, 52.0],
     ),
 ];
@@ -55,19 +46,13 @@ fn errors(line: &Line, candidate: &Candidate, exact: &Candidate) -> Result<Vec<[
         StepsATurn(count) => Effort::Step(first.end() / count * (1.0 + 1e-12)),
         Tolerance(tolerance) => Effort::Tolerance(*tolerance),
     };
-    let found = candidate.method().follow(first.start(), &times, effort)?;
-    let truth = exact
-        .method()
-        .follow(first.start(), &times, Effort::Tolerance(0.0))?;
+    let follow = |one: &Candidate, effort| one.method().follow(first.start(), &times, effort);
+    let found = follow(candidate, effort)?;
+    let truth = follow(exact, Effort::Tolerance(0.0))?;
     let pairs = found.states.iter().zip(&truth.states);
-    turns
-        .zip(pairs)
-        .map(|(turns, (found, truth))| Ok([turns, apart(found, truth)?]))
-        .collect()
-}
-
-fn apart(a: &Phase, b: &Phase) -> Result<f64> {
-    Ok(a.attitude()?.angle_to(&b.attitude()?))
+    tried(turns.zip(pairs), |(turns, (found, truth))| {
+        Ok([turns, found.attitude()?.angle_to(&truth.attitude()?)])
+    })
 }
 
 /// Error after 1, 10, … a million turns, at the same effort throughout.
@@ -98,33 +83,29 @@ pub fn growth(_: &Values) -> Result<Figure> {
          of error a decade of turns. Those of the two geometric methods keep to one decade a decade and reach a million turns. The closed form stays level near ten to the minus 16."
     );
     Ok(figure("accuracy-growth", 424.0, words, |pen| {
-        frame.draw(
-            pen,
-            &[marks(&[1.0, 100.0], ""), powers([4, 6])].concat(),
-            &powers([0, -4, -8, -12, -16]),
-            ["turns", "error, rad"],
-        );
+        let turns = [marks(&[1.0, 100.0], ""), powers([4, 6])].concat();
+        let errors = powers([0, -4, -8, -12, -16]);
+        frame.draw(pen, &turns, &errors, ["turns", "error, rad"]);
         for ((method, _, _, style, aside), places) in &lines {
             beaded(pen, places, *style);
-            if let Some(point) = places.last() {
-                let at = [point[0] + aside[0], point[1] + aside[1]];
+            if let Some(&point) = places.last() {
                 let anchor = if aside[0] > 0.0 { Start } else { End };
-                named_line(pen, at, anchor, method, style.role());
+                let name = label(style.role());
+                pen.text(shifted(point, *aside), anchor, method, name);
             }
         }
         let places = frame.trace(exact);
         beaded(pen, &places, inked(1.5 * DATA));
-        if let Some(point) = places.last() {
-            named_line(pen, [point[0], point[1] - 12.0], End, "closed form", Ink);
+        if let Some(&point) = places.last() {
+            pen.label(shifted(point, [0.0, -12.0]), End, "closed form");
         }
     }))
 }
 
 /// Of the closed form after 1, 10, 1000 and 10⁶ turns.
 fn exact_errors() -> Result<Vec<[f64; 2]>> {
-    let runs = named("free-top")?;
     let mut errors = Vec::new();
-    for run in &runs {
+    for run in &named("free-top")? {
         let all = candidates(run)?;
         if let Some(exact) = all.iter().find(|candidate| candidate.name() == "exact") {
             let found = measure(run, exact, Effort::Tolerance(0.0));

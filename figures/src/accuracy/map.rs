@@ -1,7 +1,8 @@
 //! Which method gets there first: digits asked by turns followed.
 
-use crate::prelude::*;
 use lab::accuracy::measured::{EXACT, MOTIONS, SWEEP, TARGETS, crossover, ranking, rows};
+
+use crate::prelude::*;
 
 /// A field, units.
 const FIELD: Point = [86.0, 38.0];

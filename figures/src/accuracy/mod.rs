@@ -9,8 +9,10 @@ mod numbers;
 mod orders;
 mod seconds;
 
-use crate::prelude::*;
 use lab::accuracy::{Measurement, Problem, Status, Trial, candidates, measure, named};
+use spinning_bodies::Error;
+
+use crate::prelude::*;
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
@@ -24,12 +26,10 @@ pub const FIGURES: &[Entry] = &[
 
 /// One problem over one length.
 fn problem(name: &str) -> Result<Problem> {
-    named(name)?
-        .into_iter()
-        .next()
-        .ok_or(spinning_bodies::Error::Empty {
-            quantity: "the list of problems of this name",
-        })
+    let first = named(name)?.into_iter().next();
+    first.ok_or(Error::Empty {
+        quantity: "the list of problems of this name",
+    })
 }
 
 /// The sweep of one method, with no run of more than so many evaluations.
@@ -53,9 +53,4 @@ fn points(rows: &[Measurement], across: impl Fn(&Measurement) -> f64) -> Vec<Poi
         matches!(row.status, Status::Ok | Status::Floor) && floor < 2
     });
     kept.map(|row| [across(row), row.error_attitude]).collect()
-}
-
-/// A name in the colour of its line.
-fn named_line(pen: &mut Pen, at: Point, anchor: Anchor, name: &str, role: Role) {
-    pen.text(at, anchor, name, label(role));
 }

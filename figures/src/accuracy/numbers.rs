@@ -5,52 +5,35 @@ use spinning_bodies::integrators::geometric::{
     DoubleDouble, Integrator, MoserVeselov, Real, VeselovOrder,
 };
 
-use super::{named_line, problem};
+use super::problem;
 use crate::prelude::*;
 
 /// Errors after ten turns against steps a turn.
-fn line<T: Real>(
-    problem: &Problem,
-    method: &MoserVeselov,
-    counts: impl Iterator<Item = u32>,
-) -> Result<Vec<[f64; 2]>> {
+fn line<T: Real>(problem: &Problem, method: &MoserVeselov) -> Result<Vec<[f64; 2]>> {
+    let counts = [8.0, 16.0, 32.0, 64.0, 128.0, 256.0, 512.0];
     let moments = problem.moments();
-    counts
-        .map(|count| {
-            let steps = f64::from(count) * problem.turns();
-            // The step is rounded in these numbers as well: the runs have lengths that are sums of few powers of two.
-            let step = T::from_double(problem.end() / steps);
-            let mut stepper = method.start(&problem.start().cast(), step)?;
-            stepper.advance(steps as u64)?;
-            Ok([
-                f64::from(count),
-                problem.last().apart(&stepper.phase()?, moments).attitude,
-            ])
-        })
-        .collect()
+    tried(counts, |count| {
+        let steps = count * problem.turns();
+        // The step is rounded in these numbers as well: the runs have lengths that are sums of few powers of two.
+        let step = T::from_double(problem.end() / steps);
+        let mut stepper = method.start(&problem.start().cast(), step)?;
+        stepper.advance(steps as u64)?;
+        let off = problem.last().apart(&stepper.phase()?, moments);
+        Ok([count, off.attitude])
+    })
 }
 
 /// Single, double and two doubles.
 pub fn three_numbers(_: &Values) -> Result<Figure> {
     let problem = problem("free-top/10")?;
     let method = MoserVeselov::new(problem.moments(), VeselovOrder::Ten)?;
-    let counts = || (3..=9).map(|k| 1 << k);
+    let single = line::<f32>(&problem, &method)?;
+    let double = line::<f64>(&problem, &method)?;
+    let two = line::<DoubleDouble>(&problem, &method)?;
     let lines = [
-        (
-            line::<f32>(&problem, &method, counts())?,
-            muted(DATA),
-            "single (f32)",
-        ),
-        (
-            line::<f64>(&problem, &method, counts())?,
-            inked(DATA),
-            "double (f64)",
-        ),
-        (
-            line::<DoubleDouble>(&problem, &method, counts())?,
-            inked(DATA).dashed(),
-            "two doubles",
-        ),
+        (single, muted(DATA), "single (f32)"),
+        (double, inked(DATA), "double (f64)"),
+        (two, inked(DATA).dashed(), "two doubles"),
     ];
     let frame = Frame::log([7.0, 600.0], [1e-26, 1.0], [64.0, 584.0, 372.0, 32.0]);
     let words = words!(
@@ -67,10 +50,9 @@ pub fn three_numbers(_: &Values) -> Result<Figure> {
         for (k, (line, style, name)) in lines.iter().enumerate() {
             let places = frame.trace(line.iter().copied());
             beaded(pen, &places, *style);
-            if let Some(end) = places.last() {
+            if let Some(&end) = places.last() {
                 let aside = if k == 2 { [-26.0, 4.0] } else { [0.0, -14.0] };
-                let at = [end[0] + aside[0], end[1] + aside[1]];
-                named_line(pen, at, End, name, style.role());
+                pen.text(shifted(end, aside), End, name, label(style.role()));
             }
         }
     }))

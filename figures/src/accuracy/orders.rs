@@ -2,7 +2,7 @@
 
 use lab::accuracy::measured_order;
 
-use super::{named_line, points, problem, swept};
+use super::{points, problem, swept};
 use crate::prelude::*;
 
 const GENTLE: Stroke = inked(DATA);
@@ -10,7 +10,7 @@ const DISCRETE: Stroke = inked(DATA).dashed();
 const GENERAL: Stroke = muted(DATA).dotted();
 
 /// Method, line, what stands before its slope, and where: at the point that is so far along the line, and so far beside it.
-const METHODS: [(&str, Stroke, &str, f64, [f64; 2]); 6] = [
+const METHODS: [(&str, Stroke, &str, f64, Point); 6] = [
     ("rotations-2", GENTLE, "rotations: ", 0.60, [6.0, -12.0]),
     ("rk4", GENERAL, "rk4: ", 0.72, [8.0, -8.0]),
     ("rotations-4", GENTLE, "", 0.35, [8.0, -4.0]),
@@ -37,8 +37,9 @@ pub fn orders(_: &Values) -> Result<Figure> {
         let line = line.into_iter().filter(|p| p[0] < 4000.0 && p[1] > 3e-16);
         let line: Vec<Point> = line.map(|[x, y]| frame.at(x, y.max(1e-16))).collect();
         let slope = measured_order(&rows).unwrap_or(f64::NAN);
-        slopes.push(format!("{name} {}", number(slope, 2)));
-        lines.push((line, format!("{before}{}", number(slope, 2))));
+        let slope = number(slope, 2);
+        slopes.push(format!("{name} {slope}"));
+        lines.push((line, format!("{before}{slope}")));
     }
     let slopes = slopes.join(", ");
     let words = words!(
@@ -49,24 +50,16 @@ pub fn orders(_: &Values) -> Result<Figure> {
          order, the steeper: {slopes}. The steep ones end on a floor near ten to the minus 15."
     );
     Ok(figure("accuracy-orders", 424.0, words, |pen| {
-        frame.draw(
-            pen,
-            &marks(&[1.0, 4.0, 16.0, 64.0, 256.0, 1024.0], ""),
-            &powers([0, -4, -8, -12, -16]),
-            ["steps a turn", "error, rad"],
-        );
+        let steps = marks(&[1.0, 4.0, 16.0, 64.0, 256.0, 1024.0], "");
+        let errors = powers([0, -4, -8, -12, -16]);
+        frame.draw(pen, &steps, &errors, ["steps a turn", "error, rad"]);
         for ((_, style, _, along, aside), (line, name)) in METHODS.iter().zip(&lines) {
             beaded(pen, line, *style);
             let place = (along * line.len() as f64) as usize;
-            if let Some(point) = line.get(place.min(line.len().saturating_sub(1))) {
+            if let Some(&point) = line.get(place.min(line.len().saturating_sub(1))) {
                 let anchor = if aside[0] < 0.0 { End } else { Start };
-                named_line(
-                    pen,
-                    [point[0] + aside[0], point[1] + aside[1]],
-                    anchor,
-                    name,
-                    style.role(),
-                );
+                let lettering = label(style.role());
+                pen.text(shifted(point, *aside), anchor, name, lettering);
             }
         }
     }))

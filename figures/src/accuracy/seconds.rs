@@ -1,8 +1,9 @@
 //! Error against time, as measured on one machine.
 
+use lab::accuracy::measured::{EXACT, MOTIONS, Row, SWEEP, rows};
+
 use crate::own::corners;
 use crate::prelude::*;
-use lab::accuracy::measured::{EXACT, MOTIONS, Row, SWEEP, rows};
 
 const X: [f64; 2] = [3e-7, 1.0];
 const TIMES: [(f64, &str); 3] = [(1e-6, "1 µs"), (1e-3, "1 ms"), (1.0, "1 s")];

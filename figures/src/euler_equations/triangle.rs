@@ -1,9 +1,10 @@
 //! The map of all tops: principal moments as a point of a triangle (tutorial 2.4, 5.3).
 
-use crate::prelude::*;
 use spinning_bodies::euler_top::earth;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::inertia::{MassProperties, shapes};
+
+use crate::prelude::*;
 
 parameters! {
     LENGTH: "length", "a", "mm", "length of the brick", [20.0, 400.0], 240.0;
@@ -22,10 +23,8 @@ const WIDE: f64 = 544.0;
 /// In the triangle of all moments with sum 1 the corners are at equal distances; the ordered ones fill this sixth of it.
 fn place(moments: [f64; 3], corner: Point, wide: f64) -> Point {
     let [i1, i2, i3] = shares(moments);
-    [
-        corner[0] - 2.0 * wide * (i2 - i1),
-        corner[1] - 2.0 * 3.0_f64.sqrt() * wide * (0.5 - i3),
-    ]
+    let up = 2.0 * 3.0_f64.sqrt() * wide * (0.5 - i3);
+    shifted(corner, [-2.0 * wide * (i2 - i1), -up])
 }
 
 /// Moments divided by their sum.
@@ -62,15 +61,13 @@ pub fn tops(values: &Values) -> Result<Figure> {
     let millimetres = |edges: [f64; 3]| shapes::cuboid(1.0, edges.map(|edge| edge / 1e3)).map(of);
     let book = millimetres([240.0, 165.0, 30.0])?;
     let phone = millimetres([147.0, 72.0, 8.0])?;
-    let edges = [0, 1, 2].map(|k| values.of(&TRIANGLE[k]));
+    let edges = values.each([LENGTH, WIDTH, HEIGHT]);
     let brick = millimetres(edges)?;
     let (racket, water) = (of(racket()?), of(water()?));
     let coin = of(shapes::cylinder(1.0, 0.011_6, 0.002_3)?);
     let (rod, disc) = (of(shapes::rod(1.0, 1.0)?), of(shapes::disc(1.0, 1.0)?));
-    let (cube, egg) = (
-        of(shapes::cuboid(1.0, [1.0; 3])?),
-        of(shapes::ellipsoid(1.0, [0.022, 0.022, 0.029])?),
-    );
+    let cube = of(shapes::cuboid(1.0, [1.0; 3])?);
+    let egg = of(shapes::ellipsoid(1.0, [0.022, 0.022, 0.029])?);
     let doughnut = of(shapes::torus(1.0, 0.035, 0.015)?);
     let h = earth::DYNAMICAL_ELLIPTICITY;
     let earth = [1.0 - h, 1.0 - h, 1.0];
@@ -104,11 +101,11 @@ pub fn tops(values: &Values) -> Result<Figure> {
         pen.fill(corners, Ink, 0.07);
         pen.outline(corners, inked(DATA));
         inset(pen, [rod, disc, cube]);
-        let caption = "any order of the axes";
-        pen.text([112.0, 174.0], Middle, caption, label(Muted));
+        let name = label(Muted);
+        pen.text([112.0, 174.0], Middle, "any order of the axes", name);
         let (above, below) = ([0.0, -11.0], [0.0, 23.0]);
         let left = [-11.0, 5.0];
-        for (name, m, [dx, dy], anchor) in [
+        for (name, m, beside, anchor) in [
             ("racket", racket, below, Middle),
             ("phone", phone, below, Middle),
             ("water", water, below, Middle),
@@ -118,9 +115,8 @@ pub fn tops(values: &Values) -> Result<Figure> {
             ("egg", egg, [-9.0, -7.0], End),
             ("cube, Earth", cube, [-12.0, -3.0], End),
         ] {
-            let [x, y] = at(m);
-            pen.dot([x, y], 4.4);
-            pen.label([x + dx, y + dy], anchor, name);
+            pen.dot(at(m), 4.4);
+            pen.label(shifted(at(m), beside), anchor, name);
         }
         // The brick moves: its name is where it hides nothing.
         let [x, y] = at(brick);
@@ -145,34 +141,30 @@ pub fn tops(values: &Values) -> Result<Figure> {
             ([1.0, 4.0, 4.0], "Goryachev, Chaplygin", "4 : 4 : 1"),
             ([1.0, 2.0, 2.0], "Kovalevskaya", "2 : 2 : 1"),
         ] {
-            let [x, y] = at(m);
-            pen.ring([x, y], 5.2, inked(DATA));
-            let mut line = |up: f64, text: &str| {
-                pen.label([x - 11.0, y - up], End, text);
-            };
-            line(23.0, who);
-            line(5.0, ratio);
+            pen.ring(at(m), 5.2, inked(DATA));
+            pen.label(shifted(at(m), [-11.0, -23.0]), End, who);
+            pen.label(shifted(at(m), [-11.0, -5.0]), End, ratio);
         }
         // The corners and the edges.
-        let edge = |pen: &mut Pen, at: Point, anchor, text: &str| {
-            pen.text(at, anchor, text, label(Muted));
-        };
         let [rod, disc, sphere] = corners;
-        edge(pen, [rod[0] - 6.0, rod[1] + 23.0], Start, "rod");
-        edge(pen, [disc[0] + 6.0, disc[1] + 23.0], End, "disc");
-        edge(pen, [sphere[0] + 6.0, sphere[1] - 24.0], End, "sphere");
-        let middle = between(rod, disc, 0.5);
-        let laminae = "laminae, *I*_{3} = *I*_{1} + *I*_{2}";
-        edge(pen, [middle[0], middle[1] + 44.0], Middle, laminae);
-        edge(pen, [disc[0] - 10.0, 222.0], End, "oblate,");
-        edge(pen, [disc[0] - 10.0, 243.0], End, "*I*_{1} = *I*_{2}");
-        let slant = between(rod, sphere, 0.8);
-        edge(
-            pen,
-            [slant[0] - 46.0, slant[1] + 5.0],
-            End,
-            "prolate, *I*_{2} = *I*_{3}",
-        );
+        let (flat, slant) = (between(rod, disc, 0.5), between(rod, sphere, 0.8));
+        let oblate = [disc[0] - 10.0, 222.0];
+        for (at, beside, anchor, text) in [
+            (rod, [-6.0, 23.0], Start, "rod"),
+            (disc, [6.0, 23.0], End, "disc"),
+            (sphere, [6.0, -24.0], End, "sphere"),
+            (
+                flat,
+                [0.0, 44.0],
+                Middle,
+                "laminae, *I*_{3} = *I*_{1} + *I*_{2}",
+            ),
+            (oblate, [0.0, 0.0], End, "oblate,"),
+            (oblate, [0.0, 21.0], End, "*I*_{1} = *I*_{2}"),
+            (slant, [-46.0, 5.0], End, "prolate, *I*_{2} = *I*_{3}"),
+        ] {
+            pen.text(shifted(at, beside), anchor, text, label(Muted));
+        }
     });
     let bodies = [
         ("book", book),

@@ -1,10 +1,11 @@
 //! Toutatis on its sky (tutorial 6.8): a motion of two periods that never repeats.
 
-use crate::prelude::*;
 use nalgebra::Rotation3;
 use spinning_bodies::euler_top::toutatis;
 use spinning_bodies::euler_top::{EulerTop, State};
 use spinning_bodies::frame::{Attitude, BodyVector};
+
+use crate::prelude::*;
 
 /// A day, s.
 const DAY: f64 = 86_400.0;
@@ -25,38 +26,33 @@ const BEYOND: f64 = 1.22;
 
 /// Where the long and the short axis point for two months.
 pub fn two_axes(values: &Values) -> Result<Figure> {
-    let (days, roll) = (values.of(&DAYS), values.of(&ROLL));
+    let [days, roll] = values.each([DAYS, ROLL]);
     let seen = toutatis::top()?.at(0.0)?.omega;
     let omega = BodyVector::new(seen.x(), seen.y(), -roll.to_radians() / DAY);
     let asteroid = EulerTop::from_omega(toutatis::MOMENTS, omega, Attitude::identity())?;
     let l = asteroid.angular_momentum_in_space().components();
     let upright = Rotation3::rotation_between(&l, &Vector::z()).unwrap_or_default();
     // The end of the long axis that stands on the side of L, and one end of the short axis.
-    let ends = [
-        BodyVector::new(0.0, 0.0, -1.0),
-        BodyVector::new(0.0, 1.0, 0.0),
-    ];
+    let ends = [[0.0, 0.0, -1.0], [0.0, 1.0, 0.0]];
     let times = (0..=days as u32 * A_DAY).map(|k| f64::from(k) / f64::from(A_DAY));
     let steps = times.clone().map(|day| day * DAY);
     let states = asteroid.states(steps).collect::<Result<Vec<_>>>()?;
     let [long, short] = ends.map(|end| -> Vec<Vector> {
-        let in_the_sky = |a: &State| upright * a.attitude.to_space(end).components();
+        let in_the_sky = |a: &State| upright * turned(&a.attitude, end.into());
         states.iter().map(in_the_sky).collect()
     });
     let angle = |a: &Vector| a.z.acos().to_degrees();
     let lowest = |axis: &[Vector]| axis.iter().map(angle).fold(f64::INFINITY, f64::min);
     let highest = |axis: &[Vector]| axis.iter().map(angle).fold(0.0, f64::max);
-    let periods = [
-        asteroid.period() / DAY,
-        TAU / asteroid.mean_precession_rate() / DAY,
-    ];
+    let rolling = asteroid.period() / DAY;
+    let going_round = TAU / asteroid.mean_precession_rate() / DAY;
 
     let name = match roll == ROLL.default {
         true => "Toutatis",
         false => "A body with the moments of Toutatis",
     };
     // The first few turns of the one that end within a fiftieth of whole turns of the other.
-    let [long_turn, short_turn] = [periods[0].max(periods[1]), periods[0].min(periods[1])];
+    let (long_turn, short_turn) = (rolling.max(going_round), rolling.min(going_round));
     let fit = (1..=6).map(|turns| (turns, f64::from(turns) * long_turn / short_turn));
     let fit = fit.map(|(turns, others)| (turns, others, (others - others.round()).abs()));
     let claim = match fit.clone().find(|(.., off)| *off < 0.02) {
@@ -67,14 +63,10 @@ pub fn two_axes(values: &Values) -> Result<Figure> {
             number(others, 0)
         ),
     };
-    let extremes = [
-        lowest(&long),
-        highest(&long),
-        lowest(&short),
-        highest(&short),
-    ];
-    let [low, high, least, most] = numbers(extremes, 1);
-    let [rolls, round] = numbers(periods, 2);
+    let extremes = |axis: &[Vector]| [lowest(axis), highest(axis)];
+    let extremes = [extremes(&long), extremes(&short)];
+    let [[low, high], [least, most]] = extremes.map(|ends| numbers(ends, 1));
+    let [rolls, round] = numbers([rolling, going_round], 2);
     let begins = match roll == ROLL.default {
         true => String::new(),
         false => format!(
@@ -82,8 +74,8 @@ pub fn two_axes(values: &Values) -> Result<Figure> {
             ROLL.default
         ),
     };
-    let [from, to, top, bottom] = numbers(extremes, 0);
-    let rounds = number(days / periods[1], 0);
+    let [[from, to], [top, bottom]] = extremes.map(|ends| numbers(ends, 0));
+    let rounds = number(days / going_round, 0);
     let words = words!(
         "{claim}",
         "Where its long axis (thick, a dot a day in the first week) and its short axis (thin) point for {days} days from 9 November 1992, on a sphere with \
@@ -113,7 +105,7 @@ pub fn two_axes(values: &Values) -> Result<Figure> {
         let tip = view.project(&(Vector::z() * BEYOND));
         let style = stroke(AngularMomentum, 2.0);
         pen.arrow(view.project(&Vector::z()), tip, style);
-        let place = [tip[0] + 14.0, tip[1] + 12.0];
+        let place = shifted(tip, [14.0, 12.0]);
         pen.text(place, Start, "*L*", label(AngularMomentum));
         // Leaders go to what is nearest.
         let remarks = [

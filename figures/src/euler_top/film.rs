@@ -22,14 +22,14 @@ pub const FILM: &[Parameter] = &[HANDLE, SPIN, OFF];
 
 /// Two throws, a degree apart.
 pub fn film(values: &Values) -> Result<Figure> {
-    let [handle, turns, degrees] = [HANDLE, SPIN, OFF].map(|one| values.of(&one));
+    let [handle, turns, degrees] = values.each([HANDLE, SPIN, OFF]);
     let moments = [1e-3 * handle, MOMENTS[1], MOMENTS[2]];
     let thrown = Throw::off(moments, turns, degrees.to_radians())?;
     let exact = Throw::off(moments, turns, 0.0)?;
     let time = |k: usize| thrown.flip_time() * k as f64 / (FRAMES - 1) as f64;
-    let states = (0..FRAMES)
-        .map(|k| Ok([exact.top.at(time(k))?, thrown.top.at(time(k))?]))
-        .collect::<Result<Vec<_>>>()?;
+    let states = tried(0..FRAMES, |k| {
+        Ok([exact.top.at(time(k))?, thrown.top.at(time(k))?])
+    })?;
     let somersaults = thrown.somersaults();
     let whole = (somersaults - 1.0).abs() < 0.01;
     let counted = number(somersaults, 2);
@@ -45,18 +45,17 @@ pub fn film(values: &Values) -> Result<Figure> {
         true => "brings the handle back and the other face to the front".to_owned(),
         false => format!("turns the handle {counted} times over, and $x_2$ to the other side"),
     };
-    let last = states[FRAMES - 1].map(|state| face(&state.attitude, &view([0.0; 2], SCALE)));
-    let told = last.map(|face| match face {
+    let seen = |state: State| match face(&state.attitude, &view([0.0; 2], SCALE)) {
         Face::Front => "bare",
         Face::Back => "filled",
-    });
+    };
+    let [above, below] = states[FRAMES - 1].map(seen);
     let pace = match turns {
         1.0 => "one turn a second".to_owned(),
         _ => format!("{} turns a second", brief(turns)),
     };
     let half = number(thrown.flip_time(), 3);
     let inertia = triple(moments.map(|moment| 1e3 * moment));
-    let [above, below] = told;
     let words = words!(
         "{claim}",
         "Two throws at {pace} seen at {FRAMES} equal times. Above, exactly about the middle axis $x_2$: nothing else happens, \

@@ -13,7 +13,7 @@ const GIVEN_UP: f64 = 1e-3;
 /// A library from its last good answer on.
 #[derive(Debug, Clone, PartialEq)]
 struct Peer {
-    name: String,
+    name: &'static str,
     /// The last good answer and the wrong ones beyond: decades from 1, seconds. They end where no number comes any more.
     answers: Vec<[f64; 2]>,
 }
@@ -21,17 +21,15 @@ struct Peer {
 impl Peer {
     /// Whether it still gives numbers at the end of the axis.
     fn goes_on(&self) -> bool {
-        self.answers
-            .last()
-            .is_some_and(|answer| answer[0] >= f64::from(DECADES) - 0.25)
+        let last = self.answers.last();
+        last.is_some_and(|answer| answer[0] >= f64::from(DECADES) - 0.25)
     }
 }
 
 /// The libraries of the table, in its order, which has a head line and for each library tilts that decrease.
-fn peers(table: &str) -> Vec<Peer> {
-    let mut lines = table
-        .lines()
-        .map(|line| line.split(',').collect::<Vec<_>>());
+fn peers() -> Vec<Peer> {
+    let cells = |line: &'static str| line.split(',').collect::<Vec<_>>();
+    let mut lines = PEERS.lines().map(cells);
     let head = lines.next().unwrap_or_default();
     let column = |ending: &str| head.iter().position(|name| name.ends_with(ending));
     let (Some(tilt), Some(time)) = (column("epsilon"), column("flip_time")) else {
@@ -42,7 +40,7 @@ fn peers(table: &str) -> Vec<Peer> {
     for cells in lines.filter(|cells| cells.len() > error && cells[0] != "exact") {
         let read = |k: usize| cells[k].trim().parse::<f64>().unwrap_or(f64::NAN);
         let answer = [-read(tilt).log10(), read(time)];
-        let name = cells[0].to_owned();
+        let name = cells[0];
         if found.last().is_none_or(|peer| peer.name != name) {
             let answers = Vec::new();
             found.push(Peer { name, answers });
@@ -96,8 +94,7 @@ impl Course {
             let time = Some(0.5 * top.period()).filter(|time| time.is_finite());
             Ok([exponent, time.unwrap_or_default()])
         };
-        let line = (0..=DECADES).map(|k| time(f64::from(k)));
-        let line = line.collect::<Result<Vec<_>>>()?;
+        let line = tried(0..=DECADES, |k| time(f64::from(k)))?;
         Ok(Self {
             moments,
             spin,
@@ -115,15 +112,13 @@ impl Course {
     }
 
     fn frame(&self) -> Frame {
-        let [left, right, bottom, top] = FRAME;
-        let places = [left, right, bottom, top];
-        Frame::linear([0.0, f64::from(DECADES)], [0.0, self.longest], places)
+        Frame::linear([0.0, f64::from(DECADES)], [0.0, self.longest], FRAME)
     }
 
     fn axes(&self, pen: &mut Pen) {
         let frame = self.frame();
-        let decades = powers((0..=DECADES).step_by(4).map(|decade| -decade)).into_iter();
-        let decades: Vec<_> = decades.map(|(one, text)| (-one.log10(), text)).collect();
+        let mut decades = powers((0..=DECADES).step_by(4).map(|decade| -decade));
+        decades.iter_mut().for_each(|(one, _)| *one = -one.log10());
         let names = ["", "time between flips, s"];
         frame.draw(pen, &decades, &frame.y.ticks(60.0), names);
         // Clear of the powers above it.
@@ -144,13 +139,12 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
     let (line, spin) = (&course.line, course.spin);
     // So far out the line is straight to the last digit printed: 2 ln 10/√λ.
     let decade = line[DECADES as usize][1] - line[DECADES as usize - 1][1];
-    let turns = |t: f64| t * spin / TAU;
     let near = line[DECADES as usize][1];
     // The answers of others were measured for one body at one speed.
     let measured = [SMALLEST, MIDDLE, LARGEST, SPIN]
         .iter()
         .all(|one| values.of(one) == one.default);
-    let others = if measured { peers(PEERS) } else { Vec::new() };
+    let others = if measured { peers() } else { Vec::new() };
     let (stubborn, silent): (Vec<Peer>, Vec<Peer>) = others.into_iter().partition(Peer::goes_on);
     let end = silent.iter().filter_map(|peer| peer.answers.last()).next();
     let longest = stubborn.iter().flat_map(|peer| &peer.answers);
@@ -177,7 +171,7 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
     let (inertia, beyond) = (triple(course.moments), remark(course.moments));
     let (pace, thrown) = (brief(spin), distance(values.of(&DISTANCE)));
     let [step, last, ring] = [decade, near, course.marked[1]].map(seconds);
-    let rounds = number(turns(near), 1);
+    let rounds = number(near * spin / TAU, 1);
     let words = match never {
         true => words!(
             "Equal parts of spin about the first and the third axis put this body on its separatrix: it swings over once and never flips again.",
@@ -217,16 +211,16 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
             }
         }
         if let Some(&end) = end {
-            let first = |name: &str| name.split(' ').next().map(str::to_owned);
-            let last = |name: &str| name.split(' ').next_back().map(str::to_owned);
-            let lines = [
-                ([294.0, 282.0], "no number beyond the cross:".to_owned()),
-                ([294.0, 301.0], listed(&silent, first)),
-                ([372.0, 214.0], "integrators lose the axis:".to_owned()),
-                ([372.0, 233.0], listed(&stubborn, last)),
-            ];
-            for (at, line) in lines {
-                pen.note(at, Start, &line);
+            let first = listed(silent.iter().filter_map(|peer| peer.name.split(' ').next()));
+            let last = stubborn.iter().map(|peer| peer.name.split(' '));
+            let last = listed(last.filter_map(|mut words| words.next_back()));
+            for (at, line) in [
+                ([294.0, 282.0], "no number beyond the cross:"),
+                ([294.0, 301.0], &first),
+                ([372.0, 214.0], "integrators lose the axis:"),
+                ([372.0, 233.0], &last),
+            ] {
+                pen.note(at, Start, line);
             }
             let [x, y] = course.place(end);
             pen.line([[x, y + 8.0], [x, 266.0]], inked(HAIR));
@@ -241,7 +235,7 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
     );
     let others = stubborn.iter().chain(&silent);
     Ok(others.fold(made, |made, peer| {
-        made.data(peer.name.as_str(), columns, peer.answers.iter().map(row))
+        made.data(peer.name, columns, peer.answers.iter().map(row))
     }))
 }
 
@@ -253,10 +247,10 @@ fn distance(value: f64) -> String {
     }
 }
 
-/// A part of each name, without repetitions.
-fn listed(peers: &[Peer], part: impl Fn(&str) -> Option<String>) -> String {
-    let mut names: Vec<String> = Vec::new();
-    for name in peers.iter().filter_map(|peer| part(&peer.name)) {
+/// Names without repetitions.
+fn listed<'a>(all: impl Iterator<Item = &'a str>) -> String {
+    let mut names: Vec<&str> = Vec::new();
+    for name in all {
         if !names.contains(&name) {
             names.push(name);
         }
@@ -266,13 +260,8 @@ fn listed(peers: &[Peer], part: impl Fn(&str) -> Option<String>) -> String {
 
 /// The end of a curve.
 fn cross(pen: &mut Pen, at: Point) {
-    for side in [1.0, -1.0] {
-        pen.line(
-            [
-                [at[0] - 4.5, at[1] - 4.5 * side],
-                [at[0] + 4.5, at[1] + 4.5 * side],
-            ],
-            inked(DATA),
-        );
+    for side in [4.5, -4.5] {
+        let ends = [[-4.5, -side], [4.5, side]].map(|end| shifted(at, end));
+        pen.line(ends, inked(DATA));
     }
 }

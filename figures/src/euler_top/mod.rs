@@ -1,8 +1,9 @@
 //! Euler's top (tutorial 6): the rolling ellipsoid, the polhodes, the racket, and the wandering pole.
 
-use crate::prelude::*;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
+
+use crate::prelude::*;
 
 mod animated;
 mod asteroid;
@@ -34,7 +35,7 @@ parameters! {
 }
 
 fn moments(values: &Values) -> [f64; 3] {
-    [SMALLEST, MIDDLE, LARGEST].map(|moment| values.of(&moment))
+    values.each([SMALLEST, MIDDLE, LARGEST])
 }
 
 /// The top with these moments, whether a body has them or not.

@@ -62,16 +62,12 @@ impl Curve {
         let most = (0.5 * top.period() / step).min(16.0) as i32;
         Ok(Self {
             semi: semi.into(),
-            points: (0..=180)
-                .map(|k| {
-                    picture
-                        .polhode_of_l(TAU * f64::from(k) / 180.0)
-                        .components()
-                })
+            points: spaced([0.0, TAU], 180)
+                .map(|turn| picture.polhode_of_l(turn).components())
                 .collect(),
-            dots: (-most..=most)
-                .map(|k| Ok(top.at(step * f64::from(k))?.angular_momentum.components()))
-                .collect::<Result<_>>()?,
+            dots: tried(-most..=most, |k| {
+                Ok(top.at(step * f64::from(k))?.angular_momentum.components())
+            })?,
             sector: picture.sector,
             period: top.period() / semi[1],
         })
@@ -114,10 +110,8 @@ fn sector(view: &View, semi: &Vector, crossing: f64, side: f64) -> Vec<Point> {
     }
     there.append(&mut back);
     there.append(&mut along);
-    there
-        .iter()
-        .map(|p| view.project(&p.component_mul(semi)))
-        .collect()
+    let places = there.iter().map(|p| view.project(&p.component_mul(semi)));
+    places.collect()
 }
 
 /// Polhodes on the ellipsoid of constant energy, with dots at equal times.
@@ -143,10 +137,7 @@ pub fn polhodes(values: &Values) -> Result<Figure> {
             }
         }
     }
-    let separatrix = sides
-        .into_iter()
-        .map(|signs| Curve::new(moments, crossing, signs))
-        .collect::<Result<Vec<_>>>()?;
+    let separatrix = tried(sides, |signs| Curve::new(moments, crossing, signs))?;
     let angle = values.of(&CROSSING);
     let yours = Curve::new(moments, angle, [1.0, 1.0])?;
     let period = number(yours.period / TAU, 2);
@@ -196,8 +187,8 @@ pub fn polhodes(values: &Values) -> Result<Figure> {
             pen.arrow(view.project(&arms[k]), to, inked(AXIS));
             let beyond = view.project(&(reach * (1.0 + 0.085 * semi[2] / semi[k])));
             let at = match k {
-                2 => [to[0] + 14.0, to[1] + 10.0],
-                _ => [beyond[0], beyond[1] + 5.0],
+                2 => shifted(to, [14.0, 10.0]),
+                _ => shifted(beyond, [0.0, 5.0]),
             };
             pen.label(at, Middle, name);
         }
@@ -207,35 +198,32 @@ pub fn polhodes(values: &Values) -> Result<Figure> {
             let (high, wide) = parting.sin_cos();
             view.project(&Vector::new(wide * c, s, sign * high * c).component_mul(&semi))
         };
-        let remarks = [
+        for (at, anchor, lines, beside, to) in [
             (
                 [150.0, 76.0],
                 End,
-                &["separatrix"][..],
-                [154.0, 72.0],
+                ["separatrix", ""],
+                [4.0, -4.0],
                 on(-0.45, 1.0),
             ),
             (
                 [478.0, 352.0],
                 Start,
-                &["next to *x*_{2}", "it dawdles"][..],
-                [472.0, 346.0],
+                ["next to *x*_{2}", "it dawdles"],
+                [-6.0, -6.0],
                 on(1.32, -1.0),
             ),
             (
                 [112.0, 366.0],
                 End,
-                &["far from it", "it hurries"][..],
-                [116.0, 366.0],
+                ["far from it", "it hurries"],
+                [4.0, 0.0],
                 on(0.0, -1.0),
             ),
-        ];
-        for (at, anchor, lines, from, to) in remarks {
-            for (k, line) in lines.iter().enumerate() {
-                let y = at[1] + 19.0 * k as f64;
-                pen.note([at[0], y], anchor, line);
-            }
-            pen.line([from, to], inked(HAIR));
+        ] {
+            pen.note(at, anchor, lines[0]);
+            pen.note(shifted(at, [0.0, 19.0]), anchor, lines[1]);
+            pen.line([shifted(at, beside), to], inked(HAIR));
         }
     });
     let columns = "L₁ (√(2E kg m²)) | L₂ (√(2E kg m²)) | L₃ (√(2E kg m²))";

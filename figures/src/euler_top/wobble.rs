@@ -1,8 +1,9 @@
 //! The wandering pole of the Earth (tutorial 6.5).
 
-use crate::prelude::*;
 use spinning_bodies::euler_top::{Cones, Shape, SymmetricTop};
 use spinning_bodies::frame::BodyVector;
+
+use crate::prelude::*;
 
 const CENTER: Point = [206.0, 208.0];
 /// Days between two dots.

@@ -8,13 +8,12 @@ use crate::finish;
 use crate::prelude::*;
 
 const NAME: &str = "strip-animated";
-/// Widths, cm, and where the paths begin; half widths drawn, units.
-const STRIPS: [(f64, &str, Point); 2] = [
-    (24.0, "24 cm wide: flutters", [130.0, 84.0]),
-    (2.0, "2 cm wide: tumbles", [300.0, 84.0]),
+/// Widths, cm, what they do, where the paths begin, and half widths drawn, units.
+const STRIPS: [(f64, &str, Point, f64); 2] = [
+    (24.0, "24 cm wide: flutters", [130.0, 84.0], 30.0),
+    (2.0, "2 cm wide: tumbles", [300.0, 84.0], 7.0),
 ];
-const HALF: [f64; 2] = [30.0, 7.0];
-const PICTURES: usize = 240;
+const PICTURES: u32 = 240;
 /// Seconds of the film.
 const SECONDS: f64 = 9.0;
 /// Height of the picture that the paths cross, units.
@@ -32,9 +31,7 @@ struct Film {
     time: f64,
 }
 
-fn film(index: usize) -> Result<Film> {
-    let (width, name, start) = STRIPS[index];
-    let half = HALF[index];
+fn film((width, name, start, half): (f64, &'static str, Point, f64)) -> Result<Film> {
     let sheet = Sheet::of_paper(width / 100.0)?;
     let fall = Fall::new(sheet.mass_ratio(), Coefficients::PAPER)?;
     let run = fall.long_run(Start::TILTED, 200.0, 200.0)?;
@@ -44,28 +41,20 @@ fn film(index: usize) -> Result<Film> {
         Some(period) => (crossing / period).floor().max(1.0) * period,
         None => crossing,
     };
-    let times: Vec<f64> = (0..=PICTURES)
-        .map(|k| 300.0 + time * k as f64 / PICTURES as f64)
-        .collect();
-    let path = fall.path(Start::TILTED, &times)?;
+    let times = (0..=PICTURES).map(|k| 300.0 + time * f64::from(k) / f64::from(PICTURES));
+    let path = fall.path(Start::TILTED, &times.collect::<Vec<_>>())?;
     let sign = if run.drift < -1e-6 { -1.0 } else { 1.0 };
-    let middle = if run.drift.abs() > 1e-6 {
-        path[0][0]
-    } else {
-        let xs = || path.iter().map(|y| y[0]);
-        0.5 * (xs().fold(f64::MAX, f64::min) + xs().fold(f64::MIN, f64::max))
+    let xs = || path.iter().map(|y| y[0]);
+    let middle = match run.drift.abs() > 1e-6 {
+        true => path[0][0],
+        false => 0.5 * (xs().fold(f64::MAX, f64::min) + xs().fold(f64::MIN, f64::max)),
     };
-    let pictures = path
-        .iter()
-        .map(|y| {
-            let place = [
-                start[0] + half * sign * (y[0] - middle),
-                start[1] - half * (y[1] - path[0][1]),
-            ];
-            // Down is positive on the canvas.
-            (place, -sign * y[2])
-        })
-        .collect();
+    // Down is positive on the canvas.
+    let picture = |y: &[f64; 7]| {
+        let place = [sign * (y[0] - middle), y[1] - path[0][1]];
+        (planned(start, half, place), -sign * y[2])
+    };
+    let pictures = path.iter().map(picture).collect();
     Ok(Film {
         name,
         start,
@@ -78,7 +67,7 @@ fn film(index: usize) -> Result<Film> {
 
 /// A wide strip and a narrow one.
 pub fn animated(_: &Values) -> Result<Figure> {
-    let films = [film(0)?, film(1)?];
+    let films = tried(STRIPS, film)?;
     let slow = |film: &Film| SECONDS / (film.time * film.sheet.time());
     let (wide, narrow) = (number(slow(&films[0]), 1), number(slow(&films[1]), 0));
     let words = words!(
@@ -98,10 +87,9 @@ pub fn animated(_: &Values) -> Result<Figure> {
                 pen.line(ends, inked(SECONDARY).alpha(0.22));
             }
             let at = [film.start[0].max(130.0), 34.0];
-            let anchor = if film.start[0] > 200.0 {
-                Anchor::Start
-            } else {
-                Middle
+            let anchor = match film.start[0] > 200.0 {
+                true => Anchor::Start,
+                false => Middle,
             };
             pen.label(at, anchor, film.name);
         }
@@ -110,19 +98,16 @@ pub fn animated(_: &Values) -> Result<Figure> {
     let (mut style, mut groups, mut all) = ("<style>".to_owned(), String::new(), String::new());
     for (film, part) in films.iter().zip(["wide", "narrow"]) {
         let name = format!("fig-{NAME}-{part}");
-        let frames = film
-            .pictures
-            .iter()
-            .enumerate()
-            .map(|(k, ([x, y], angle))| {
-                let (x, y) = (x * SCALE, y * SCALE);
-                let moved = format!("translate({x:.0}px,{y:.0}px) rotate({angle:.3}rad)");
-                (format!("{:.2}", 100.0 * k as f64 / PICTURES as f64), moved)
-            });
+        let shares = spaced([0.0, 100.0], PICTURES).map(|share| format!("{share:.2}"));
+        let frames = shares.zip(&film.pictures).map(|(share, ([x, y], angle))| {
+            let (x, y) = (x * SCALE, y * SCALE);
+            let moved = format!("translate({x:.0}px,{y:.0}px) rotate({angle:.3}rad)");
+            (share, moved)
+        });
         style += &finish::keyframes(&name, frames);
         style += &format!(".{name}{{animation:{name} {SECONDS}s linear infinite}}");
         let _ = write!(all, "{}.{name}", if all.is_empty() { "" } else { "," });
-        let ([x, y], angle) = film.pictures[PICTURES / 2];
+        let ([x, y], angle) = film.pictures[film.pictures.len() / 2];
         let (x, y, half) = (x * SCALE, y * SCALE, film.half * SCALE);
         let degrees = angle.to_degrees();
         let _ = writeln!(

@@ -3,8 +3,9 @@
 mod animated;
 mod regimes;
 
-use crate::prelude::*;
 use spinning_bodies::falling_strip::{Coefficients, Fall, LongRun, Regime, Sheet, Start};
+
+use crate::prelude::*;
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
@@ -16,10 +17,9 @@ pub const FIGURES: &[Entry] = &[
 
 /// Long runs of all these mass ratios.
 fn scan(ratios: &[f64], coefficients: Coefficients) -> Result<Vec<LongRun>> {
-    ratios
-        .iter()
-        .map(|&ratio| Fall::new(ratio, coefficients)?.long_run(Start::TILTED, 300.0, 300.0))
-        .collect()
+    tried(ratios, |&ratio| {
+        Fall::new(ratio, coefficients)?.long_run(Start::TILTED, 300.0, 300.0)
+    })
 }
 
 /// Panels: mass ratio, what it shows, where, from when on and how long, units of time.
@@ -36,23 +36,14 @@ const UNIT: f64 = 9.5;
 
 /// Six ways to fall: mass ratios and moments chosen by hand, for each panel has its own room.
 pub fn paths(_: &Values) -> Result<Figure> {
-    let drawn: Vec<(Vec<[f64; 7]>, LongRun)> = PANELS
-        .iter()
-        .map(|&(ratio, _, _, from, lasts)| {
-            let fall = Fall::new(ratio, Coefficients::PUBLISHED)?;
-            let times = (0..=400).map(|k| from + lasts * f64::from(k) / 400.0);
-            let times: Vec<f64> = times.collect();
-            let path = fall.path(Start::TILTED, &times)?;
-            Ok((path, fall.long_run(Start::TILTED, 400.0, 400.0)?))
-        })
-        .collect::<Result<_>>()?;
-    let told = |k: usize| {
-        drawn[k]
-            .1
-            .period
-            .map_or("none".to_owned(), |p| number(p, 2))
-    };
-    let [a, b, c, d, e, f] = [0, 1, 2, 3, 4, 5].map(told);
+    let drawn = tried(PANELS, |(ratio, _, _, from, lasts)| {
+        let fall = Fall::new(ratio, Coefficients::PUBLISHED)?;
+        let times = (0..=400).map(|k| from + lasts * f64::from(k) / 400.0);
+        let path = fall.path(Start::TILTED, &times.collect::<Vec<_>>())?;
+        let run = fall.long_run(Start::TILTED, 400.0, 400.0)?;
+        Ok((path, run.period.map_or("none".to_owned(), |p| number(p, 2))))
+    })?;
+    let [a, b, c, d, e, f] = [0, 1, 2, 3, 4, 5].map(|k: usize| &drawn[k].1);
     let words = words!(
         "One plate, six weights, six ways to fall.",
         "The equations of Andersen, Pesavento and Wang with their coefficients; the mass ratio $I^*$ is the plate's mass over that of the fluid cylinder around it. \
@@ -68,11 +59,9 @@ pub fn paths(_: &Values) -> Result<Figure> {
             let middle = 0.5 * (low + high);
             // Always to the right, so that panels can be compared.
             let sign = if path[400][0] < path[0][0] { -1.0 } else { 1.0 };
-            let place = |x: f64, y: f64| -> Point {
-                [
-                    corner[0] + UNIT * sign * (x - middle),
-                    corner[1] + 16.0 - UNIT * (y - path[0][1]),
-                ]
+            let place = |x: f64, y: f64| {
+                let place = [sign * (x - middle), y - path[0][1]];
+                planned(shifted(*corner, [0.0, 16.0]), UNIT, place)
             };
             let center = path.iter().map(|y| place(y[0], y[1]));
             pen.line(center, muted(SECONDARY).alpha(0.9));
@@ -81,10 +70,9 @@ pub fn paths(_: &Values) -> Result<Figure> {
                 let ends = [1.0, -1.0].map(|s| place(y[0] + s * cosine, y[1] + s * sine));
                 pen.line(ends, inked(1.5).alpha(0.75));
             }
-            let [x, y] = *corner;
             let text = format!("*I*^{{\u{2217}}} = {ratio}");
-            pen.label([x, y - 24.0], Middle, &text);
-            pen.remark([x, y - 7.0], Middle, name);
+            pen.label(shifted(*corner, [0.0, -24.0]), Middle, &text);
+            pen.remark(shifted(*corner, [0.0, -7.0]), Middle, name);
         }
     }))
 }
@@ -93,8 +81,7 @@ pub fn paths(_: &Values) -> Result<Figure> {
 pub fn rate(_: &Values) -> Result<Figure> {
     let widths = (0..48).map(|k| 0.5 * 36_f64.powf(f64::from(k) / 47.0));
     let widths: Vec<f64> = widths.collect();
-    let sheets = widths.iter().map(|w| Sheet::of_paper(w / 100.0));
-    let sheets: Vec<Sheet> = sheets.collect::<Result<_>>()?;
+    let sheets = tried(&widths, |w| Sheet::of_paper(w / 100.0))?;
     let ratios: Vec<f64> = sheets.iter().map(Sheet::mass_ratio).collect();
     let runs = scan(&ratios, Coefficients::PAPER)?;
     let frame = Frame::log([0.4, 24.0], [0.4, 40.0], [76.0, 570.0, 330.0, 40.0]);
@@ -103,20 +90,17 @@ pub fn rate(_: &Values) -> Result<Figure> {
         .filter(|&k| runs[k].regime == Regime::Tumble)
         .map(|k| frame.at(widths[k], hertz(k)))
         .collect();
+    // Of all strips the one that is next to this width.
     let at = |width: f64| {
-        (0..widths.len()).min_by(|&a, &b| {
-            (widths[a] - width)
-                .abs()
-                .total_cmp(&(widths[b] - width).abs())
-        })
+        let off = |k: &usize| (widths[*k] - width).abs();
+        (0..widths.len())
+            .min_by(|a, b| off(a).total_cmp(&off(b)))
+            .unwrap_or(0)
     };
-    let one = at(1.0).map_or(f64::NAN, hertz);
+    let one = hertz(at(1.0));
     let law = [0.45, 20.0].map(|w| frame.at(w, one / w));
-    let exponent = |low: f64, high: f64| {
-        let [a, b] = [low, high].map(|w| at(w).unwrap_or(0));
-        (hertz(a) / hertz(b)).ln() / (widths[a] / widths[b]).ln()
-    };
-    let slope = exponent(0.78, 2.8);
+    let (a, b) = (at(0.78), at(2.8));
+    let slope = (hertz(a) / hertz(b)).ln() / (widths[a] / widths[b]).ln();
     let power = number(slope, 2);
     let words = words!(
         "The narrower the strip, the faster it spins.",
@@ -126,21 +110,17 @@ pub fn rate(_: &Values) -> Result<Figure> {
          a little less steeply than the dashed line of the scaling law, and ends with a drop at sixteen centimetres."
     );
     Ok(figure("strip-rate", 390.0, words, |pen| {
-        frame.draw(
-            pen,
-            &marks(&[0.5, 1.0, 2.0, 5.0, 10.0, 20.0], ""),
-            &marks(&[0.5, 1.0, 2.0, 5.0, 10.0, 20.0], ""),
-            ["width, cm", "turns per second"],
-        );
+        let ticks = marks(&[0.5, 1.0, 2.0, 5.0, 10.0, 20.0], "");
+        frame.draw(pen, &ticks, &ticks, ["width, cm", "turns per second"]);
         pen.line(law, muted(SECONDARY).dashed());
         pen.line(&curve, inked(DATA));
-        let [x, y] = frame.at(4.6, one / 4.6);
-        pen.remark([x - 14.0, y + 22.0], End, "rate ~ 1/width");
-        let [x, y] = frame.at(1.3, 13.0);
-        pen.label([x + 12.0, y - 6.0], Anchor::Start, "paper, 80 g/m²");
-        if let Some(end) = curve.last() {
-            pen.dot(*end, 4.0);
-            pen.note([end[0] - 10.0, end[1] + 5.0], End, "flutter begins");
+        let below = shifted(frame.at(4.6, one / 4.6), [-14.0, 22.0]);
+        pen.remark(below, End, "rate ~ 1/width");
+        let above = shifted(frame.at(1.3, 13.0), [12.0, -6.0]);
+        pen.label(above, Anchor::Start, "paper, 80 g/m²");
+        if let Some(&end) = curve.last() {
+            pen.dot(end, 4.0);
+            pen.note(shifted(end, [-10.0, 5.0]), End, "flutter begins");
         }
     }))
 }

@@ -10,7 +10,7 @@ parameters! {
     DIRECTION: "direction", r"\varphi", "°", "direction of Ω, from the long edge to the short one", [0.0, 90.0], 20.0, dragged(|values| polar(CENTER, OMEGA, values.of(&DIRECTION).to_radians()));
 }
 /// What may be chosen; the tip of Ω is the handle of its direction.
-pub const LEANING: &[Parameter] = &[
+pub const LEANING: [Parameter; 4] = [
     DIRECTION,
     LONG.between([6.0, 12.0], 10.0),
     MIDDLE.between([4.0, 6.0], 6.0),
@@ -25,7 +25,7 @@ const MOMENTUM: f64 = 232.0;
 
 /// Both arrows from one point, and where their tips go when Ω turns.
 pub fn leaning(values: &Values) -> Result<Figure> {
-    let [direction, long, middle, thin] = [0, 1, 2, 3].map(|k| values.of(&LEANING[k]));
+    let [direction, long, middle, thin] = values.each(LEANING);
     let body = shapes::cuboid(1.0, [long, middle, thin])?;
     let inertia = body.inertia();
     let moments = inertia.principal_axes().principal_moments();
@@ -61,16 +61,13 @@ pub fn leaning(values: &Values) -> Result<Figure> {
     );
     let tips = |angle: f64| -> [Point; 2] {
         let l = momentum(angle) / largest * MOMENTUM;
-        [
-            polar(CENTER, OMEGA, angle),
-            [CENTER[0] + l.x(), CENTER[1] - l.z()],
-        ]
+        let l = planned(CENTER, 1.0, [l.x(), l.z()]);
+        [polar(CENTER, OMEGA, angle), l]
     };
     let made = figure("leaning", 338.0, words, |pen| {
         let [half, up] = [long, thin].map(|edge| 0.5 * edge * METRE);
         let [x, y] = CENTER;
-        let corners =
-            [[-half, up], [half, up], [half, -up], [-half, -up]].map(|[dx, dy]| [x + dx, y + dy]);
+        let corners = boxed([x - half, y + up], [x + half, y - up]);
         pen.fill(corners, Ink, 0.08);
         pen.outline(corners, inked(SECONDARY));
         let axes = [[[x - 172.0, y], [x + 214.0, y]], [[x, y + 64.0], [x, 14.0]]];
@@ -83,8 +80,8 @@ pub fn leaning(values: &Values) -> Result<Figure> {
             arrows.push((tips(angle)[k], role, name));
         }
         // The shorter one over the longer one.
-        let length = |tip: &Point| (tip[0] - x).hypot(tip[1] - y);
-        arrows.sort_by(|a, b| length(&b.0).total_cmp(&length(&a.0)));
+        let length = |tip: Point| distance(tip, CENTER);
+        arrows.sort_by(|a, b| length(b.0).total_cmp(&length(a.0)));
         for &(tip, role, _) in &arrows {
             pen.arrow(CENTER, tip, stroke(role, 2.6));
         }
@@ -92,17 +89,11 @@ pub fn leaning(values: &Values) -> Result<Figure> {
         let leaned = l.z().atan2(l.x());
         pen.arc(CENTER, 46.0, angle, leaned, inked(AXIS));
         if !parallel {
-            let between = (0..40).map(|k| {
-                let out = 66.0 + 4.0 * f64::from(k);
-                polar(CENTER, out, 0.5 * (angle + leaned))
-            });
+            let on = |k: u32, from: f64, angle| polar(CENTER, from + 4.0 * f64::from(k), angle);
+            let between = (0..40).map(|k| on(k, 66.0, 0.5 * (angle + leaned)));
             // Beside a narrow angle, if not within.
-            let beside = (0..30).map(|k| {
-                let [x, y] = polar(CENTER, 60.0 + 4.0 * f64::from(k), angle);
-                [x + 32.0, y]
-            });
-            let text = format!("{shown}°");
-            pen.name(between.chain(beside), &text, label(Ink));
+            let beside = (0..30).map(|k| shifted(on(k, 60.0, angle), [32.0, 0.0]));
+            pen.name(between.chain(beside), &format!("{shown}°"), label(Ink));
         }
         let at = [x + 222.0, y + 5.0];
         let text = format!("*I*_{{1}} = {smallest:.2} kg m²");

@@ -51,13 +51,11 @@ impl Row {
             let here = at.x.hypot(at.y).atan2(at.z);
             trace.push(shown([here - tilt, turned]));
         }
-        let limit: Vec<Point> = (0..=STEPS * ARCHES)
-            .map(|k| shown(cycloid.at(TAU * f64::from(k) / f64::from(STEPS))))
-            .collect();
+        let turns = (0..=STEPS * ARCHES).map(|k| TAU * f64::from(k) / f64::from(STEPS));
+        let limit: Vec<Point> = turns.map(|turn| shown(cycloid.at(turn))).collect();
         let arch = trace.iter().zip(&limit).take(STEPS as usize + 1);
-        let off = arch
-            .flat_map(|(trace, limit)| [trace[0] - limit[0], trace[1] - limit[1]])
-            .fold(0.0, |most: f64, off| most.max(off.abs()));
+        let off = arch.flat_map(|([a, b], [c, d])| [(a - c).abs(), (b - d).abs()]);
+        let off = off.fold(0.0, f64::max);
         Ok(Self {
             axial,
             trace,
@@ -78,10 +76,8 @@ impl Row {
 /// Three tops, three cycloids.
 pub fn cycloids(values: &Values) -> Result<Figure> {
     let degrees = values.of(&TILT);
-    let rows = CYCLOIDS[1..]
-        .iter()
-        .map(|spin| Row::new(values.of(spin), degrees.to_radians()))
-        .collect::<Result<Vec<_>>>()?;
+    let spins = values.each([UPPER, MIDDLE, LOWER]);
+    let rows = tried(spins, |spin| Row::new(spin, degrees.to_radians()))?;
     let mut order: Vec<&Row> = rows.iter().collect();
     order.sort_by(|a, b| a.axial.total_cmp(&b.axial));
     let better = order.windows(2).all(|pair| pair[1].off <= pair[0].off);
@@ -122,8 +118,7 @@ pub fn cycloids(values: &Values) -> Result<Figure> {
             let place = |&[along, down]: &Point| [LEFT + unit * along, from + unit * down];
             let lowest = place(&[0.0, 2.0]);
             pen.line([[LEFT, from], [RIGHT, from]], inked(HAIR));
-            let dotted = muted(AXIS).dotted();
-            pen.line([lowest, [RIGHT, lowest[1]]], dotted);
+            pen.line([lowest, [RIGHT, lowest[1]]], muted(AXIS).dotted());
             let levels = spread([from, lowest[1]], 18.0);
             for (y, text) in levels.into_iter().zip(["*θ*_{0}", "+2*a*"]) {
                 pen.note([LEFT - 10.0, y + 5.0], End, text);
@@ -135,12 +130,8 @@ pub fn cycloids(values: &Values) -> Result<Figure> {
             for point in trace.iter().step_by(STEPS as usize / 8) {
                 pen.dot(*point, 3.0);
             }
-            pen.text(
-                [LEFT, from - 14.0],
-                Start,
-                &format!("*L*_{{3}} = {}", brief(row.axial)),
-                label(AngularMomentum),
-            );
+            let name = format!("*L*_{{3}} = {}", brief(row.axial));
+            pen.text([LEFT, from - 14.0], Start, &name, label(AngularMomentum));
             from += unit * depth.max(2.0) + BETWEEN;
         }
         let under = [RIGHT, from - BETWEEN + 26.0];
@@ -149,9 +140,11 @@ pub fn cycloids(values: &Values) -> Result<Figure> {
     let columns = "φ sin θ₀ (radii of the wheel) | θ − θ₀ (radii of the wheel)";
     Ok(rows.iter().fold(made, |made, row| {
         let name = brief(row.axial);
-        let [top, cycloid] =
-            ["top with", "cycloid for"].map(|curve| format!("{curve} L3 = {name}"));
-        made.data(top, columns, row.trace.clone())
-            .data(cycloid, columns, row.limit.clone())
+        made.data(format!("top with L3 = {name}"), columns, row.trace.clone())
+            .data(
+                format!("cycloid for L3 = {name}"),
+                columns,
+                row.limit.clone(),
+            )
     }))
 }

@@ -2,9 +2,10 @@
 //!
 //! Units of all figures: I₁ = 1 and Mgl = 1; I₃ = 1 as well, unless said, so that L₃ is Ω₃. The motion of the axis depends on I₃ through L₃ only.
 
-use crate::prelude::*;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::lagrange_top::{LagrangeTop, PurePrecession, pure_precession};
+
+use crate::prelude::*;
 
 mod animated;
 mod cycloid;
@@ -20,11 +21,7 @@ pub const FIGURES: &[Entry] = &[
     of("wooden-top-let-go", wooden::WOODEN, wooden::let_go),
     of("nutations", nutations::NUTATIONS, nutations::nutations),
     of("top-animated", &[], animated::top_animated),
-    of(
-        "sleeping-threshold",
-        sleeping::SLEEPING,
-        sleeping::threshold,
-    ),
+    of("sleeping-threshold", sleeping::CHOSEN, sleeping::threshold),
     of("sleep-ends", waking::WAKING, waking::waking),
     of("cycloid", cycloid::CYCLOIDS, cycloid::cycloids),
     of("precession-rates", rates::RATES, rates::precession_rates),
@@ -52,6 +49,12 @@ fn pure_rates(height: f64, axial: f64) -> Result<[f64; 2]> {
         PurePrecession::One(rate) => [rate, rate],
         PurePrecession::None | PurePrecession::Any => [f64::NAN; 2],
     })
+}
+
+/// A time with the tilt and the azimuth of a nose, °.
+fn angles((time, nose): (f64, Vector)) -> [f64; 3] {
+    let tilt = nose.x.hypot(nose.y).atan2(nose.z);
+    [time, tilt.to_degrees(), nose.y.atan2(nose.x).to_degrees()]
 }
 
 /// Where the nose of the top is in space at a time, a unit from the pivot.

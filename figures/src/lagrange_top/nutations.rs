@@ -2,7 +2,7 @@
 
 use spinning_bodies::lagrange_top::{LagrangeTop, Nutation};
 
-use super::{launch, nose, pure_rates};
+use super::{angles, launch, nose, pure_rates};
 use crate::prelude::*;
 
 /// cos θ of every start: 60 degrees.
@@ -278,11 +278,7 @@ pub fn nutations(values: &Values) -> Result<Figure> {
     Ok(named.fold(made, |made, (globe, trace)| {
         let [vertical, axial] = globe.momenta;
         let name = format!("{}, Lvert = {vertical}, L3 = {axial}", globe.name);
-        let rows = trace.points.iter().map(|(t, nose)| {
-            let tilt = nose.x.hypot(nose.y).atan2(nose.z);
-            [*t, tilt.to_degrees(), nose.y.atan2(nose.x).to_degrees()]
-        });
-        made.data(name, columns, rows)
+        made.data(name, columns, trace.points.iter().copied().map(angles))
     }))
 }
 

@@ -11,7 +11,7 @@ parameters! {
     KICK: "kick", r"\Omega_\perp", "", "angular velocity across the axis after a kick, in units of the square root of Mgℓ/I₁", [1e-4, 0.1], 0.01, logarithmic;
 }
 /// What may be chosen; the handle is the root of the slowest top.
-pub const SLEEPING: &[Parameter] = &[ABOVE, BELOW, KICK];
+pub const CHOSEN: &[Parameter] = &[ABOVE, BELOW, KICK];
 
 /// L₃ at the threshold.
 const THRESHOLD: f64 = 2.0;
@@ -61,8 +61,7 @@ impl Shown {
         pen.line([[left, zero], [right, zero]], ink);
         pen.line([[left, low], [left, high]], ink);
         let x = self.place(1.0, 0.0)[0];
-        let dotted = muted(HAIR).dotted();
-        pen.line([[x, low], [x, high]], dotted);
+        pen.line([[x, low], [x, high]], muted(HAIR).dotted());
         for (h, text) in Axis::linear(self.ends, [left, right]).ticks(150.0) {
             let [x, y] = self.place(h, 0.0);
             pen.line([[x, y], [x, y + 5.0]], ink);
@@ -70,10 +69,8 @@ impl Shown {
                 pen.note([x + 4.0, y + 24.0], Start, &text);
             }
         }
-        let name = [left + 10.0, high - 6.0];
-        pen.label(name, Start, "*f*(*h*)");
-        let name = [right + 9.0, zero + 5.0];
-        pen.label(name, Start, "*h*");
+        pen.label([left + 10.0, high - 6.0], Start, "*f*(*h*)");
+        pen.label([right + 9.0, zero + 5.0], Start, "*h*");
     }
 }
 
@@ -84,28 +81,22 @@ fn cubic(roots: &Roots, h: f64) -> f64 {
 
 /// The third root goes through the double one, and the sign of f next to h = 1 changes.
 pub fn threshold(values: &Values) -> Result<Figure> {
-    let [above, below, kick] = [ABOVE, BELOW, KICK].map(|one| values.of(&one));
-    let spins = [
-        above,
-        0.5 * (above + THRESHOLD),
-        THRESHOLD,
-        0.5 * (below + THRESHOLD),
-        below,
-    ];
+    let [above, below, kick] = values.each([ABOVE, BELOW, KICK]);
+    let [faster, slower] = [above, below].map(|spin| 0.5 * (spin + THRESHOLD));
+    let spins = [above, faster, THRESHOLD, slower, below];
     let shown = Shown::of(values);
-    let curves = spins
-        .iter()
-        .map(|axial| {
-            let roots = launch(1.0, 0.0, *axial)?.roots();
-            let curve = spaced([shown.ends[0], shown.ends[1]], 600)
-                .map(|h| [h, cubic(&roots, h)])
-                .filter(|[_, f]| (CUT[0]..=CUT[1]).contains(&(shown.unit * f)));
-            Ok((*axial, curve.collect::<Vec<[f64; 2]>>()))
-        })
-        .collect::<Result<Vec<_>>>()?;
-    let tilts = [above, THRESHOLD, below].map(|axial| tilt_after_kick(1.0, 1.0, axial, kick));
-    let [fast, at, slow] = tilts.map(|tilt| tilt.map(|tilt| number(tilt.to_degrees(), 2)));
-    let (fast, at, slow) = (fast?, at?, slow?);
+    let curves = tried(spins, |axial| {
+        let roots = launch(1.0, 0.0, axial)?.roots();
+        let curve = spaced(shown.ends, 600)
+            .map(|h| [h, cubic(&roots, h)])
+            .filter(|[_, f]| (CUT[0]..=CUT[1]).contains(&(shown.unit * f)));
+        Ok((axial, curve.collect::<Vec<Point>>()))
+    })?;
+    let tilt = |axial: f64| -> Result<String> {
+        let tilt = tilt_after_kick(1.0, 1.0, axial, kick)?;
+        Ok(number(tilt.to_degrees(), 2))
+    };
+    let (fast, at, slow) = (tilt(above)?, tilt(THRESHOLD)?, tilt(below)?);
     let root = number(loner(below), 3);
     let [above, below] = [above, below].map(brief);
     let push = brief(kick);
@@ -141,18 +132,18 @@ pub fn threshold(values: &Values) -> Result<Figure> {
         }
         // The number stands at the lower end of its curve, that of the last one over its crest.
         let feet = [0, 1, 2, 3].map(|k: usize| {
-            let foot = curves[k].1.first().map_or([1.0, 0.0], |&at| at);
-            shown.place(foot[0], foot[1])
+            let foot = curves[k].1.first().map_or(1.0, |at| at[0]);
+            shown.place(foot, 0.0)[0]
         });
-        let across = spread(feet.map(|at| at[0]), 38.0);
+        let across = spread(feet, 38.0);
         for (x, axial) in across.into_iter().zip(spins) {
             let y = FRAME[2] - CUT[0] + 19.0;
             pen.note([x, y], Middle, &brief(axial));
         }
         let root = loner(spins[4]);
-        let [x, y] = shown.place((1.0 + 2.0 * root) / 3.0, 8.0 / 27.0 * (1.0 - root).powi(3));
+        let crest = shown.place((1.0 + 2.0 * root) / 3.0, 8.0 / 27.0 * (1.0 - root).powi(3));
         let text = format!("*L*_{{3}} = {below}");
-        pen.note([x, y - 9.0], Middle, &text);
+        pen.note(shifted(crest, [0.0, -9.0]), Middle, &text);
     });
     let columns = "h = cos θ | f(h) (Mgl/I1)";
     Ok(curves.into_iter().fold(made, |made, (axial, curve)| {

@@ -1,10 +1,11 @@
 //! Tilt against spin while dry friction takes a sleeping top through the threshold (tutorial 7.5).
 
-use crate::prelude::*;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::lagrange_top::{sleeping_threshold, tilt_after_kick};
 use spinning_bodies::scene::top::{Body, Gravity, Start, TipFriction, Top};
 use spinning_bodies::scene::{Request, Scene};
+
+use crate::prelude::*;
 
 const MOMENTS: [f64; 3] = [2.0e-4, 2.0e-4, 7.0e-5];
 const WEIGHT_MOMENT: f64 = 0.1 * 9.81 * 0.04;
@@ -26,7 +27,7 @@ pub const WAKING: &[Parameter] = &[TILT, TORQUE];
 
 /// The tilt that gravity allows opens at the threshold; the top notices late.
 pub fn waking(values: &Values) -> Result<Figure> {
-    let (tilt, torque) = (values.of(&TILT), values.of(&TORQUE));
+    let [tilt, torque] = values.each([TILT, TORQUE]);
     let threshold = sleeping_threshold(MOMENTS[0], MOMENTS[2], WEIGHT_MOMENT)?;
     let body = Body::new(MOMENTS)?.with_center_of_mass(0.1, BodyVector::new(0.0, 0.0, 0.04))?;
     let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), tilt)?;
@@ -39,21 +40,17 @@ pub fn waking(values: &Values) -> Result<Figure> {
     let times: Vec<f64> = (0..SAMPLES).map(|k| step * f64::from(k)).collect();
     let motion = top.simulate(&Request::at(times)?.to_accuracy(1e-4)?)?;
     let axis = BodyVector::new(0.0, 0.0, 1.0);
-    let course: Vec<[f64; 3]> = motion
-        .rows
-        .iter()
-        .map(|(t, state)| {
-            let height = state.attitude.to_space(axis).z();
-            let tilt = height.clamp(-1.0, 1.0).acos().to_degrees();
-            [*t, state.omega.z(), tilt]
-        })
-        .collect();
+    let course = motion.rows.iter().map(|(t, state)| {
+        let height = state.attitude.to_space(axis).z();
+        let tilt = height.clamp(-1.0, 1.0).acos().to_degrees();
+        [*t, state.omega.z(), tilt]
+    });
+    let course: Vec<[f64; 3]> = course.collect();
     let crossed = course.iter().find(|[_, spin, _]| *spin < threshold);
     let awake = course.iter().find(|[_, _, tilt]| *tilt > AWAKE);
     let deepest = course.iter().map(|row| row[2]).fold(0.0, f64::max);
-    let late = crossed
-        .zip(awake)
-        .map(|(crossed, awake)| (awake[0] - crossed[0], awake[1]));
+    let both = crossed.zip(awake);
+    let late = both.map(|(crossed, awake)| (awake[0] - crossed[0], awake[1]));
     let passes = match late {
         Some((late, spin)) if late > 0.0 => format!(
             "the tilt passes one degree {late:.2} s later, at {spin:.2} rad/s, and then runs up to {deepest:.0}° within the picture."
@@ -86,37 +83,27 @@ pub fn waking(values: &Values) -> Result<Figure> {
          dotted upright line. The solid curve of the motion, begun at a tilt of {askew} radians, is low through the threshold and reaches {deepest:.1} degrees within the picture."
     );
     let frame = Frame::linear([81.5, LAST], [0.0, STEEPEST], [60.0, 580.0, 276.0, 34.0]);
-    let mut allowed = Vec::new();
-    for k in 0..=200_u32 {
-        let spin = threshold - (threshold - LAST) * (f64::from(k) / 200.0).powi(2);
+    let allowed = tried(spaced([0.0, 1.0], 200), |share| {
+        let spin = threshold - (threshold - LAST) * share.powi(2);
         let tilt = tilt_after_kick(MOMENTS[0], WEIGHT_MOMENT, MOMENTS[2] * spin, 1e-9)?;
-        allowed.push([spin, tilt.to_degrees()]);
-    }
+        Ok([spin, tilt.to_degrees()])
+    })?;
     let made = figure("sleep-ends", 322.0, words, |pen| {
-        frame.draw(
-            pen,
-            &marks(&[81.0, 80.0, 79.0, 78.0], ""),
-            &marks(&[0.0, 10.0, 20.0, 30.0], "°"),
-            ["spin, rad/s", "tilt"],
-        );
+        let spins = marks(&[81.0, 80.0, 79.0, 78.0], "");
+        let tilts = marks(&[0.0, 10.0, 20.0, 30.0], "°");
+        frame.draw(pen, &spins, &tilts, ["spin, rad/s", "tilt"]);
         let x = frame.x.at(threshold);
         pen.line([[x, 34.0], [x, 276.0]], muted(SECONDARY).dotted());
-        let told = [x - 6.0, 48.0];
-        pen.remark(told, End, "threshold");
+        pen.remark([x - 6.0, 48.0], End, "threshold");
         pen.line(frame.trace(allowed), muted(SECONDARY).dashed());
-        let told = frame.at(78.55, 31.0);
-        pen.remark(told, End, "what gravity allows");
-        let points = course
-            .iter()
-            .take_while(|row| row[1] >= LAST && row[2] <= STEEPEST)
-            .map(|row| frame.at(row[1], row[2]));
-        pen.line(points, inked(DATA));
+        pen.remark(frame.at(78.55, 31.0), End, "what gravity allows");
+        let shown = |row: &&[f64; 3]| row[1] >= LAST && row[2] <= STEEPEST;
+        let points = course.iter().take_while(shown);
+        pen.line(points.map(|row| frame.at(row[1], row[2])), inked(DATA));
         if deepest < STEEPEST && awake.is_none() {
-            let told = frame.at(79.0, 3.5);
-            pen.note(told, Middle, "still asleep");
+            pen.note(frame.at(79.0, 3.5), Middle, "still asleep");
         } else if tilt < 0.005 {
-            let told = frame.at(80.9, 1.7);
-            pen.note(told, Anchor::Start, "asleep");
+            pen.note(frame.at(80.9, 1.7), Anchor::Start, "asleep");
         }
     });
     let columns = "time (s) | spin (rad/s) | tilt (°)";

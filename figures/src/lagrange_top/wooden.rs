@@ -3,7 +3,7 @@
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::lagrange_top::LagrangeTop;
 
-use super::nose;
+use super::{angles, nose};
 use crate::prelude::*;
 
 /// Moments, kg m², mass, kg, and the height of C above the tip, m.
@@ -32,19 +32,18 @@ fn view() -> View {
 
 /// The top and its motion from rest of the axis.
 fn launched(values: &Values) -> Result<LagrangeTop> {
-    let (tilt, turns) = (values.of(&TILT).to_radians(), values.of(&TURNS));
-    let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), tilt)?;
+    let [tilt, turns] = values.each([TILT, TURNS]);
+    let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), tilt.to_radians())?;
     let spin = BodyVector::new(0.0, 0.0, TAU * turns);
     LagrangeTop::new(ACROSS, ALONG, MASS * GRAVITY * ARM, spin, tilted)
 }
 
 /// What all captions say of it.
 fn described(values: &Values) -> String {
+    let [tilt, turns] = shorts(values.each([TILT, TURNS]), 1);
     format!(
-        "A wooden top of 100 g, its centre of mass 4 cm above the tip, $I_1 = 2 \\cdot 10^{{-4}}$ and $I_3 = 7 \\cdot 10^{{-5}}$ kg m², tilted by {}° and spun at {} turns a second; \
-         the disc is the thin one of the same $I_3$.",
-        short(values.of(&TILT), 1),
-        short(values.of(&TURNS), 1)
+        "A wooden top of 100 g, its centre of mass 4 cm above the tip, $I_1 = 2 \\cdot 10^{{-4}}$ and $I_3 = 7 \\cdot 10^{{-5}}$ kg m², tilted by {tilt}° and spun at {turns} turns a second; \
+         the disc is the thin one of the same $I_3$."
     )
 }
 
@@ -77,8 +76,8 @@ pub fn let_go(values: &Values) -> Result<Figure> {
 
 fn drawn(name: &'static str, values: &Values, words: Words, path: bool) -> Result<Figure> {
     let (top, view) = (launched(values)?, view());
-    let noses = spaced([0.0, SHOWN], 2000).map(|t| nose(&top, t));
-    let noses = noses.collect::<Result<Vec<_>>>()?;
+    let times = spaced([0.0, SHOWN], 2000);
+    let noses = tried(times.clone(), |t| nose(&top, t))?;
     let held = noses[0];
     let roots = top.roots();
     let made = figure(name, 392.0, words, |pen| {
@@ -122,15 +121,8 @@ fn drawn(name: &'static str, values: &Values, words: Words, path: bool) -> Resul
     });
     let columns = "time (s) | tilt (°) | azimuth (°)";
     let shown = if path { noses.len() } else { 1 };
-    let rows = noses.iter().take(shown).enumerate().map(|(k, nose)| {
-        let tilt = nose.x.hypot(nose.y).atan2(nose.z);
-        [
-            SHOWN * k as f64 / 2000.0,
-            tilt.to_degrees(),
-            nose.y.atan2(nose.x).to_degrees(),
-        ]
-    });
-    Ok(made.data("nose", columns, rows))
+    let rows = times.zip(noses).take(shown);
+    Ok(made.data("nose", columns, rows.map(angles)))
 }
 
 #[cfg(test)]

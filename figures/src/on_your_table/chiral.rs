@@ -1,13 +1,14 @@
 //! A chiral top to print: a ball of plastic with a hollow that stands askew in it.
 
-use crate::prelude::*;
 use nalgebra::Matrix3;
-use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::frame::Attitude;
 use spinning_bodies::inertia::{MassProperties, Mesh, icosphere, mesh_mass_properties};
 use spinning_bodies::scene::contact::{State, TableTop, passage};
 use spinning_bodies::scene::effects::{Gravity, Regularised};
 use spinning_bodies::scene::{Request, Scene};
 use spinning_bodies::tippe_top::{ConvexBody, Start, Surface};
+
+use crate::prelude::*;
 
 /// Radius of the ball, m.
 const RADIUS: f64 = 0.03;
@@ -30,13 +31,7 @@ const END: f64 = 5.0;
 fn hollow() -> Result<Matrix3<f64>> {
     let [w, x, y, z] = ATTITUDE;
     let attitude = Attitude::from_quaternion(w, x, y, z)?;
-    let columns = [0, 1, 2].map(|k| {
-        let mut axis = [0.0; 3];
-        axis[k] = SEMI_AXES[k];
-        attitude
-            .to_space(BodyVector::new(axis[0], axis[1], axis[2]))
-            .components()
-    });
+    let columns = [0, 1, 2].map(|k| turned(&attitude, Vector::ith(k, SEMI_AXES[k])));
     Ok(Matrix3::from_columns(&columns))
 }
 
@@ -50,11 +45,8 @@ fn mesh() -> Result<Mesh> {
         let place = map * Vector::from(v) + HEIGHT * Vector::z();
         (RADIUS * place).into()
     }));
-    triangles.extend(
-        faces
-            .into_iter()
-            .map(|[a, b, c]| [a, c, b].map(|n| first + n)),
-    );
+    let inward = |[a, b, c]: [u32; 3]| [a, c, b].map(|n| first + n);
+    triangles.extend(faces.into_iter().map(inward));
     Ok((vertices, triangles))
 }
 
@@ -66,11 +58,8 @@ fn properties() -> Result<MassProperties> {
 /// The printer's file, binary, in millimetres.
 pub fn stl() -> Result<Vec<u8>> {
     let (vertices, triangles) = mesh()?;
-    let mut bytes = format!(
-        "{:80}",
-        "chiral top of Spinning Bodies, in mm, print it solid"
-    )
-    .into_bytes();
+    let head = "chiral top of Spinning Bodies, in mm, print it solid";
+    let mut bytes = format!("{head:80}").into_bytes();
     bytes.extend((triangles.len() as u32).to_le_bytes());
     for triangle in triangles {
         let [a, b, c] = triangle.map(|n| 1e3 * Vector::from(vertices[n as usize]));
@@ -124,20 +113,19 @@ pub fn section(_: &Values) -> Result<Figure> {
             let center = [150.0 + 300.0 * k as f64, 138.0];
             let scale = 122.0;
             let along = |angle: f64| angle.cos() * across + angle.sin() * Vector::z();
-            let outline: Vec<Point> = (0..120)
-                .map(|n| TAU * f64::from(n) / 120.0)
-                .filter_map(|angle| {
-                    let way = along(angle);
-                    let reach = scale / (way.dot(&(inverse? * way))).sqrt();
-                    let [x, y] = [reach * angle.cos(), reach * angle.sin() + scale * HEIGHT];
-                    Some([center[0] + x, center[1] - y])
-                })
-                .collect();
+            let middle = shifted(center, [0.0, -scale * HEIGHT]);
+            let angles = (0..120).map(|n| TAU * f64::from(n) / 120.0);
+            let outline = angles.filter_map(|angle| {
+                let way = along(angle);
+                let reach = scale / (way.dot(&(inverse? * way))).sqrt();
+                Some(polar(middle, reach, angle))
+            });
+            let outline: Vec<Point> = outline.collect();
             cut(pen, center, scale, &outline, 1e-3 * low / RADIUS);
         }
     });
     Ok(drawn
-        .value("mass", number(1e3 * properties.mass(), 0))
+        .value("mass", mass)
         .value("wall", number(wall, 1))
         .value("turns", turns)
         .value("side", number(side, 1))
@@ -159,6 +147,5 @@ fn cut(pen: &mut Pen, center: Point, scale: f64, hollow: &[Point], low: f64) {
         pen.dot(at, 3.5);
         pen.label([x + aside, at[1] + 5.0], anchor, name);
     }
-    let foot = [x, y + scale + 30.0];
-    pen.remark(foot, Middle, "foot");
+    pen.remark([x, y + scale + 30.0], Middle, "foot");
 }

@@ -42,14 +42,9 @@ impl Page {
              <rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\" stroke=\"none\"/>\n"
         );
         // A page of its own size, without the margins of a browser.
-        let _ = writeln!(
-            svg,
-            "<style>@page{{size:{width}mm {height}mm;margin:0}}</style>"
-        );
-        let mut page = Self {
-            svg,
-            size: [width, height],
-        };
+        svg += &format!("<style>@page{{size:{width}mm {height}mm;margin:0}}</style>\n");
+        let size = [width, height];
+        let mut page = Self { svg, size };
         page.text([18.0, 20.0], 6.0, title);
         page
     }
@@ -61,10 +56,10 @@ impl Page {
 
     /// A line to fold along.
     fn fold(&mut self, ends: [Point; 2]) {
+        let points = listed(&ends);
         let _ = writeln!(
             self.svg,
-            "<polyline points=\"{}\" stroke-dasharray=\"2 1.5\"/>",
-            listed(&ends)
+            "<polyline points=\"{points}\" stroke-dasharray=\"2 1.5\"/>"
         );
     }
 
@@ -96,8 +91,7 @@ impl Page {
             ruler.extend([[x, y], [x, y - up], [x, y]]);
         }
         let _ = writeln!(self.svg, "<polyline points=\"{}\"/>", listed(&ruler));
-        let told = "100 mm, or print without scaling";
-        self.text([left + 104.0, y], 3.6, told);
+        self.text([left + 104.0, y], 3.6, "100 mm, or print without scaling");
         self.svg + "</svg>\n"
     }
 }
@@ -125,7 +119,7 @@ pub fn strips(paper: Paper) -> Result<String> {
         let (run, time) = fallen(1e-3 * width)?;
         let right = 18.0 + LENGTH;
         let bottom = top + width;
-        page.cut(&[[18.0, top], [right, top], [right, bottom], [18.0, bottom]]);
+        page.cut(&boxed([18.0, top], [right, bottom]));
         let told = format!(
             "{width} mm: {} turns a second, a path {}° below level, {} m to the side for each metre down",
             number(run.rotation.abs() / time / TAU, 1),
@@ -213,10 +207,8 @@ pub fn cat(paper: Paper) -> Result<String> {
             page.fold(ends.map(|x| at(x, y)));
         }
     }
-    for (k, line) in wrapped("Fold the four legs away from you, by a right angle.", 28)
-        .iter()
-        .enumerate()
-    {
+    let told = wrapped("Fold the four legs away from you, by a right angle.", 28);
+    for (k, line) in told.iter().enumerate() {
         page.text(at(-26.0, -5.0 + 5.4 * k as f64), 4.0, line);
     }
     page.text(at(half + 3.0, 1.4), 4.0, "head");

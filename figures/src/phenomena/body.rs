@@ -1,11 +1,12 @@
 //! A cat of round pieces: two halves, head, legs, tail; nearer pieces hide what is behind them.
 
-use crate::prelude::*;
 use spinning_bodies::frame::Attitude;
 use spinning_bodies::phenomena::{Cat, EqualHalves, Half};
 use spinning_bodies::scene::effects::{Pace, Turnover};
 use spinning_bodies::scene::shape::{self, CatState};
 use spinning_bodies::scene::{Request, Scene};
+
+use crate::prelude::*;
 
 /// I/J of a half.
 pub const RATIO: f64 = 4.0;

@@ -12,20 +12,13 @@ mod swivel;
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
-    of("cat-animated", &[], cat_animated),
-    of("ice", ICE, ice),
-    of("crawler", CRAWLER, crawler),
-    of("swivel", SWIVEL, swivel),
-    of("cat-film", &[], cat_film),
-    of("shape-loops", SHAPE_LOOPS, shape_loops),
-    of("back-bend", BACK_BEND, back_bend),
-    of("paper-cat", PAPER_CAT, paper_cat),
-    of("paper-cat-fall", PAPER_CAT_FALL, paper_cat_fall),
+    of("cat-animated", &[], animated::cat_animated),
+    of("ice", ice::ICE, ice::ice),
+    of("crawler", ice::CRAWLER, ice::crawler),
+    of("swivel", swivel::SWIVEL, swivel::swivel),
+    of("cat-film", &[], film::cat_film),
+    of("shape-loops", loops::SHAPE_LOOPS, loops::shape_loops),
+    of("back-bend", film::BACK_BEND, film::back_bend),
+    of("paper-cat", paper::PAPER_CAT, paper::paper_cat),
+    of("paper-cat-fall", paper::FALL, paper::paper_cat_fall),
 ];
-
-pub(crate) use animated::cat_animated;
-pub(crate) use film::{BACK_BEND, back_bend, cat_film};
-pub(crate) use ice::{CRAWLER, ICE, crawler, ice};
-pub(crate) use loops::{SHAPE_LOOPS, shape_loops};
-pub(crate) use paper::{PAPER_CAT, PAPER_CAT_FALL, paper_cat, paper_cat_fall};
-pub(crate) use swivel::{SWIVEL, swivel};

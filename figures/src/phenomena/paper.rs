@@ -19,7 +19,7 @@ parameters! {
 /// What may be chosen of the paper cat.
 pub const PAPER_CAT: &[Parameter] = &[SHY, LEVER, MASS, THICK];
 /// What may be chosen of its fall.
-pub const PAPER_CAT_FALL: &[Parameter] = &[LEVER, MASS, THICK];
+pub const FALL: &[Parameter] = &[LEVER, MASS, THICK];
 
 const GRAVITY: f64 = 9.81;
 

@@ -1,9 +1,10 @@
 //! The swivel in four pictures, seen from above (tutorial 1.1, picture b).
 
-use crate::prelude::*;
 use spinning_bodies::scene::effects::{FourPhases, Pace};
 use spinning_bodies::scene::shape::{self, SwivelState};
 use spinning_bodies::scene::{Request, Scene};
+
+use crate::prelude::*;
 
 parameters! {
     pub OUT: "arms_out", r"A_\mathrm{out}", "kg m²", "moment of the upper body with the arms out", [1.1, 2.4], 2.0;

@@ -21,11 +21,8 @@ const FRAME: Frame = Frame::linear([0.0, END], [0.0, 180.0], [340.0, 574.0, 282.
 
 /// The whole puzzle in eight seconds.
 pub fn turning_over(_: &Values) -> Result<Figure> {
-    let scene = tippe_scene(
-        &tippe(ALPHA.default, GAMMA.default)?,
-        SPIN.default,
-        VISCOUS.default,
-    )?;
+    let top = tippe(ALPHA.default, GAMMA.default)?;
+    let scene = tippe_scene(&top, SPIN.default, VISCOUS.default)?;
     let rows = run(&scene, END, PICTURES, 1e-3)?;
     let (first, last) = (rows[0].1, rows[rows.len() - 1].1);
     let climbed = 1e3 * (last.position.z() - first.position.z());
@@ -54,10 +51,9 @@ pub fn turning_over(_: &Values) -> Result<Figure> {
 /// The arrow of the spin about the vertical, over the ball.
 fn spin_arrow(pen: &mut Pen) {
     let [x, y] = CENTER;
-    let points: Vec<Point> = (0..=40)
-        .map(|k| 2.5 + 4.4 * f64::from(k) / 40.0)
-        .map(|a: f64| [x + 44.0 * a.cos(), y - RADIUS - 24.0 - 10.0 * a.sin()])
-        .collect();
+    let angles = (0..=40).map(|k| 2.5 + 4.4 * f64::from(k) / 40.0);
+    let points = angles.map(|a| [x + 44.0 * a.cos(), y - RADIUS - 24.0 - 10.0 * a.sin()]);
+    let points: Vec<Point> = points.collect();
     pen.line(&points[..38], stroke(Omega, SECONDARY));
     pen.arrow(points[37], points[40], stroke(Omega, SECONDARY));
     pen.text([x + 56.0, y - RADIUS - 18.0], Start, "Ω", label(Omega));
@@ -66,14 +62,12 @@ fn spin_arrow(pen: &mut Pen) {
 /// The cap, the axis and C turn about K; the disc runs along the curve.
 fn moving(rows: &[(f64, State)]) -> String {
     let mut style = String::from("<style>");
-    let count = rows.len() - 1;
-    let percent = |n: usize| short(100.0 * n as f64 / count as f64, 3);
     let turn = |s: &State| format!("rotate({}deg)", short(degrees(s), 2));
     let shift = |t: f64, s: &State| {
         let [x, y] = FRAME.at(t, degrees(s));
         format!("translate({:.0}px,{:.0}px)", x * SCALE, y * SCALE)
     };
-    let shares = || (0..rows.len()).map(percent);
+    let shares = || spaced([0.0, 100.0], PICTURES).map(|share| short(share, 3));
     let turns = rows.iter().map(|(_, s)| turn(s));
     let shifts = rows.iter().map(|(t, s)| shift(*t, s));
     let [ball, dot] = ["ball", "dot"].map(|part| format!("fig-{NAME}-{part}"));
@@ -84,19 +78,16 @@ fn moving(rows: &[(f64, State)]) -> String {
     }
     style += &finish::stops(NAME, &format!(".{ball},.{dot}"));
     let (time, state) = &rows[STILL];
-    let step = |(k, [x, y]): (usize, &Point)| match k {
-        0 => format!("M{x:.0} {y:.0}"),
-        _ => format!("L{x:.0} {y:.0}"),
-    };
-    let cap = cap_outline(RADIUS * SCALE, 0.0);
-    let cap: String = cap.iter().enumerate().map(step).collect();
+    let cap = cap_outline(RADIUS * SCALE, 0.0).into_iter();
+    let cap: Vec<String> = cap.map(|[x, y]| format!("{x:.0} {y:.0}")).collect();
+    let cap = cap.join("L");
     let [x, y] = CENTER.map(|c| c * SCALE);
     let (r, c) = (RADIUS * SCALE, ALPHA.default * RADIUS * SCALE);
     let [dx, dy] = FRAME.at(*time, degrees(state)).map(|c| c * SCALE);
     format!(
         "{style}<g transform=\"translate({x:.0} {y:.0})\"><circle r=\"{r:.0}\" stroke=\"currentColor\" stroke-width=\"12\"/>\n\
          <g class=\"fig-{NAME}-ball\" transform=\"rotate({})\">\
-         <path d=\"{cap}Z\" fill=\"currentColor\" fill-opacity=\"0.55\"/>\
+         <path d=\"M{cap}Z\" fill=\"currentColor\" fill-opacity=\"0.55\"/>\
          <path d=\"M0 {r:.0}L0 -{r:.0}\" stroke=\"currentColor\" stroke-width=\"8\" stroke-dasharray=\"1 36\"/>\
          <circle r=\"32\" fill=\"currentColor\"/>\
          <circle cy=\"{c:.0}\" r=\"58\" fill=\"currentColor\"/></g></g>\n\

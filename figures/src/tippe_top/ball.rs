@@ -1,7 +1,8 @@
 //! A ball with a dark cap opposite to its centre of mass.
 
-use crate::prelude::*;
 use spinning_bodies::frame::Attitude;
+
+use crate::prelude::*;
 
 /// Half the angle of the cap, rad.
 const CAP: f64 = 0.72;

@@ -1,8 +1,9 @@
 //! Six beads in a ball: a chiral top to build.
 
-use crate::prelude::*;
 use spinning_bodies::frame::Attitude;
 use spinning_bodies::tippe_top::{ConvexBody, beads as places, bodies};
+
+use crate::prelude::*;
 
 const RADIUS: f64 = 122.0;
 
@@ -10,8 +11,7 @@ const RADIUS: f64 = 122.0;
 pub fn inside(body: &ConvexBody) -> Result<[[Vector; 2]; 3]> {
     let pairs = places(body.mass(), body.inertia(), &Attitude::identity())?;
     let mass = -body.center().components() / 0.02;
-    let pairs = pairs.map(|p| [mass + p.components() / 0.02, mass - p.components() / 0.02]);
-    Ok(pairs)
+    Ok(pairs.map(|p| [mass + p.components() / 0.02, mass - p.components() / 0.02]))
 }
 
 /// Three rods, six beads, one ball.
@@ -44,10 +44,7 @@ pub fn view(pen: &mut Pen, (center, radius): (Point, f64), azimuth: f64, beads: 
     pen.disc(center, radius, Shade, 0.6);
     pen.line(view.trace(&latitude(0.0, 1.0, 96)), muted(HAIR));
     pen.ring(center, radius, inked(AXIS));
-    let axis = [
-        view.project(&Vector::new(0.0, 0.0, -1.0)),
-        view.project(&Vector::new(0.0, 0.0, 1.0)),
-    ];
+    let axis = view.trace(&[-Vector::z(), Vector::z()]);
     pen.line(axis, muted(SECONDARY).dotted());
     let scale = radius / RADIUS;
     for (k, pair) in beads.iter().enumerate() {
@@ -59,12 +56,8 @@ pub fn view(pen: &mut Pen, (center, radius): (Point, f64), azimuth: f64, beads: 
             pen.disc(at, size, Ink, 0.65);
             pen.ring(at, size, inked(AXIS));
         }
-        let outer = if pair[0].z >= pair[1].z {
-            pair[0]
-        } else {
-            pair[1]
-        };
-        let [x, y] = view.project(&outer);
+        let upper = usize::from(pair[0].z < pair[1].z);
+        let [x, y] = view.project(&pair[upper]);
         let (side, anchor) = match x < center[0] {
             true => (-15.0 * scale, End),
             false => (15.0 * scale, Start),
@@ -80,6 +73,6 @@ pub fn view(pen: &mut Pen, (center, radius): (Point, f64), azimuth: f64, beads: 
     let c = view.project(&(0.5 * (beads[0][0] + beads[0][1])));
     pen.dot(k, 3.2);
     pen.dot(c, 3.2);
-    pen.label([k[0] - 8.0, k[1] - 2.0], End, "*K*");
-    pen.label([c[0] - 8.0, c[1] + 17.0], End, "*C*");
+    pen.label(shifted(k, [-8.0, -2.0]), End, "*K*");
+    pen.label(shifted(c, [-8.0, 17.0]), End, "*C*");
 }

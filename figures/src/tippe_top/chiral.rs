@@ -81,10 +81,9 @@ pub fn both_spins(values: &Values) -> Result<Figure> {
         }
     });
     let columns = "time (s) | tilt (°)";
-    let rows = |k: usize| tilts(&runs[k]);
     Ok(made
-        .data("clockwise", columns, rows(0))
-        .data("anticlockwise", columns, rows(1))
+        .data("clockwise", columns, tilts(&runs[0]))
+        .data("anticlockwise", columns, tilts(&runs[1]))
         .value("side", number(side[0].unwrap_or(0.0), 2))
         .value("most", number(most[1], 1)))
 }

@@ -10,8 +10,9 @@ const SPINS: [f64; 2] = [50.0, 100.0];
 const WIDEST: f64 = 112.0;
 
 const CHOSEN: Parameter = SPIN.between([10.0, 98.0], 70.0).dragged(release);
+const OFFSET: Parameter = ALPHA.between([0.1, 0.6], 0.3);
 /// What may be chosen; the start of the run in the middle is dragged.
-pub const DIAGRAM: &[Parameter] = &[CHOSEN, ALPHA.between([0.1, 0.6], 0.3), GAMMA];
+pub const DIAGRAM: &[Parameter] = &[CHOSEN, OFFSET, GAMMA];
 
 /// Energy of a top at this tilt with the Jellett integral of an upright one of this spin, mJ.
 fn energy(top: &TippeTop, tilt: f64, spin: f64) -> f64 {
@@ -19,15 +20,12 @@ fn energy(top: &TippeTop, tilt: f64, spin: f64) -> f64 {
 }
 
 fn frame(top: &TippeTop) -> Frame {
-    Frame::linear(
-        [0.0, WIDEST],
-        [0.0, 1.03 * energy(top, 0.0, SPINS[1])],
-        [58.0, 560.0, 360.0, 34.0],
-    )
+    let most = 1.03 * energy(top, 0.0, SPINS[1]);
+    Frame::linear([0.0, WIDEST], [0.0, most], [58.0, 560.0, 360.0, 34.0])
 }
 
 fn chosen(values: &Values) -> Result<TippeTop> {
-    tippe(values.of(&DIAGRAM[1]), values.of(&GAMMA))
+    tippe(values.of(&OFFSET), values.of(&GAMMA))
 }
 
 fn release(values: &Values) -> Point {
@@ -43,16 +41,14 @@ pub fn energies(values: &Values) -> Result<Figure> {
     let unit = top.jellett_of_spin(1.0, 0.0);
     let (rise, invert) = (top.least_spin_to_rise(), top.least_spin_to_invert());
     let spins = [SPINS[0], values.of(&CHOSEN), SPINS[1]];
-    let mut falls = Vec::new();
-    for spin in spins {
+    let falls = tried(spins, |spin| {
         let rows = run(&tippe_scene(&top, spin, 0.3)?, 14.0, 28, 1e-2)?;
         let path = rows.iter().map(|(_, s)| [s.jellett / unit, 1e3 * s.energy]);
-        falls.push((
+        Ok((
             path.collect::<Vec<Point>>(),
             number(degrees(&rows[28].1), 1),
-        ));
-    }
-    let named = spins.map(|spin| number(spin, 0));
+        ))
+    })?;
     let branch = match (rise, invert) {
         (Some(rise), Some(invert)) => format!(
             "The tilted branch leaves the upright one at {rise:.3} rad/s and reaches the inverted one at {invert:.3} rad/s."
@@ -64,11 +60,8 @@ pub fn energies(values: &Values) -> Result<Figure> {
             "No tilted branch leaves the upright one: that is stable at every spin.".to_owned()
         }
     };
-    let (alpha, gamma) = (
-        number(values.of(&DIAGRAM[1]), 2),
-        number(values.of(&GAMMA), 3),
-    );
-    let [slow, chosen, fast] = named;
+    let (alpha, gamma) = (number(values.of(&OFFSET), 2), number(values.of(&GAMMA), 3));
+    let [slow, chosen, fast] = numbers(spins, 0);
     let [a, b, c] = [0, 1, 2].map(|k: usize| &falls[k].1);
     let steep = match rise {
         Some(rise) => format!("up to {rise:.0} radians a second and dashed beyond"),
@@ -145,42 +138,20 @@ pub fn energies(values: &Values) -> Result<Figure> {
             let least = energy(&top, PI, spin).min(energy(&top, 0.0, spin));
             near.map(|p| p[1]).fold(least, f64::min)
         };
+        let beside = |spin: f64, energy: f64, aside| shifted(frame.at(spin, energy), aside);
+        let upright = beside(80.0, energy(&top, 0.0, 80.0), [-12.0, 0.0]);
+        pen.label(upright, End, "upright");
+        let inverted = beside(1.0, energy(&top, PI, 1.0), [6.0, -10.0]);
+        pen.label(inverted, Start, "upside down");
+        // Nothing is tilted where no branch is, and nothing falls that is stable.
+        if rise.is_some() {
+            pen.label(beside(60.0, low(60.0), [8.0, 26.0]), Start, "tilted");
+        }
         let (fall, _) = &falls[2];
-        let last = fall.len() - 1;
-        for (at, [dx, dy], anchor, text, lettering) in [
-            (
-                (80.0, energy(&top, 0.0, 80.0)),
-                [-12.0, 0.0],
-                End,
-                "upright",
-                label(Ink),
-            ),
-            (
-                (1.0, energy(&top, PI, 1.0)),
-                [6.0, -10.0],
-                Start,
-                "upside down",
-                label(Ink),
-            ),
-            ((60.0, low(60.0)), [8.0, 26.0], Start, "tilted", label(Ink)),
-            (
-                (100.0, 0.5 * (fall[0][1] + fall[last][1])),
-                [9.0, 5.0],
-                Start,
-                "friction",
-                small(Muted),
-            ),
-        ] {
-            let [x, y] = frame.at(at.0, at.1);
-            // Nothing is tilted where no branch is, and nothing falls that is stable.
-            let there = match text {
-                "tilted" => rise.is_some(),
-                "friction" => frame.y.at(fall[last][1]) - frame.y.at(fall[0][1]) > 20.0,
-                _ => true,
-            };
-            if there {
-                pen.text([x + dx, y + dy], anchor, text, lettering);
-            }
+        let (from, to) = (fall[0][1], fall[fall.len() - 1][1]);
+        if frame.y.at(to) - frame.y.at(from) > 20.0 {
+            let half = beside(100.0, 0.5 * (from + to), [9.0, 5.0]);
+            pen.remark(half, Start, "friction");
         }
     });
     let columns = "J as a spin (rad/s) | energy (mJ)";

@@ -36,7 +36,7 @@ fn clay(k: usize, values: &Values) -> Point {
 pub fn hoop_with_clay(values: &Values) -> Result<Figure> {
     let hoop: HoopWithClay = toy(values.of(&OFFSET), 1.0 / 3.0)?;
     let spin = TAU * values.of(&TURNS);
-    let degrees = [values.of(&LOW), values.of(&HIGH)];
+    let degrees = values.each([LOW, HIGH]);
     let tilts = degrees.map(f64::to_radians);
     let slips = tilts.map(|tilt| hoop.slip(tilt, spin));
     let torques = tilts.map(|tilt| hoop.torque(tilt));
@@ -49,10 +49,9 @@ pub fn hoop_with_clay(values: &Values) -> Result<Figure> {
             number(force, 2)
         )
     };
-    let dips = torques.map(|n| number((n.z() / n.x()).atan().to_degrees(), 0));
-    let named = degrees.map(|tilt| number(tilt, 0));
+    let dips = torques.map(|n| (n.z() / n.x()).atan().to_degrees());
+    let ([low, high], [dip, dive]) = (numbers(degrees, 0), numbers(dips, 0));
     let turns = number(values.of(&TURNS), 0);
-    let ([low, high], [dip, dive]) = (&named, &dips);
     let [first, second] = numbers(slips.map(|slip| slip.y()), 2);
     let off = number(values.of(&OFFSET), 2);
     let words = words!(
@@ -88,51 +87,48 @@ fn one(pen: &mut Pen, k: Point, alpha: f64, (tilt, torque): (f64, SpaceVector)) 
     let mut lump = crate::style::arc(k, RADIUS - 1.0, down - 0.34, down + 0.34);
     lump.extend((-20..=20).rev().map(|step| {
         let part = f64::from(step) / 20.0;
-        polar(
-            k,
-            (1.0 - 0.21 * (1.0 - part * part)) * RADIUS - 1.0,
-            down + 0.34 * part,
-        )
+        let out = (1.0 - 0.21 * (1.0 - part * part)) * RADIUS - 1.0;
+        polar(k, out, down + 0.34 * part)
     }));
     pen.fill(&lump, Ink, 0.6);
     // The axis, not through the table.
     let reach = (1.22 * RADIUS).min(0.96 * RADIUS / (-c).max(1e-3));
     pen.line([along(-RADIUS), along(reach)], inked(AXIS).dotted());
     let top = k[1] - 1.22 * RADIUS;
-    pen.line([[mass[0], mass[1]], [mass[0], top + 30.0]], muted(HAIR));
-    let style = stroke(AngularMomentum, DATA);
-    pen.arrow(mass, [mass[0], mass[1] - 0.86 * RADIUS], style);
-    let place = [mass[0] - 8.0, mass[1] - 0.74 * RADIUS];
+    pen.line([mass, [mass[0], top + 30.0]], muted(HAIR));
+    let tip = shifted(mass, [0.0, -0.86 * RADIUS]);
+    pen.arrow(mass, tip, stroke(AngularMomentum, DATA));
+    let place = shifted(mass, [-8.0, -0.74 * RADIUS]);
     pen.text(place, End, "*L*", label(AngularMomentum));
     pen.arc(mass, 34.0, FRAC_PI_2 - tilt, FRAC_PI_2, inked(AXIS));
     let half = FRAC_PI_2 - 0.5 * tilt;
-    let [x, y] = polar(mass, 46.0, half);
-    pen.label([x, y + 5.0], Middle, "*θ*");
+    let name = shifted(polar(mass, 46.0, half), [0.0, 5.0]);
+    pen.label(name, Middle, "*θ*");
     // The torque, in the plane of the picture.
     let scale = 0.5 * RADIUS / torque.norm();
-    let tip = [mass[0] + scale * torque.x(), mass[1] - scale * torque.z()];
+    let tip = planned(mass, scale, [torque.x(), torque.z()]);
     pen.arrow(mass, tip, stroke(Torque, DATA));
     // Letters stand off the axis, which falls to the right where the clay is above.
     let above = tilt > FRAC_PI_2;
-    let [x, y] = crate::style::between(mass, tip, 0.5);
     let beside = if above { 21.0 } else { -9.0 };
-    pen.text([x - 4.0, y + beside], Middle, "*N*", label(Torque));
+    let name = shifted(between(mass, tip, 0.5), [-4.0, beside]);
+    pen.text(name, Middle, "*N*", label(Torque));
     pen.dot(mass, 4.0);
     pen.dot(k, 4.0);
-    let [x, y] = match above {
-        true => polar([mass[0], mass[1] + 5.0], 17.0, half),
-        false => [mass[0] + 14.0, mass[1] + 19.0],
+    let name = match above {
+        true => polar(shifted(mass, [0.0, 5.0]), 17.0, half),
+        false => shifted(mass, [14.0, 19.0]),
     };
-    pen.label([x, y], Middle, "*C*");
-    let ([dx, dy], anchor) = match above {
+    pen.label(name, Middle, "*C*");
+    let (beside, anchor) = match above {
         true => ([-6.0, 22.0], End),
         false => ([11.0, 19.0], Start),
     };
-    pen.label([k[0] + dx, k[1] + dy], anchor, "*K*");
-    let foot = [k[0], k[1] + RADIUS];
+    pen.label(shifted(k, beside), anchor, "*K*");
+    let foot = shifted(k, [0.0, RADIUS]);
     pen.disc(foot, 7.5, Ink, 0.18);
     pen.ring(foot, 7.5, inked(1.4));
     pen.dot(foot, 2.2);
-    let place = [foot[0], foot[1] + 29.0];
+    let place = shifted(foot, [0.0, 29.0]);
     pen.note(place, Middle, "friction, out of the page");
 }

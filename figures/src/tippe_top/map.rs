@@ -17,30 +17,22 @@ fn over(sense: f64, tilt: f64, azimuth: f64) -> Result<bool> {
 }
 
 fn rings(sense: f64) -> Result<Vec<Vec<bool>>> {
-    let ring = |&tilt: &f64| {
-        (0..AZIMUTHS)
-            .map(|k| over(sense, tilt, TAU * f64::from(k) / f64::from(AZIMUTHS)))
-            .collect()
-    };
-    TILTS.iter().map(ring).collect()
+    let azimuths = (0..AZIMUTHS).map(|k| TAU * f64::from(k) / f64::from(AZIMUTHS));
+    tried(TILTS, |tilt| {
+        tried(azimuths.clone(), |azimuth| over(sense, tilt, azimuth))
+    })
 }
 
 /// How carelessly it may be released. Ninety-six runs: a constant figure.
 pub fn outcomes(_: &Values) -> Result<Figure> {
     let (plus, minus) = (rings(1.0)?, rings(-1.0)?);
-    let count = |rings: &[Vec<bool>]| rings.iter().flatten().filter(|x| **x).count();
+    let count = |ring: &[bool]| ring.iter().filter(|over| **over).count();
     let total = TILTS.len() * AZIMUTHS as usize;
-    let told = |(ring, tilt): (&Vec<bool>, f64)| {
-        let (over, tilt) = (ring.iter().filter(|x| **x).count(), number(tilt, 0));
-        format!("{over} of {AZIMUTHS} at {tilt}°")
-    };
-    let some = plus
-        .iter()
-        .zip(TILTS)
-        .filter(|(ring, _)| ring.contains(&true));
-    let by_ring: Vec<String> = some.map(told).collect();
-    let [clockwise, other] = [&minus, &plus].map(|rings| count(rings));
-    let by_ring = by_ring.join(", ");
+    let counts = plus.iter().map(|ring| count(ring)).zip(TILTS);
+    let some = counts.filter(|(over, _)| *over > 0);
+    let told = some.map(|(over, tilt)| format!("{over} of {AZIMUTHS} at {tilt:.0}°"));
+    let by_ring = told.collect::<Vec<_>>().join(", ");
+    let [clockwise, other] = [&minus, &plus].map(|rings| count(&rings.concat()));
     let words = words!(
         "Clockwise it turns over from every release; anticlockwise only if you let it lean.",
         "Outcome after {END:.1} s of {total} releases each way: the ring gives the tilt of the release, 2°, 5°, 10°, 15°, 20° and 30°, the direction its \
@@ -61,16 +53,15 @@ fn target(pen: &mut Pen, center: Point, rings: &[Vec<bool>], name: &str) {
         for (j, over) in ring.iter().enumerate() {
             let angle = TAU * j as f64 / f64::from(AZIMUTHS);
             let at = polar(center, reach(k), angle);
-            if *over {
-                pen.dot(at, 5.6);
-            } else {
-                pen.ring(at, 5.0, inked(AXIS));
+            match over {
+                true => pen.dot(at, 5.6),
+                false => pen.ring(at, 5.0, inked(AXIS)),
             }
         }
         // The innermost ring has no room for a name.
         if k == 2 || k == 5 {
-            let [x, y] = polar(center, reach(k), 1.18);
-            pen.remark([x, y - 1.0], Middle, &format!("{}°", number(TILTS[k], 0)));
+            let place = shifted(polar(center, reach(k), 1.18), [0.0, -1.0]);
+            pen.remark(place, Middle, &format!("{:.0}°", TILTS[k]));
         }
     }
     pen.label([center[0], center[1] + reach(5) + 29.0], Middle, name);

@@ -2,12 +2,13 @@
 //!
 //! Every run is a scene of the library; accuracies are chosen so that no line moves by a tenth of a unit.
 
-use crate::prelude::*;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::scene::contact::{State, TableTop};
 use spinning_bodies::scene::effects::{Gravity, NoSlip, Regularised, Viscous};
 use spinning_bodies::scene::{Request, Scene};
 use spinning_bodies::tippe_top::{ConvexBody, HoopWithClay, Start, TippeTop, bodies};
+
+use crate::prelude::*;
 
 mod animated;
 mod ball;

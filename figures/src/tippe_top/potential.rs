@@ -23,11 +23,9 @@ fn height(top: &TippeTop, spin: f64, tilt: f64) -> f64 {
 
 /// The diagram: from the deepest place of the fastest top to the highest of the slowest.
 fn frame(top: &TippeTop) -> Frame {
-    let steps = || spaced([0.0, PI], 60);
-    let low = steps().map(|tilt| height(top, SPINS[3], tilt));
-    let low = low.fold(0.0, f64::min);
-    let high = steps().map(|tilt| height(top, SPINS[0], tilt));
-    let high = high.fold(0.0, f64::max);
+    let heights = |spin: f64| spaced([0.0, PI], 60).map(move |tilt| height(top, spin, tilt));
+    let low = heights(SPINS[3]).fold(0.0, f64::min);
+    let high = heights(SPINS[0]).fold(0.0, f64::max);
     let room = 0.06 * (high - low);
     let places = [58.0, 500.0, 352.0, 36.0];
     Frame::linear([0.0, 180.0], [low - room, high + room], places)
@@ -35,25 +33,26 @@ fn frame(top: &TippeTop) -> Frame {
 
 /// Where the heavy curve ends.
 fn head(values: &Values) -> Point {
-    match tippe(values.of(&ALPHA), values.of(&GAMMA)) {
-        Ok(top) => frame(&top).at(180.0, height(&top, values.of(&CHOSEN), PI)),
-        Err(_) => [0.0, 0.0],
-    }
+    tippe(values.of(&ALPHA), values.of(&GAMMA)).map_or([0.0; 2], |top| {
+        frame(&top).at(180.0, height(&top, values.of(&CHOSEN), PI))
+    })
 }
 
 /// Spin moves the lowest place from the foot of the ball to its head.
 pub fn effective(values: &Values) -> Result<Figure> {
-    let top = tippe(values.of(&ALPHA), values.of(&GAMMA))?;
-    let chosen = values.of(&CHOSEN);
+    let [chosen, alpha, gamma] = values.each([CHOSEN, ALPHA, GAMMA]);
+    let top = tippe(alpha, gamma)?;
     let mut spins: Vec<f64> = SPINS.into_iter().chain([chosen]).collect();
     spins.sort_by(f64::total_cmp);
     spins.dedup();
-    let ends = spins
+    let ends = tried(&spins, |&spin| {
+        top.final_tilt(top.jellett_of_spin(spin, 0.0), 1e-3)
+    })?;
+    let listed = ends
         .iter()
-        .map(|&spin| top.final_tilt(top.jellett_of_spin(spin, 0.0), 1e-3))
-        .collect::<Result<Vec<_>>>()?;
-    let degrees = |tilt: f64| format!("{}°", number(tilt.to_degrees(), 1));
-    let greatest = ends[ends.len() - 1];
+        .map(|tilt| format!("{}°", number(tilt.to_degrees(), 1)));
+    let listed: Vec<String> = listed.collect();
+    let (greatest, farthest) = (ends[ends.len() - 1], &listed[ends.len() - 1]);
     let rise = top.least_spin_to_rise();
     let fastest = number(SPINS[3], 0);
     let claim = match (top.inversion(), top.least_spin_to_invert()) {
@@ -63,12 +62,10 @@ pub fn effective(values: &Values) -> Result<Figure> {
             number(rise.unwrap_or(0.0), 1)
         ),
         (Inversion::Partial, _) => format!(
-            "Spin moves the lowest place from upright as far as {} at {fastest} rad/s, and at no spin to the head; friction brings the top there.",
-            degrees(greatest)
+            "Spin moves the lowest place from upright as far as {farthest} at {fastest} rad/s, and at no spin to the head; friction brings the top there."
         ),
         (Inversion::Complete, Some(invert)) if invert > SPINS[3] => format!(
-            "Spin moves the lowest place from upright as far as {} at {fastest} rad/s, and to the head at {invert:.1}; friction brings the top there.",
-            degrees(greatest)
+            "Spin moves the lowest place from upright as far as {farthest} at {fastest} rad/s, and to the head at {invert:.1}; friction brings the top there."
         ),
         (Inversion::Complete, _) => "Spin moves the lowest place from upright to upside down, and friction brings the top there.".to_owned(),
     };
@@ -80,8 +77,7 @@ pub fn effective(values: &Values) -> Result<Figure> {
         Some(invert) => format!("the head is reached from {invert:.2} rad/s on"),
         None => "the head is never reached".to_owned(),
     };
-    let listed: Vec<String> = ends.iter().map(|&tilt| degrees(tilt)).collect();
-    let (alpha, gamma) = (number(values.of(&ALPHA), 2), number(values.of(&GAMMA), 3));
+    let (alpha, gamma) = (number(alpha, 2), number(gamma, 3));
     let (count, listed) = (spins.len(), listed.join(", "));
     let words = words!(
         "{claim}",
@@ -90,6 +86,10 @@ pub fn effective(values: &Values) -> Result<Figure> {
         "Curves over the tilt from 0 to 180 degrees, all from the same point at 0; the faster the spin, the lower the curve. A disc marks the place where a top of each ends: \
          from the slowest to the fastest at {listed}."
     );
+    let curve = |spin: f64| {
+        let tilts = (0..=180).map(f64::from);
+        tilts.map(move |tilt| [tilt, height(&top, spin, tilt.to_radians())])
+    };
     let made = figure("tippe-potential", 400.0, words, |pen| {
         let frame = frame(&top);
         let names = ["tilt *θ*", "(*V* − *V* (0))/*MgR*"];
@@ -102,9 +102,7 @@ pub fn effective(values: &Values) -> Result<Figure> {
                 true => (1.5 * DATA, Ink),
                 false => (SECONDARY, Muted),
             };
-            let curve = (0..=180).map(f64::from);
-            let curve = curve.map(|tilt| [tilt, height(&top, spin, tilt.to_radians())]);
-            frame.curve(pen, curve, stroke(role, width));
+            frame.curve(pen, curve(spin), stroke(role, width));
             let at = frame.at(ends[k].to_degrees(), height(&top, spin, ends[k]));
             pen.dot(at, 5.0);
             let text = format!("{spin:.0} rad/s");
@@ -113,8 +111,6 @@ pub fn effective(values: &Values) -> Result<Figure> {
     });
     let columns = "tilt (°) | (V − V(0))/MgR";
     Ok(spins.iter().fold(made, |made, &spin| {
-        let rows = (0..=180).map(f64::from);
-        let rows = rows.map(|tilt| [tilt, height(&top, spin, tilt.to_radians())]);
-        made.data(format!("{spin} rad/s"), columns, rows)
+        made.data(format!("{spin} rad/s"), columns, curve(spin))
     }))
 }

@@ -40,10 +40,11 @@ pub fn strobed(values: &Values) -> Result<Figure> {
         row(pen, &rows[1], 240.0, "anticlockwise");
     });
     let columns = "time (s) | tilt (°)";
-    let table = |k: usize| tilts(&rows[k]);
-    Ok(made
-        .data("clockwise", columns, table(0))
-        .data("anticlockwise", columns, table(1)))
+    Ok(made.data("clockwise", columns, tilts(&rows[0])).data(
+        "anticlockwise",
+        columns,
+        tilts(&rows[1]),
+    ))
 }
 
 fn row(pen: &mut Pen, rows: &[(f64, State)], floor: f64, name: &str) {

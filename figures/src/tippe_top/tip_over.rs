@@ -2,21 +2,13 @@
 
 use spinning_bodies::scene::contact::passage;
 
-use super::{ALPHA, FRICTION, TURNS, degrees, run, tilt_against_time, tilts, toy, toy_scene};
+use super::{FRICTION, TURNS, degrees, run, tilt_against_time, tilts, toy, toy_scene};
 use crate::prelude::*;
 
-const LIGHT: Parameter = Parameter {
-    key: "light",
-    symbol: r"\alpha_1",
-    meaning: "offset of the centre of mass over the radius, lighter clay",
-    ..ALPHA.between([0.02, 0.08], 0.05)
-};
-const HEAVY: Parameter = Parameter {
-    key: "heavy",
-    symbol: r"\alpha_2",
-    meaning: "offset of the centre of mass over the radius, heavier clay",
-    ..ALPHA.between([0.09, 0.3], 0.1)
-};
+parameters! {
+    LIGHT: "light", r"\alpha_1", "", "offset of the centre of mass over the radius, lighter clay", [0.02, 0.08], 0.05;
+    HEAVY: "heavy", r"\alpha_2", "", "offset of the centre of mass over the radius, heavier clay", [0.09, 0.3], 0.1;
+}
 /// What may be chosen.
 pub const TIP_OVER: &[Parameter] = &[LIGHT, HEAVY, TURNS.between([15.0, 80.0], 50.0), FRICTION];
 
@@ -25,15 +17,14 @@ const START: f64 = 0.1;
 
 /// A reckless estimate that is right to a few per cent.
 pub fn tip_over(values: &Values) -> Result<Figure> {
-    let alphas = [values.of(&LIGHT), values.of(&HEAVY)];
+    let alphas = values.each([LIGHT, HEAVY]);
     let (spin, mu) = (TAU * values.of(&TURNS), values.of(&FRICTION));
     let hoop = toy(alphas[1], mu)?;
     let rate = hoop.tip_rate(spin);
     let end = 1.087 * hoop.tip_over_time(spin);
-    let runs = [
-        run(&toy_scene(alphas[0], spin, mu)?, end, 250, 1e-3)?,
-        run(&toy_scene(alphas[1], spin, mu)?, end, 250, 1e-3)?,
-    ];
+    let runs = tried(alphas, |alpha| {
+        run(&toy_scene(alpha, spin, mu)?, end, 250, 1e-3)
+    })?;
     // Between 30° and 150°, if it gets there.
     let mean = |k: usize| -> Option<f64> {
         let at = |level: f64| passage(&runs[k], degrees, level);
@@ -43,15 +34,18 @@ pub fn tip_over(values: &Values) -> Result<Figure> {
     let off = means.map(|mean| mean.map(|mean| 100.0 * (mean / rate.to_degrees() - 1.0).abs()));
     let named = alphas.map(|alpha| short(alpha, 3));
     let claim = match off {
-        [Some(light), Some(heavy)] if light.max(heavy) < 30.0 => format!(
-            "The tutorial's straight line has the right slope to {} %, and the {} the clay, the better.",
-            number(light.max(heavy), 0),
-            if light < heavy { "lighter" } else { "heavier" }
-        ),
-        [Some(light), Some(heavy)] => format!(
-            "Here the tutorial's straight line is wrong by up to {} %: it leaves out that the slip turns.",
-            number(light.max(heavy), 0)
-        ),
+        [Some(light), Some(heavy)] => {
+            let worst = light.max(heavy);
+            let better = if light < heavy { "lighter" } else { "heavier" };
+            match worst < 30.0 {
+                true => format!(
+                    "The tutorial's straight line has the right slope to {worst:.0} %, and the {better} the clay, the better."
+                ),
+                false => format!(
+                    "Here the tutorial's straight line is wrong by up to {worst:.0} %: it leaves out that the slip turns."
+                ),
+            }
+        }
         [None, Some(_)] => format!(
             "Clay of α = {} is too light to tip the ball over in the time that the tutorial's straight line allows.",
             named[0]
@@ -98,41 +92,25 @@ pub fn tip_over(values: &Values) -> Result<Figure> {
             frame.at(*t, degrees(s))
         };
         let estimate = frame.at(56_f64.to_radians() / rate, 56.0 + START.to_degrees());
-        for (place, anchor, on, text, lettering) in [
-            (
-                frame.at(0.42 * end, 158.0),
-                End,
-                on(1, 140.0),
-                format!("*α* = {}", named[1]),
-                label(Ink),
-            ),
-            (
-                frame.at(0.76 * end, 66.0),
-                Start,
-                on(0, 100.0),
-                format!("*α* = {}", named[0]),
-                label(Muted),
-            ),
-            (
-                frame.at(0.58 * end, 26.0),
-                Start,
-                estimate,
-                "the estimate, *RμMg*/*IΩ*".to_owned(),
-                small(Ink),
-            ),
+        let [light, heavy] = named.each_ref().map(|alpha| format!("*α* = {alpha}"));
+        let formula = "the estimate, *RμMg*/*IΩ*";
+        for (at, anchor, on, text, lettering) in [
+            ([0.42, 158.0], End, on(1, 140.0), heavy.as_str(), label(Ink)),
+            ([0.76, 66.0], Start, on(0, 100.0), &light, label(Muted)),
+            ([0.58, 26.0], Start, estimate, formula, small(Ink)),
         ] {
+            let place = frame.at(at[0] * end, at[1]);
             let side = if anchor == End { 6.0 } else { -6.0 };
-            let from = [place[0] + side, place[1] - 5.0];
+            let from = shifted(place, [side, -5.0]);
             pen.line([from, between(on, from, 0.04)], muted(HAIR));
-            pen.text(place, anchor, &text, lettering);
+            pen.text(place, anchor, text, lettering);
         }
     });
     let columns = "time (s) | tilt (°)";
-    let rows = |k: usize| tilts(&runs[k]);
-    let made = made
-        .data(format!("alpha = {}", alphas[0]), columns, rows(0))
-        .data(format!("alpha = {}", alphas[1]), columns, rows(1));
+    let [light, heavy] = alphas.map(|alpha| format!("alpha = {alpha}"));
     Ok(made
+        .data(light, columns, tilts(&runs[0]))
+        .data(heavy, columns, tilts(&runs[1]))
         .value("estimate", number(rate.to_degrees(), 2))
         .value("light", number(means[0].unwrap_or(0.0), 1))
         .value("heavy", number(means[1].unwrap_or(0.0), 1)))

@@ -74,10 +74,11 @@ pub fn twins(values: &Values) -> Result<Figure> {
         }
     });
     let columns = "time (s) | tilt (°)";
-    let rows = |k: usize| tilts(&runs[k]);
-    Ok(made
-        .data("the top", columns, rows(0))
-        .data("its mirror image", columns, rows(1)))
+    Ok(made.data("the top", columns, tilts(&runs[0])).data(
+        "its mirror image",
+        columns,
+        tilts(&runs[1]),
+    ))
 }
 
 #[cfg(test)]

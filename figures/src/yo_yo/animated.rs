@@ -25,7 +25,9 @@ const FRICTION: f64 = 5e-4;
 /// Seconds of the film to a second of the yo-yo.
 const SLOWNESS: f64 = 8.0;
 /// Pictures; the motion between two is filled in by the browser.
-const PICTURES: usize = 240;
+const PICTURES: u32 = 240;
+/// Steps of the spin from picture to picture.
+const BETWEEN: u32 = 8;
 
 /// Time, state, and the angle turned.
 type Picture = (f64, YoYoState, f64);
@@ -48,21 +50,15 @@ fn film() -> Result<(f64, Vec<Picture>)> {
             low = middle;
         }
     }
-    let times: Vec<f64> = (0..=PICTURES * 8)
-        .map(|k| low * k as f64 / (PICTURES * 8) as f64)
-        .collect();
+    let times: Vec<f64> = spaced([0.0, low], PICTURES * BETWEEN).collect();
     let rows = play.simulate(&Request::at(times)?)?.rows;
-    let mut angle = 0.0;
-    let mut last = rows[0];
-    let mut pictures = Vec::new();
-    for (k, &(t, state)) in rows.iter().enumerate() {
+    let (mut angle, mut last) = (0.0, rows[0]);
+    let pictures = rows.into_iter().map(|(t, state)| {
         angle += 0.5 * (t - last.0) * (state.omega + last.1.omega);
         last = (t, state);
-        if k % 8 == 0 {
-            pictures.push((t, state, angle));
-        }
-    }
-    Ok((low, pictures))
+        (t, state, angle)
+    });
+    Ok((low, pictures.step_by(BETWEEN as usize).collect()))
 }
 
 /// Down, asleep, awake, and up.
@@ -90,19 +86,18 @@ pub fn animated(_: &Values) -> Result<Figure> {
         depth.draw(pen, &[], &marks(&[0.0, 0.36], ""), ["", "depth, m"]);
         let y_ticks = marks(&[0.0, 200.0, 300.0], "");
         spin.draw(pen, &seconds, &y_ticks, ["time, s", "spin, rad/s"]);
-        let line: Vec<Point> = pictures.iter().map(|p| depth.at(p.0, p.1.depth)).collect();
-        pen.line(&line, inked(DATA));
-        let line: Vec<Point> = pictures.iter().map(|p| spin.at(p.0, p.1.omega)).collect();
-        pen.line(&line, stroke(Omega, DATA));
+        let line = pictures.iter().map(|p| depth.at(p.0, p.1.depth));
+        pen.line(line, inked(DATA));
+        let line = pictures.iter().map(|p| spin.at(p.0, p.1.omega));
+        pen.line(line, stroke(Omega, DATA));
         let middle = 0.5 * (asleep[0] + asleep[asleep.len() - 1]);
         let [x, y] = depth.at(middle, 0.36);
         pen.remark([x, y - 10.0], Middle, "asleep");
-        let rule = [[HAND[0] - 56.0, HAND[1]], [HAND[0] - 36.0, HAND[1]]];
+        let rule = [-56.0, -36.0].map(|aside| shifted(HAND, [aside, 0.0]));
         pen.line(rule, inked(AXIS));
-        pen.text([HAND[0] - 60.0, HAND[1] + 5.0], End, "hand", label(Muted));
+        pen.text(shifted(HAND, [-60.0, 5.0]), End, "hand", label(Muted));
     });
-    let picture = pictures.len() / 2;
-    Ok(still.moving(&moving(&pictures, duration, picture, [&depth, &spin])))
+    Ok(still.moving(&moving(&pictures, duration, [&depth, &spin])))
 }
 
 /// How far round the string's end the axle has gone shows in where its centre is: left of the string on the way down, right of it on the way up.
@@ -118,12 +113,9 @@ fn aside(state: &YoYoState, after: bool) -> f64 {
     }
 }
 
-fn moving(
-    pictures: &[(f64, YoYoState, f64)],
-    duration: f64,
-    still: usize,
-    [depth, spin]: [&Frame; 2],
-) -> String {
+fn moving(pictures: &[Picture], duration: f64, [depth, spin]: [&Frame; 2]) -> String {
+    // Half-way it is asleep.
+    let still = pictures.len() / 2;
     let mut frames: [Vec<String>; 4] = Default::default();
     let mut slept = false;
     for (t, state, angle) in pictures {
@@ -136,12 +128,10 @@ fn moving(
         // A string of 1000 canvas units, stretched; it ends level with the axle, or at its top in the turn.
         let end = METRE * state.depth.min(LENGTH) * SCALE / 1000.0;
         frames[1].push(format!("scale(1,{end:.4})"));
-        for (slot, point) in [
-            (2, depth.at(*t, state.depth)),
-            (3, spin.at(*t, state.omega)),
-        ] {
+        let markers = [depth.at(*t, state.depth), spin.at(*t, state.omega)];
+        for (frames, point) in frames[2..].iter_mut().zip(markers) {
             let [x, y] = point.map(|c| c * SCALE);
-            frames[slot].push(format!("translate({x:.0}px,{y:.0}px)"));
+            frames.push(format!("translate({x:.0}px,{y:.0}px)"));
         }
     }
     let (big, axle) = (METRE * RADIUS * SCALE, METRE * AXLE * SCALE);
@@ -150,22 +140,20 @@ fn moving(
          <path d=\"M0 0L{big:.0} 0\" stroke=\"var(--omega, #0b6bcb)\" stroke-width=\"30\"/>\
          <circle r=\"{axle:.0}\" fill=\"currentColor\"/>"
     );
-    let marker = "<circle r=\"50\" fill=\"currentColor\"/>".to_owned();
+    let marker = "<circle r=\"50\" fill=\"currentColor\"/>";
     let string = "<path d=\"M0 0L0 1000\" stroke=\"currentColor\" stroke-width=\"14\" vector-effect=\"non-scaling-stroke\" \
-                  style=\"stroke-width:1.4px\"/>"
-        .to_owned();
+                  style=\"stroke-width:1.4px\"/>";
     let parts = [
         ("string", 1, string),
-        ("toy", 0, yo_yo),
-        ("depth", 2, marker.clone()),
+        ("toy", 0, yo_yo.as_str()),
+        ("depth", 2, marker),
         ("spin", 3, marker),
     ];
     let (mut style, mut groups, mut all) = ("<style>".to_owned(), String::new(), String::new());
     for (part, slot, drawing) in parts {
         let name = format!("fig-{NAME}-{part}");
-        let shares = pictures
-            .iter()
-            .map(|p| format!("{:.2}", 100.0 * p.0 / duration));
+        let share = |p: &Picture| format!("{:.2}", 100.0 * p.0 / duration);
+        let shares = pictures.iter().map(share);
         let seconds = SLOWNESS * duration;
         style += &finish::keyframes(&name, shares.zip(&frames[slot]));
         style += &format!(".{name}{{animation:{name} {seconds:.2}s linear infinite}}");

@@ -3,17 +3,18 @@
 mod animated;
 mod turn;
 
-use crate::prelude::*;
 use spinning_bodies::scene::effects::{Gravity, TurnLoss};
 use spinning_bodies::scene::{Play, Request, Scene};
 use spinning_bodies::yo_yo::{Turn, Unwinding, YoYo};
 
+use crate::prelude::*;
+
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
     of("yo-yo-animated", &[], animated::animated),
-    of("yo-yo-speed", SPEED, speed),
-    of("yo-yo-turn", turn::TURN, turn::turn),
-    of("yo-yo-string", STRING, string),
+    of("yo-yo-speed", &[WOUND, CORE, AXLE, LENGTH], speed),
+    of("yo-yo-turn", &[AXLE, LENGTH], turn::turn),
+    of("yo-yo-string", &[AXLE, LENGTH, LEFT], string),
 ];
 
 const GRAVITY: f64 = 9.81;
@@ -28,11 +29,6 @@ parameters! {
     WOUND: "wound_to", "r_2", "mm", "radius of the thick string when it is wound up", [5.5, 20.0], 10.0;
 }
 
-/// What may be chosen of a yo-yo let go.
-pub const STRING: &[Parameter] = &[AXLE, LENGTH, LEFT];
-/// What may be chosen of two strings.
-pub const SPEED: &[Parameter] = &[WOUND, CORE, AXLE, LENGTH];
-
 /// Mass of the toy, kg.
 const MASS: f64 = 0.055;
 
@@ -43,8 +39,8 @@ fn toy(values: &Values, axle: &Parameter) -> Result<YoYo> {
 
 /// Depth and tension of a yo-yo let go, against time.
 pub fn string(values: &Values) -> Result<Figure> {
-    let (toy, left) = (toy(values, &AXLE)?, values.of(&LEFT));
-    let (length, axle) = (values.of(&LENGTH), values.of(&AXLE));
+    let [axle, length, left] = values.each([AXLE, LENGTH, LEFT]);
+    let toy = toy(values, &AXLE)?;
     let weight = MASS * GRAVITY;
     let way = Unwinding::new(toy, GRAVITY, 0.0)?;
     let turn = Turn::new(toy, GRAVITY, way.omega(length))?;
@@ -53,8 +49,7 @@ pub fn string(values: &Values) -> Result<Figure> {
     let play = Play::new(toy, 0.0)?
         .with(Gravity::new(GRAVITY)?)?
         .with(TurnLoss::new(left)?)?;
-    let steps = 6000;
-    let times: Vec<f64> = spaced([0.0, SHOWN], steps).collect();
+    let times: Vec<f64> = spaced([0.0, SHOWN], 6000).collect();
     let rows = play.simulate(&Request::at(times)?)?.rows;
 
     let time = [0.0, SHOWN];
@@ -118,20 +113,15 @@ pub fn speed(values: &Values) -> Result<Figure> {
         .max_by(|&a, &b| thick.speed(a).total_cmp(&thick.speed(b)))
         .unwrap_or(0.0);
     let peak = thick.speed(fastest);
-    let frame = Frame::linear(
-        [0.0, length],
-        [0.0, 1.12 * peak.max(thin.speed(length))],
-        [66.0, 570.0, 296.0, 40.0],
-    );
-    let curve =
-        |way: &Unwinding| -> Vec<Point> { depths().map(|x| frame.at(x, way.speed(x))).collect() };
-    let curves = [curve(&thin), curve(&thick)];
+    let most = 1.12 * peak.max(thin.speed(length));
+    let frame = Frame::linear([0.0, length], [0.0, most], [66.0, 570.0, 296.0, 40.0]);
+    let curves = [&thin, &thick].map(|way| frame.trace(depths().map(|x| [x, way.speed(x)])));
     let claim = match fastest / length {
         share if share < 0.9 => "On a thick string the yo-yo is fastest well before the end.",
         share if share < 1.0 => "On a thick string the yo-yo is fastest shortly before the end.",
         _ => "This string is too thin: the yo-yo is fastest at its end, as on any thin string.",
     };
-    let [axle, wound, core] = [AXLE, WOUND, CORE].map(|one| short(values.of(&one), 2));
+    let [axle, wound, core] = shorts(values.each([AXLE, WOUND, CORE]), 2);
     let (long, last) = (short(length, 2), number(thick.speed(length), 3));
     let [spin, whirl] = numbers([&thin, &thick].map(|way| way.omega(length)), 0);
     let [end, after, later] = numbers([thin.speed(length), thin.duration()?, thick.duration()?], 4);
@@ -153,24 +143,19 @@ pub fn speed(values: &Values) -> Result<Figure> {
         let top = frame.at(fastest, peak);
         pen.dot(top, 4.0);
         let mut beside = |curve: &[Point], text: &str, lettering, half: f64| {
-            let places = curve.iter().skip(60).step_by(4).flat_map(|p| {
-                [[half + 8.0, 16.0], [-half - 8.0, -16.0], [0.0, -18.0]]
-                    .map(|[x, y]| [p[0] + x, p[1] + y])
-            });
-            let inside = places.filter(|p| {
-                (72.0 + half..590.0 - half).contains(&p[0]) && (30.0..280.0).contains(&p[1])
-            });
-            pen.name(inside, text, lettering);
+            let sides = [[half + 8.0, 16.0], [-half - 8.0, -16.0], [0.0, -18.0]];
+            let places = curve.iter().skip(60).step_by(4);
+            let places = places.flat_map(|p| sides.map(|side| shifted(*p, side)));
+            let inside = within([72.0 + half, 590.0 - half], [30.0, 280.0]);
+            pen.name(places.filter(inside), text, lettering);
         };
         beside(&[top; 61], "fastest", small(Ink), 24.0);
         beside(&curves[1], "thick string", label(Ink), 45.0);
         beside(&curves[0], "thin string", label(Ink), 42.0);
     });
     let columns = "depth (m) | speed (m/s) | angular velocity (rad/s)";
-    let rows = |way: &Unwinding| -> Vec<[f64; 3]> {
-        depths().map(|x| [x, way.speed(x), way.omega(x)]).collect()
-    };
+    let rows = |way: Unwinding| depths().map(move |x| [x, way.speed(x), way.omega(x)]);
     Ok(made
-        .data("thin string", columns, rows(&thin))
-        .data("thick string", columns, rows(&thick)))
+        .data("thin string", columns, rows(thin))
+        .data("thick string", columns, rows(thick)))
 }

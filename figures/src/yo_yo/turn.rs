@@ -5,9 +5,6 @@ use spinning_bodies::yo_yo::{Turn, TurnState, Unwinding};
 use super::{AXLE, GRAVITY, LENGTH, MASS, toy};
 use crate::prelude::*;
 
-/// What may be chosen.
-pub const TURN: &[Parameter] = &[AXLE, LENGTH];
-
 /// Design units to a metre; the end of the string above the page's bottom half; the longest arrow.
 const METRE: f64 = 1650.0;
 const END: f64 = 136.0;
@@ -16,7 +13,8 @@ const LONGEST: f64 = 76.0;
 /// Disc, thread and pull at five equal steps of the turn.
 pub fn turn(values: &Values) -> Result<Figure> {
     let toy = toy(values, &AXLE)?;
-    let (length, axle) = (values.of(&LENGTH), values.of(&AXLE) / 1e3);
+    let [thick, length] = values.each([AXLE, LENGTH]);
+    let axle = thick / 1e3;
     let weight = MASS * GRAVITY;
     let way = Unwinding::new(toy, GRAVITY, 0.0)?;
     let turn = Turn::new(toy, GRAVITY, way.omega(length))?;
@@ -24,8 +22,7 @@ pub fn turn(values: &Values) -> Result<Figure> {
         let time = share * turn.duration;
         Ok((time, turn.at(time)?))
     };
-    let pictures = (0..5).map(|k| at(f64::from(k) / 4.0));
-    let pictures = pictures.collect::<Result<Vec<_>>>()?;
+    let pictures = tried(spaced([0.0, 1.0], 4), at)?;
     let peak = pictures[2].1.tension;
     let told = pictures.iter().map(|(_, s)| number(s.tension / weight, 1));
     let pulls: Vec<String> = told.collect();
@@ -45,7 +42,7 @@ pub fn turn(values: &Values) -> Result<Figure> {
             let (sin, cos) = state.angle.sin_cos();
             let end = [64.0 + 118.0 * k as f64, END];
             let arm = METRE * axle;
-            let center = [end[0] + arm * cos, end[1] + arm * sin];
+            let center = shifted(end, [arm * cos, arm * sin]);
             let radius = METRE * 0.029;
             pen.disc(center, radius, Ink, 0.1);
             pen.ring(center, radius, inked(SECONDARY));
@@ -56,17 +53,14 @@ pub fn turn(values: &Values) -> Result<Figure> {
             pen.line([end, [end[0], end[1] - pull]], inked(5.0));
             // The centre goes round the end of the thread.
             let speed = 0.5 * LONGEST * state.omega / turn.fastest;
-            let velocity = [center[0] - speed * sin, center[1] + speed * cos];
+            let velocity = shifted(center, [-speed * sin, speed * cos]);
             pen.arrow(center, velocity, inked(SECONDARY));
             let around = [0.9, -0.7].map(|turned| turned - state.angle);
             let style = stroke(Omega, DATA);
             pen.arc_arrow(center, 0.8 * radius, around[0], around[1], style);
-            let row = |pen: &mut Pen, y: f64, text: &str, role| {
-                let at: Point = [64.0 + 118.0 * k as f64, y];
-                pen.text(at, Middle, text, small(role));
-            };
-            row(pen, 232.0, &format!("{} ms", number(1e3 * time, 1)), Muted);
-            row(pen, 256.0, &format!("pull {} *Mg*", pulls[k]), Ink);
+            let (time, pull) = (number(1e3 * time, 1), &pulls[k]);
+            pen.remark([end[0], 232.0], Middle, &format!("{time} ms"));
+            pen.note([end[0], 256.0], Middle, &format!("pull {pull} *Mg*"));
         }
         let first = [64.0 + METRE * axle, END];
         let name = polar(first, 0.8 * METRE * 0.029 + 18.0, 0.8);
@@ -74,12 +68,10 @@ pub fn turn(values: &Values) -> Result<Figure> {
     });
     let columns =
         "time (s) | angle (rad) | depth (m) | velocity downward (m/s) | spin (rad/s) | pull (N)";
-    let rows = (0..=200)
-        .map(|k| {
-            let (time, s) = at(f64::from(k) / 200.0)?;
-            Ok([time, s.angle, s.depth, s.velocity, s.omega, s.tension])
-        })
-        .collect::<Result<Vec<_>>>()?;
+    let rows = tried(spaced([0.0, 1.0], 200), |share| {
+        let (time, s) = at(share)?;
+        Ok([time, s.angle, s.depth, s.velocity, s.omega, s.tension])
+    })?;
     Ok(made.data("turn", columns, rows))
 }
 

@@ -98,6 +98,7 @@ fn row(ledger: &Ledger, claim: &Claim) -> String {
         let test = format!("{file}::{}", place.function);
         format!("<code>{}</code>", inert(&test))
     };
+    let verdict = claim.verdict.to_string();
     let mut places: Vec<String> = chapters.iter().map(link).collect();
     places.extend(ledger.in_tests(&claim.id).map(test));
     if !ledger.missing(claim).is_empty() {
@@ -109,12 +110,7 @@ fn row(ledger: &Ledger, claim: &Claim) -> String {
          <p class=\"claim-statement\">{statement}</p><p class=\"claim-places\">{places}</p></div>\n\n",
         id = claim.id,
         title = inert(&claim.title),
-        class = claim
-            .verdict
-            .to_string()
-            .replace(", ", "-")
-            .replace(' ', "-"),
-        verdict = claim.verdict,
+        class = verdict.replace(", ", "-").replace(' ', "-"),
         statement = inert(&claim.statement),
         places = places.join(" · "),
     )

@@ -49,7 +49,11 @@ pub fn watch(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
             file.display().to_string()
         };
         let first = changed.iter().map(name).next().unwrap_or_default();
-        let stale = changed.iter().find(|file| is_compiled_in(root, file));
+        let stale = |file: &&PathBuf| {
+            let mut sources = SOURCES.iter().filter(|(_, compiled_in)| *compiled_in);
+            sources.any(|(source, _)| file.starts_with(root.join(source)))
+        };
+        let stale = changed.iter().find(stale);
 
         let start = Instant::now();
         // Read before the pages: what is told of an example is on its page, even if the file is saved again meanwhile.
@@ -78,11 +82,6 @@ pub fn watch(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
             Ok(()) => {}
         }
     }
-}
-
-fn is_compiled_in(root: &Path, file: &Path) -> bool {
-    let mut sources = SOURCES.iter().filter(|(_, compiled_in)| *compiled_in);
-    sources.any(|(source, _)| file.starts_with(root.join(source)))
 }
 
 /// Files with their times and lengths.

@@ -79,10 +79,11 @@ impl Place {
     fn of(path: &Path, input: Option<&Path>) -> Result<Self> {
         let refused = |told: &str| Err(Error::Input(format!("{}: {told}", path.display())));
         let there = std::fs::metadata(path).ok();
+        let is_folder = there.as_ref().map(Metadata::is_dir);
+        if is_folder.unwrap_or(path.file_name().is_none()) {
+            return refused("a file is expected, not a folder");
+        }
         match &there {
-            Some(there) if there.is_dir() => {
-                return refused("a file is expected, not a folder");
-            }
             Some(there) if is_standard_output(there) => return Ok(Self::StandardOutput),
             Some(there) if !there.is_file() => return Ok(Self::AsItIs),
             Some(there) if is_input(path, there, input) => {
@@ -91,9 +92,6 @@ impl Place {
             _ => {}
         }
         let file = followed(path).map_err(Error::file(path))?;
-        if file.file_name().is_none() {
-            return refused("a file is expected, not a folder");
-        }
         if !folder_of(&file).is_dir() {
             return refused("there is no such folder");
         }

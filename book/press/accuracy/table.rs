@@ -1,5 +1,6 @@
 //! The table of a problem, and its winners.
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use lab::accuracy::measured::{Row, TARGETS, ranking};
@@ -108,7 +109,7 @@ fn failure(one: &Swept) -> Option<String> {
 }
 
 /// The rows that a person wants to see: the cheapest to reach each of the targets, and the most exact. The CSV file has them all.
-fn telling(rows: &[Measurement]) -> Vec<&Measurement> {
+fn telling(rows: &[Measurement]) -> impl Iterator<Item = &Measurement> {
     let cheapest = |target: f64| {
         let good = rows.iter().enumerate();
         let good = good.filter(|(_, row)| worst(row) <= target);
@@ -118,10 +119,8 @@ fn telling(rows: &[Measurement]) -> Vec<&Measurement> {
     let best = all.filter(|(_, row)| row.failure.is_none());
     let best = best.min_by(|a, b| a.1.error().total_cmp(&b.1.error()));
     let wanted = TARGETS.into_iter().filter_map(cheapest).chain(best);
-    let mut places: Vec<usize> = wanted.map(|(place, _)| place).collect();
-    places.sort_unstable();
-    places.dedup();
-    places.into_iter().map(|place| &rows[place]).collect()
+    let places: BTreeSet<usize> = wanted.map(|(place, _)| place).collect();
+    places.into_iter().map(|place| &rows[place])
 }
 
 fn line(row: &Measurement) -> String {

@@ -2,8 +2,8 @@
 
 use std::sync::LazyLock;
 
+use nalgebra::{Matrix3, Vector3};
 use support::double_double::Dd;
-pub use support::{cross, dot, turned};
 
 /// Sine and cosine.
 pub trait Angle: Sized {
@@ -58,78 +58,29 @@ pub const PI: Dd = Dd {
     lo: 1.224_646_799_147_353_2e-16,
 };
 
-pub type Vector = [Dd; 3];
-pub type Matrix = [Vector; 3];
+pub type Vector = Vector3<Dd>;
+pub type Matrix = Matrix3<Dd>;
 
-pub const NONE: Vector = [Dd::ZERO; 3];
-
-pub fn plus(a: Vector, b: Vector) -> Vector {
-    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
-}
-
-pub fn minus(a: Vector, b: Vector) -> Vector {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-pub fn times(a: Vector, by: Dd) -> Vector {
-    a.map(|x| x * by)
-}
-
-pub fn image(matrix: Matrix, v: Vector) -> Vector {
-    matrix.map(|row| dot(row, v))
-}
-
-/// x with Mx = b, by Cramer's rule, from the columns of M.
-pub fn solved([p, q, r]: Matrix, b: Vector) -> Vector {
-    let whole = dot(p, cross(q, r));
-    [
-        dot(b, cross(q, r)) / whole,
-        dot(p, cross(b, r)) / whole,
-        dot(p, cross(q, b)) / whole,
-    ]
+/// M⁻¹, by Cramer's rule.
+pub fn inverse(m: &Matrix) -> Matrix {
+    let [p, q, r] = [0, 1, 2].map(|k| m.column(k).into_owned());
+    let rows = [q.cross(&r), r.cross(&p), p.cross(&q)];
+    Matrix::from_columns(&rows).transpose() / p.dot(&rows[0])
 }
 
 /// Where a function whose differences are linear is nil.
 pub fn root(f: impl Fn(Vector) -> Vector) -> Vector {
-    let rest = f(NONE);
-    let columns = diagonal([Dd::from(1.0); 3]).map(|unit| minus(f(unit), rest));
-    solved(columns, rest.map(|x| -x))
+    let rest = f(Vector::zeros());
+    let columns = [Vector::x(), Vector::y(), Vector::z()].map(|unit| f(unit) - rest);
+    -(inverse(&Matrix::from_columns(&columns)) * rest)
 }
 
 /// The rotation of a quaternion of any length: its rows are the axes of space seen from the body.
 pub fn rotation([w, x, y, z]: [Dd; 4]) -> Matrix {
-    let (ww, xx, yy, zz) = (w * w, x * x, y * y, z * z);
-    let rows = [
-        [
-            ww + xx - yy - zz,
-            2.0 * (x * y - w * z),
-            2.0 * (x * z + w * y),
-        ],
-        [
-            2.0 * (x * y + w * z),
-            ww + yy - xx - zz,
-            2.0 * (y * z - w * x),
-        ],
-        [
-            2.0 * (x * z - w * y),
-            2.0 * (y * z + w * x),
-            ww + zz - xx - yy,
-        ],
-    ];
-    let part = 1.0 / (ww + xx + yy + zz);
-    rows.map(|row| times(row, part))
-}
-
-pub fn diagonal(values: Vector) -> Matrix {
-    core::array::from_fn(|i| core::array::from_fn(|j| if i == j { values[i] } else { Dd::ZERO }))
-}
-
-/// M⁻¹ of a symmetric matrix.
-pub fn inverse(m: Matrix) -> Matrix {
-    diagonal([Dd::from(1.0); 3]).map(|unit| solved(m, unit))
-}
-
-/// Rows as columns.
-pub fn transposed(m: Matrix) -> Matrix {
-    core::array::from_fn(|i| core::array::from_fn(|j| m[j][i]))
+    let v = Vector::new(x, y, z);
+    let [ww, vv] = [w * w, v.dot(&v)];
+    let zero = Dd::ZERO;
+    let across = Matrix::new(zero, -z, y, z, zero, -x, -y, x, zero);
+    let turned = v * v.transpose() + across * w;
+    (turned * Dd::from(2.0) + Matrix::from_diagonal_element(ww - vv)) / (ww + vv)
 }

@@ -2,10 +2,11 @@
 
 use super::super::door::held;
 use super::super::extrapolation::pieced;
-use super::super::number::{Angle, PI, Vector, cross, dot, plus, root, times as scaled, turned};
+use super::super::number::{Angle, PI, Vector, root};
 use super::super::random::Random;
 use super::{Scene, Sort, line, told};
 use support::double_double::Dd;
+use support::turned;
 
 /// A stroke from 0 to 1, at rest at both ends: u³(10 − 15u + 6u²), or the same of u²; and its rate.
 fn pace(late: bool, u: Dd) -> [Dd; 2] {
@@ -186,9 +187,6 @@ struct Half {
     joint: Dd,
 }
 
-/// The first spine.
-const FIRST: Vector = [Dd { hi: 1.0, lo: 0.0 }, Dd::ZERO, Dd::ZERO];
-
 /// Bend and direction, and their rates.
 #[derive(Clone, Copy, Default)]
 struct Bend {
@@ -204,11 +202,10 @@ impl Bend {
     fn second(&self) -> [Vector; 2] {
         let (s, c) = self.angle.sine_cosine();
         let (sp, cp) = self.direction.sine_cosine();
-        let spine = [c, s * cp, s * sp];
-        let round = self.direction_rate;
-        let rolled = plus(scaled(FIRST, round), scaled(spine, -round));
-        let bent = scaled([Dd::ZERO, -sp, cp], self.angle_rate);
-        [spine, plus(bent, rolled)]
+        let spine = Vector::new(c, s * cp, s * sp);
+        let rolled = (Vector::x() - spine) * self.direction_rate;
+        let bent = Vector::new(Dd::ZERO, -sp, cp) * self.angle_rate;
+        [spine, bent + rolled]
     }
 }
 
@@ -265,21 +262,17 @@ impl Turnover {
 /// L about the common centre, along the first half's axes, when that half turns at Ω: the halves' own, and that of their centres.
 fn momentum(halves: &[Half; 2], [second, against]: [Vector; 2], omega: Vector) -> Vector {
     let [one, other] = halves;
-    let rates = [omega, plus(omega, against)];
-    let joints = |first, second| plus(scaled(first, one.joint), scaled(second, other.joint));
+    let rates = [omega, omega + against];
+    let joints = |first: Vector, second: Vector| first * one.joint + second * other.joint;
     // From the centre of the first half to that of the second, and how fast that changes in space.
-    let arm = joints(FIRST, second);
-    let speed = joints(cross(rates[0], FIRST), cross(rates[1], second));
+    let arm = joints(Vector::x(), second);
+    let speed = joints(rates[0].cross(&Vector::x()), rates[1].cross(&second));
     let reduced = one.mass * other.mass / (one.mass + other.mass);
-    let mut sum = scaled(cross(arm, speed), reduced);
-    for (half, (spine, rate)) in halves.iter().zip([(FIRST, rates[0]), (second, rates[1])]) {
-        let along = (half.axial - half.transverse) * dot(spine, rate);
-        sum = plus(
-            sum,
-            plus(scaled(rate, half.transverse), scaled(spine, along)),
-        );
-    }
-    sum
+    let own = |half: &Half, spine: Vector, rate: Vector| {
+        rate * half.transverse + spine * ((half.axial - half.transverse) * spine.dot(&rate))
+    };
+    let both = own(one, Vector::x(), rates[0]) + own(other, second, rates[1]);
+    arm.cross(&speed) * reduced + both
 }
 
 fn cat(r: &mut Random, even: bool) -> Scene {
@@ -331,7 +324,7 @@ fn cat(r: &mut Random, even: bool) -> Scene {
         truth: Box::new(move |start, times| {
             let rate = |piece: usize, t: Dd, q: &[Dd; 4]| {
                 let bend = path.bend(piece, t).second();
-                turned(*q, root(|omega| momentum(&halves, bend, omega)))
+                turned(*q, root(|omega| momentum(&halves, bend, omega)).into())
             };
             let quarter = whole * 0.25;
             let corners = [quarter, quarter * 3.0, whole];

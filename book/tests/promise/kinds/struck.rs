@@ -1,37 +1,30 @@
 //! A planet that flies and turns freely, and is struck at time 0.
 
 use super::super::extrapolation::pieced;
-use super::super::number::{
-    Matrix, NONE, Vector, cross, diagonal, dot, image, inverse, minus, plus, rotation, solved,
-    times as scaled, turned,
-};
+use super::super::number::{Matrix, Vector, inverse, rotation};
 use super::super::random::Random;
 use super::{Scene, Sort, told};
 use support::double_double::Dd;
+use support::turned;
 
 /// m(r² − r r).
 fn particle(mass: Dd, r: Vector) -> Matrix {
-    let whole = diagonal([dot(r, r); 3]);
-    core::array::from_fn(|i| core::array::from_fn(|j| mass * (whole[i][j] - r[i] * r[j])))
-}
-
-fn sum(a: Matrix, b: Matrix) -> Matrix {
-    core::array::from_fn(|i| plus(a[i], b[i]))
+    (Matrix::from_diagonal_element(r.dot(&r)) - r * r.transpose()) * mass
 }
 
 /// Attitude and L along the body's axes after a time of free turning.
 fn turned_freely(inertia: Matrix, omega: Vector, times: &[f64], rate: f64) -> Vec<[Dd; 7]> {
-    let l = image(inertia, omega);
-    let size = dot(l, l).sqrt().value();
+    let l = inertia * omega;
+    let size = l.dot(&l).sqrt().value();
     let zero = Dd::ZERO;
-    let start = [Dd::from(1.0), zero, zero, zero, l[0], l[1], l[2]];
-    let inverse = inverse(inertia);
-    let turning = |_: usize, _: Dd, y: &[Dd; 7]| {
-        let l = [y[4], y[5], y[6]];
-        let omega = image(inverse, l);
-        let [w, x, q, z] = turned([y[0], y[1], y[2], y[3]], omega);
-        let [a, b, c] = cross(l, omega);
-        [w, x, q, z, a, b, c]
+    let start = [Dd::from(1.0), zero, zero, zero, l.x, l.y, l.z];
+    let inverse = inverse(&inertia);
+    let turning = |_: usize, _: Dd, &[w, x, y, z, a, b, c]: &[Dd; 7]| {
+        let l = Vector::new(a, b, c);
+        let omega = inverse * l;
+        let [w, x, y, z] = turned([w, x, y, z], omega.into());
+        let [a, b, c] = l.cross(&omega).into();
+        [w, x, y, z, a, b, c]
     };
     let scales = [1.0, 1.0, 1.0, 1.0, size, size, size];
     pieced(turning, start, &scales, &[], times, 10.0 / rate)
@@ -67,9 +60,9 @@ pub fn meteorite(r: &mut Random) -> Scene {
         text +=
             &format!("impact_mass = {small:?}\nimpact_velocity = {flight:?}\nimpact_at = {at:?}\n");
     }
-    let planet = diagonal(moments.map(Dd::from));
+    let planet = Matrix::from_diagonal(&moments.map(Dd::from).into());
     let (mass, small) = (Dd::from(mass), Dd::from(if struck { small } else { 0.0 }));
-    let (flight, at) = (flight.map(Dd::from), at.map(Dd::from));
+    let [flight, at] = [flight, at].map(|v| Vector::from(v.map(Dd::from)));
     let kick = if struck { speed * 0.3 } else { 0.0 };
     Scene {
         text,
@@ -80,27 +73,24 @@ pub fn meteorite(r: &mut Random) -> Scene {
             "attitude qw qx qy qz, rate omega1 omega2 omega3, length x y z, energy energy",
         ),
         truth: Box::new(move |start, times| {
-            let velocity = [start[0], start[1], start[2]];
-            let omega = [start[3], start[4], start[5]];
+            let velocity = Vector::new(start[0], start[1], start[2]);
+            let omega = Vector::new(start[3], start[4], start[5]);
             let whole = mass + small;
-            let part = small / whole;
             // The common centre, from the planet's; momenta before and after are the same.
-            let centre = scaled(at, part);
-            let after = plus(scaled(velocity, mass / whole), scaled(flight, part));
-            let apart = minus(at, centre);
-            let inertia = sum(sum(planet, particle(mass, centre)), particle(small, apart));
-            let kick = scaled(cross(at, minus(flight, velocity)), mass * small / whole);
-            let omega = solved(inertia, plus(image(planet, omega), kick));
-            let rate = dot(omega, omega).sqrt().value().max(1e-3);
+            let centre = at * (small / whole);
+            let after = (velocity * mass + flight * small) / whole;
+            let inertia = planet + particle(mass, centre) + particle(small, at - centre);
+            let kick = at.cross(&(flight - velocity)) * (mass * small / whole);
+            let omega = inverse(&inertia) * (planet * omega + kick);
+            let rate = omega.dot(&omega).sqrt().value().max(1e-3);
             let rows = turned_freely(inertia, omega, times, rate);
             let row = |(&t, y): (&f64, &[Dd; 7])| {
-                let l = [y[4], y[5], y[6]];
-                let omega = solved(inertia, l);
+                let l = Vector::new(y[4], y[5], y[6]);
+                let omega = inverse(&inertia) * l;
                 let turn = rotation([y[0], y[1], y[2], y[3]]);
-                let arm = image(turn, minus(NONE, centre));
-                let place = plus(plus(centre, after.map(|v| v * t)), arm);
-                let energy = 0.5 * (whole * dot(after, after) + dot(l, omega));
-                [&y[..4], &omega, &place, &[energy]].concat()
+                let place = centre + after * Dd::from(t) - turn * centre;
+                let energy = 0.5 * (whole * after.dot(&after) + l.dot(&omega));
+                [&y[..4], omega.as_slice(), place.as_slice(), &[energy]].concat()
             };
             times.iter().zip(&rows).map(row).collect()
         }),

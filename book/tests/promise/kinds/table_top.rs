@@ -2,13 +2,12 @@
 
 use super::super::door::held;
 use super::super::extrapolation::pieced;
-use super::super::number::{
-    Matrix, NONE, Vector, cross, diagonal, dot, image, inverse, minus, plus, root, rotation,
-    times as scaled, transposed, turned,
-};
+use super::super::number::{Matrix, Vector, inverse, root, rotation};
 use super::super::random::Random;
 use super::{Scene, Sort, line, told};
+use nalgebra::Matrix3;
 use support::double_double::Dd;
+use support::{euler, turned};
 
 /// Attitude, Ω, velocity and place of C in the plane, and the work done against friction.
 type State = [Dd; 12];
@@ -35,6 +34,14 @@ struct Body {
     resistance: [Dd; 2],
 }
 
+fn turn_of(y: &State) -> Matrix {
+    rotation([y[0], y[1], y[2], y[3]])
+}
+
+fn omega_of(y: &State) -> Vector {
+    Vector::new(y[4], y[5], y[6])
+}
+
 /// What is known of the contact at a state, in body axes.
 struct Contact {
     up: Vector,
@@ -50,57 +57,51 @@ struct Contact {
 impl Body {
     /// From C to the lowest point, and its rate, seen from the body, while the vertical turns.
     fn arm(&self, up: Vector, rate: Vector) -> [Vector; 2] {
-        let image: Vector = core::array::from_fn(|k| self.squares[k] * up[k]);
-        let size = dot(up, image).sqrt();
-        let support = scaled(image, 1.0 / size);
-        let moved: Vector = core::array::from_fn(|k| self.squares[k] * rate[k] / size);
-        let shift = scaled(support, dot(support, rate) / size);
-        [minus(self.centre, support), minus(shift, moved)]
+        let size = up.dot(&self.squares.component_mul(&up)).sqrt();
+        let support = self.squares.component_mul(&up) / size;
+        let moved = self.squares.component_mul(&rate) / size;
+        let shift = support * (support.dot(&rate) / size);
+        [self.centre - support, shift - moved]
     }
 
     fn contact(&self, y: &State) -> Contact {
-        let turn = rotation([y[0], y[1], y[2], y[3]]);
-        let omega = [y[4], y[5], y[6]];
-        let up = turn[2];
-        let level = image(transposed(turn), [y[7], y[8], Dd::ZERO]);
-        let [arm, arm_rate] = self.arm(up, cross(up, omega));
-        let swing = cross(omega, arm);
-        let slip = minus(plus(level, swing), scaled(up, dot(up, swing)));
-        let whirl = plus(cross(omega, swing), cross(omega, arm_rate));
+        let turn = turn_of(y);
+        let (omega, up) = (omega_of(y), turn.row(2).transpose());
+        let level = turn.transpose() * Vector::new(y[7], y[8], Dd::ZERO);
+        let [arm, arm_rate] = self.arm(up, up.cross(&omega));
+        let swing = omega.cross(&arm);
+        let slip = level + swing - up * up.dot(&swing);
+        let whirl = omega.cross(&swing) + omega.cross(&arm_rate);
         // Accelerations under a force at the contact and a couple: of Ω, and of the point of the body that touches.
-        let free = cross(omega, image(self.inertia, omega));
+        let free = omega.cross(&(self.inertia * omega));
         let under = |force: Vector, couple: Vector| {
-            let torque = plus(cross(arm, force), couple);
-            let rate = image(self.inverse, minus(torque, free));
-            let centre = minus(scaled(force, 1.0 / self.mass), scaled(up, self.gravity));
-            (rate, plus(centre, plus(cross(rate, arm), whirl)))
+            let rate = self.inverse * (arm.cross(&force) + couple - free);
+            let centre = force / self.mass - up * self.gravity;
+            (rate, centre + rate.cross(&arm) + whirl)
         };
-        let vertical = scaled(up, dot(up, omega));
-        let resisting = plus(
-            scaled(minus(omega, vertical), -self.resistance[0]),
-            scaled(vertical, -self.resistance[1]),
-        );
+        let vertical = up * up.dot(&omega);
+        let [rolling, pivoting] = self.resistance;
+        let resisting = -((omega - vertical) * rolling + vertical * pivoting);
         let sliding = |rubbing: Vector| {
-            let per = plus(up, rubbing);
-            let rises = |n: Dd| dot(up, under(scaled(per, n), scaled(resisting, n)).1);
+            let per = up + rubbing;
+            let rises = |n: Dd| up.dot(&under(per * n, resisting * n).1);
             let (rest, one) = (rises(Dd::ZERO), rises(Dd::from(1.0)));
             let reaction = rest / (rest - one);
-            (scaled(per, reaction), reaction)
+            (per * reaction, reaction)
         };
         let (force, reaction) = match self.law {
             // The velocity of the point stays nil: C moves as it must. Without resistance three linear equations for the force; the couple is in proportion to its normal part.
             Law::Rolling => {
-                let force = root(|force| under(force, scaled(resisting, dot(force, up))).1);
-                (force, dot(force, up))
+                let force = root(|force| under(force, resisting * force.dot(&up)).1);
+                (force, force.dot(&up))
             }
-            Law::None => sliding(NONE),
-            Law::Viscous(c) => sliding(scaled(slip, -c)),
-            Law::Smoothed(mu, width) => sliding(scaled(
-                slip,
-                -(mu / (dot(slip, slip) + width * width).sqrt()),
-            )),
+            Law::None => sliding(Vector::zeros()),
+            Law::Viscous(c) => sliding(slip * -c),
+            Law::Smoothed(mu, width) => {
+                sliding(slip * -(mu / (slip.dot(&slip) + width * width).sqrt()))
+            }
         };
-        let couple = scaled(resisting, reaction);
+        let couple = resisting * reaction;
         Contact {
             up,
             arm,
@@ -114,40 +115,36 @@ impl Body {
 
     fn rate(&self, y: &State) -> State {
         let contact = self.contact(y);
-        let omega = [y[4], y[5], y[6]];
-        let [a, b, c, d] = turned([y[0], y[1], y[2], y[3]], omega);
-        let turn = rotation([y[0], y[1], y[2], y[3]]);
-        let level = minus(contact.force, scaled(contact.up, contact.reaction));
-        let push = image(turn, level);
-        let [p, q, r] = contact.omega_rate;
+        let omega = omega_of(y);
+        let [a, b, c, d] = turned([y[0], y[1], y[2], y[3]], omega.into());
+        let level = contact.force - contact.up * contact.reaction;
+        let [p, q, r] = contact.omega_rate.into();
         let v = self.velocity(y, &contact);
         let rolls = matches!(self.law, Law::Rolling);
-        let slip = if rolls { NONE } else { contact.slip };
-        let power = dot(level, slip) + dot(contact.couple, omega);
-        let [x, y, _] = push.map(|f| f / self.mass);
-        [a, b, c, d, p, q, r, x, y, v[0], v[1], -power]
+        let slip = if rolls { Vector::zeros() } else { contact.slip };
+        let power = level.dot(&slip) + contact.couple.dot(&omega);
+        let push = turn_of(y) * level / self.mass;
+        [a, b, c, d, p, q, r, push.x, push.y, v.x, v.y, -power]
     }
 
     /// Velocity of C in space.
     fn velocity(&self, y: &State, contact: &Contact) -> Vector {
-        let omega = [y[4], y[5], y[6]];
-        let turn = rotation([y[0], y[1], y[2], y[3]]);
-        let swing = image(turn, cross(omega, contact.arm));
+        let swing = turn_of(y) * omega_of(y).cross(&contact.arm);
         match self.law {
-            Law::Rolling => swing.map(|x| -x),
-            _ => [y[7], y[8], -swing[2]],
+            Law::Rolling => -swing,
+            _ => Vector::new(y[7], y[8], -swing.z),
         }
     }
 
     fn row(&self, y: &State) -> Vec<Dd> {
         let contact = self.contact(y);
         let v = self.velocity(y, &contact);
-        let height = -dot(contact.up, contact.arm);
-        let omega = [y[4], y[5], y[6]];
-        let kinetic = dot(omega, image(self.inertia, omega)) + self.mass * dot(v, v);
+        let height = -contact.up.dot(&contact.arm);
+        let omega = omega_of(y);
+        let kinetic = omega.dot(&(self.inertia * omega)) + self.mass * v.dot(&v);
         let energy = 0.5 * kinetic + self.mass * self.gravity * height;
         let mut row = y[..7].to_vec();
-        row.extend([y[9], y[10], height, v[0], v[1], v[2], energy, y[11]]);
+        row.extend([y[9], y[10], height, v.x, v.y, v.z, energy, y[11]]);
         row
     }
 
@@ -278,13 +275,13 @@ fn tried(r: &mut Random, law: u8) -> Option<Scene> {
         let [rolling, pivoting] = resistance;
         text += &format!("rolling_resistance = {rolling:?}\npivoting_resistance = {pivoting:?}\n");
     }
-    let inertia = [[a, d, e], [d, b, f], [e, f, c]].map(|row| row.map(Dd::from));
+    let inertia = Matrix3::new(a, d, e, d, b, f, e, f, c).map(Dd::from);
     let body = Body {
         mass: Dd::from(mass),
         inertia,
-        inverse: inverse(inertia),
-        centre: centre.map(Dd::from),
-        squares: axes.map(|x| Dd::from(x) * x),
+        inverse: inverse(&inertia),
+        centre: centre.map(Dd::from).into(),
+        squares: axes.map(|x| Dd::from(x) * x).into(),
         gravity: Dd::from(g),
         law,
         resistance: resistance.map(Dd::from),
@@ -352,43 +349,41 @@ pub fn ball(r: &mut Random) -> Scene {
             let zero = Dd::ZERO;
             let body = Body {
                 mass: m,
-                inertia: diagonal([i; 3]),
-                inverse: [NONE; 3],
-                centre: NONE,
-                squares: [r_ * r_; 3],
+                inertia: Matrix::from_diagonal_element(i),
+                inverse: Matrix::zeros(),
+                centre: Vector::zeros(),
+                squares: Vector::repeat(r_ * r_),
                 gravity: g,
                 law: Law::None,
                 resistance: [zero; 2],
             };
             // Everything in the axes of space: Ω, V, x, y and the attitude.
             let begun = body.state(start);
-            let turn = rotation([begun[0], begun[1], begun[2], begun[3]]);
-            let omega = image(turn, [begun[4], begun[5], begun[6]]);
-            let down = [zero, zero, -r_];
-            let slip = plus([begun[7], begun[8], zero], cross(omega, down));
-            let speed = dot(slip, slip).sqrt();
-            let push = scaled(slip, -(mu * g / speed));
-            let spun = scaled(cross(down, push), m / i);
+            let spin = turn_of(&begun) * omega_of(&begun);
+            let level = Vector::new(begun[7], begun[8], zero);
+            let down = Vector::z() * -r_;
+            let slip = level + spin.cross(&down);
+            let speed = slip.dot(&slip).sqrt();
+            let push = slip * -(mu * g / speed);
+            let spun = down.cross(&push) * (m / i);
             // Slip falls at μg(1 + mR²/I).
             let rest = speed / (mu * g * (1.0 + m * r_ * r_ / i));
             let moves = |piece: usize, t: Dd, y: &State| {
                 let (since, slides) = if piece == 0 { (t, 1.0) } else { (rest, 0.0) };
-                let omega = plus(omega, scaled(spun, since));
-                let q = [y[0], y[1], y[2], y[3]];
-                let [a, b, c, d] = turned(q, image(transposed(rotation(q)), omega));
-                let v = plus([begun[7], begun[8], zero], scaled(push, since));
+                let omega = turn_of(y).transpose() * (spin + spun * since);
+                let [a, b, c, d] = turned([y[0], y[1], y[2], y[3]], omega.into());
+                let v = level + push * since;
                 let power = m * mu * g * (speed - speed * since / rest) * slides;
-                [a, b, c, d, zero, zero, zero, zero, zero, v[0], v[1], power]
+                [a, b, c, d, zero, zero, zero, zero, zero, v.x, v.y, power]
             };
             let rows = pieced(moves, begun, &scales, &[rest], times, 1.0 / rate);
             let row = |(&t, y): (&f64, &State)| {
                 let t = Dd::from(t);
                 let since = if t > rest { rest } else { t };
-                let turn = rotation([y[0], y[1], y[2], y[3]]);
+                let omega = turn_of(y).transpose() * (spin + spun * since);
                 let mut y = *y;
-                let omega = image(transposed(turn), plus(omega, scaled(spun, since)));
-                y[4..7].copy_from_slice(&omega);
-                (y[7], y[8]) = (begun[7] + since * push[0], begun[8] + since * push[1]);
+                y[4..7].copy_from_slice(omega.as_slice());
+                (y[7], y[8]) = (begun[7] + since * push.x, begun[8] + since * push.y);
                 body.row(&y)
             };
             times.iter().zip(&rows).map(row).collect()
@@ -418,9 +413,8 @@ pub fn free(r: &mut Random) -> Scene {
         truth: Box::new(move |start, times| {
             let moves = |_: usize, _: Dd, y: &[Dd; 7]| {
                 let omega = [y[4], y[5], y[6]];
-                let torque = cross(core::array::from_fn(|k| moments[k] * omega[k]), omega);
                 let [a, b, c, d] = turned([y[0], y[1], y[2], y[3]], omega);
-                let [x, y, z] = core::array::from_fn(|k| torque[k] / moments[k]);
+                let [x, y, z] = euler(moments, omega);
                 [a, b, c, d, x, y, z]
             };
             let state = core::array::from_fn(|k| start[k]);

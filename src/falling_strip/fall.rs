@@ -117,6 +117,8 @@ pub struct LongRun {
     pub descent: f64,
     /// Greatest distance sideways from a straight line down, in the window.
     pub reach: f64,
+    /// Half the angle between the farthest ends of its swings, rad; none unless it flutters.
+    pub swing: Option<f64>,
     /// Time after which the motion repeats itself, up to a turn by π; none if it did not in the window.
     pub period: Option<f64>,
 }
@@ -148,6 +150,8 @@ const LONGEST: f64 = 2e5;
 /// One passage edge on, w = 0; or, for a plate that never is edge on, one end of a swing, ω = 0.
 struct Passage {
     time: f64,
+    /// θ, its turns counted.
+    theta: f64,
     /// θ, u, w and ω, with the plate turned by π if it moved the other way: its two sides are alike.
     section: [f64; 4],
 }
@@ -260,6 +264,9 @@ impl Fall {
             drift: mean(0),
             descent: -mean(1),
             reach: path.iter().map(|s| (s[0] - from).abs()).fold(0.0, f64::max),
+            swing: (regime == Regime::Flutter)
+                .then(|| self.swing(&times, &path))
+                .filter(|swing| *swing >= 0.0),
             period,
         })
     }
@@ -268,36 +275,56 @@ impl Fall {
     fn passages(&self, times: &[f64], path: &[[f64; 7]]) -> Vec<Passage> {
         let edge_on = self.crossings(times, path, W);
         if edge_on.len() > 2 {
-            return edge_on;
+            return edge_on.into_iter().map(|(_, passage)| passage).collect();
         }
-        self.crossings(times, path, OMEGA)
+        let swings = self.crossings(times, path, OMEGA).into_iter();
+        swings
+            .filter(|(falling, _)| *falling)
+            .map(|(_, passage)| passage)
+            .collect()
     }
 
-    /// All times at which w changes its sign, or at which ω falls through zero.
-    fn crossings(&self, times: &[f64], path: &[[f64; 7]], component: usize) -> Vec<Passage> {
+    /// Half of what lies between the least and the greatest angle at which it turns back.
+    fn swing(&self, times: &[f64], path: &[[f64; 7]]) -> f64 {
+        let ends = self.crossings(times, path, OMEGA);
+        0.5 * range(ends.iter().map(|(_, end)| end.theta))
+    }
+
+    /// All times at which a component of the state changes its sign, and whether it fell.
+    fn crossings(
+        &self,
+        times: &[f64],
+        path: &[[f64; 7]],
+        component: usize,
+    ) -> Vec<(bool, Passage)> {
         let mut crossings = Vec::new();
         for k in 1..path.len() {
-            let falls = path[k - 1][component] > 0.0;
-            if falls == (path[k][component] > 0.0) || (component == OMEGA && !falls) {
+            let falling = path[k - 1][component] > 0.0;
+            if falling == (path[k][component] > 0.0) {
                 continue;
             }
             // By bisection of the cubic through values and rates.
             let (mut low, mut high) = (times[k - 1], times[k]);
             for _ in 0..40 {
                 let time = 0.5 * (low + high);
-                if (self.hermite(times, path, k, time)[component] > 0.0) == falls {
+                if (self.hermite(times, path, k, time)[component] > 0.0) == falling {
                     low = time;
                 } else {
                     high = time;
                 }
             }
             let [_, _, theta, u, w, omega, _] = self.hermite(times, path, k, low);
-            let section = if falls {
+            let section = if component == OMEGA || falling {
                 [theta.rem_euclid(TAU), u, w, omega]
             } else {
                 [(theta + PI).rem_euclid(TAU), -u, -w, omega]
             };
-            crossings.push(Passage { time: low, section });
+            let passage = Passage {
+                time: low,
+                theta,
+                section,
+            };
+            crossings.push((falling, passage));
         }
         crossings
     }
@@ -324,7 +351,7 @@ impl Fall {
 /// What a sampled path does.
 fn regime(path: &[[f64; 7]]) -> Regime {
     let angles = || path.iter().map(|state| state[2]);
-    let range = angles().fold(f64::NEG_INFINITY, f64::max) - angles().fold(f64::INFINITY, f64::min);
+    let range = range(angles());
     let net = path[path.len() - 1][2] - path[0][2];
     if range < 1e-3 {
         Regime::Steady
@@ -335,6 +362,13 @@ fn regime(path: &[[f64; 7]]) -> Regime {
     } else {
         Regime::Mixed
     }
+}
+
+/// From the least to the greatest of these angles.
+fn range(angles: impl Iterator<Item = f64>) -> f64 {
+    let nothing = [f64::INFINITY, f64::NEG_INFINITY];
+    let [least, greatest] = angles.fold(nothing, |[low, high], x| [low.min(x), high.max(x)]);
+    greatest - least
 }
 
 /// How far a sequence of angles at most falls below the greatest before it.

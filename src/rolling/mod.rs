@@ -29,7 +29,7 @@ mod spool;
 pub(crate) mod stretch;
 
 pub use course::{Course, Event};
-pub use friction::{Coulomb, RollingResistance};
+pub use friction::{Coulomb, RollingResistance, painleve_friction};
 pub use moment::{Happening, Load, Moment};
 pub use plane::{InPlane, Slide};
 pub use sheet::{Sheet, SheetSpeeds};

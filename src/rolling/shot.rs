@@ -178,7 +178,8 @@ impl RoundBody {
     /// heat = ½ M κu²/(1+κ).
     ///
     /// The one subtraction forms u from the two numbers given and is backward stable. When the rim speed comes from a cue
-    /// stroke near 7R/5, use [`Shot::slide`], where u comes from the height and nothing cancels.
+    /// stroke near 7R/5, use [`Shot::slide`], where u comes from the height and nothing cancels; when it comes from an angular
+    /// velocity, [`Self::slide_of_spin`].
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite) for a number that is not, or a result that overflows; [`Error::NotPositive`](crate::Error::NotPositive) for μ or g.
@@ -201,6 +202,35 @@ impl RoundBody {
         let rim_speed = finite("the rim speed", rim_speed)?;
         let speed = (velocity + self.inertia_factor * rim_speed) / self.pure_rolling_height();
         self.slide(velocity, velocity - rim_speed, speed, friction, gravity)
+    }
+
+    /// [`Self::slide_to_roll`] for a body that turns at Ω (`omega`, rad/s): V − RΩ by one fused multiplication, so that next to rolling the slip is
+    /// that of the three numbers given, where a product RΩ rounded first would say it rolls.
+    ///
+    /// # Errors
+    /// As [`Self::slide_to_roll`].
+    ///
+    /// ```
+    /// use spinning_bodies::rolling::RoundBody;
+    /// let ball = RoundBody::new(1.0, 0.03, 0.4)?;
+    /// // Back spin of 100 rad/s.
+    /// let slide = ball.slide_of_spin(4.0, -100.0, 0.2, 10.0)?;
+    /// assert!((slide.time - 1.0).abs() + (slide.speed - 2.0).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn slide_of_spin(
+        &self,
+        velocity: f64,
+        omega: f64,
+        friction: f64,
+        gravity: f64,
+    ) -> Result<SlideToRoll> {
+        let velocity = finite("the velocity", velocity)?;
+        let omega = finite("the angular velocity", omega)?;
+        let slip = (-self.radius).mul_add(omega, velocity);
+        let spin = self.inertia_factor * self.radius * omega;
+        let speed = (velocity + spin) / self.pure_rolling_height();
+        self.slide(velocity, slip, speed, friction, gravity)
     }
 
     fn slide(

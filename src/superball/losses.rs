@@ -3,7 +3,7 @@
 use num_traits::Num;
 
 use super::{Motion, Surface};
-use crate::error::{Error, Result, positive, within};
+use crate::error::{Error, Result, not_negative, positive, within};
 use crate::integrators::halved;
 use crate::rolling::Coulomb;
 
@@ -41,6 +41,56 @@ impl Restitution {
     /// e_t.
     pub(crate) fn tangential(&self) -> f64 {
         self.tangential
+    }
+
+    /// Up and down, how far a ball travels in all its bounces after a drop from `height`, in the unit of the height: h(1+e_n²)/(1−e_n²), Zeno's sum.
+    ///
+    /// Infinite for e_n = 1. Error: 2 ε, next to 1 as well, for 1 − e_n is exact there. When the bounces end, [`Flight::last_contact`](super::Flight::last_contact) tells.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::Negative`] for the height.
+    ///
+    /// ```
+    /// let path = spinning_bodies::superball::Restitution::new(0.5, 1.0)?.path_of_a_drop(3.0)?;
+    /// assert_eq!(path, 5.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn path_of_a_drop(&self, height: f64) -> Result<f64> {
+        let e = self.normal;
+        let height = not_negative("the height of the drop", height)?;
+        if height == 0.0 {
+            return Ok(0.0);
+        }
+        Ok(height * (1.0 + e * e) / ((1.0 - e) * (1.0 + e)))
+    }
+
+    /// After how many bounces a ball that first meets the floor at `speed` leaves it no faster than `least`, both in m/s: the least n with e_nⁿ·speed ≤ least.
+    ///
+    /// None if it never does: e_n = 1, or `least` = 0 with e_n > 0. Where eⁿ meets the ratio of the speeds within 4 units in the last place of n, it counts as met.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`]; [`Error::Negative`] for a speed.
+    ///
+    /// ```
+    /// let ball = spinning_bodies::superball::Restitution::new(0.5, 1.0)?;
+    /// assert_eq!(ball.bounces_down_to(8.0, 1.0)?, Some(3));
+    /// assert_eq!(ball.bounces_down_to(8.0, 0.99)?, Some(4));
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn bounces_down_to(&self, speed: f64, least: f64) -> Result<Option<u64>> {
+        let speed = not_negative("the speed of the ball", speed)?;
+        let least = not_negative("the least speed", least)?;
+        if speed <= least {
+            return Ok(Some(0));
+        }
+        if self.normal == 0.0 {
+            return Ok(Some(1));
+        }
+        // Logarithms of the exact difference from one: next to e = 1 nothing is lost.
+        let wanted = (least / speed).ln() / (self.normal - 1.0).ln_1p();
+        Ok(wanted
+            .is_finite()
+            .then(|| (wanted * (1.0 - 4.0 * f64::EPSILON)).ceil() as u64))
     }
 }
 

@@ -71,6 +71,19 @@ fn s4_10_flutter_ends_where_its_period_grows_without_bound() {
     assert!((froude(found[0]) - measured).abs() > 5.0 * uncertainty);
 }
 
+/// The ends of its swings, found between the samples, against samples a hundred times as dense.
+#[test]
+fn s4_10_how_far_it_swings() {
+    let fall = Fall::new(0.8, Coefficients::PUBLISHED).unwrap();
+    let run = fall.long_run(Start::TILTED, 400.0, 60.0).unwrap();
+    let times: Vec<f64> = (0..=60_000).map(|k| 400.0 + 1e-3 * f64::from(k)).collect();
+    let path = fall.path(Start::TILTED, &times).unwrap();
+    let angles = || path.iter().map(|state| state[2]);
+    let half = 0.5 * (angles().fold(f64::MIN, f64::max) - angles().fold(f64::MAX, f64::min));
+    observed!((run.swing.unwrap() - half).abs(), 1e-9..=3e-8);
+    assert_eq!(long_run(1.4, Coefficients::PUBLISHED).swing, None);
+}
+
 // claim: C4.10-1
 #[test]
 fn s4_10_bounded_angle_below_tumbling_above() {

@@ -198,19 +198,18 @@ fn s4_3_next_to_rolling_the_spin_says_how_near() -> Result<()> {
         (1.3, 0.11, 11.818181818181818, 2.9248498338616327e-18),
     ];
     for (v, radius, omega, time) in known {
-        let friction = (Some(Coulomb::new(FRICTION)?), None, None);
-        // V − RΩ by one rounding.
-        let start = Moment {
-            slip: f64::mul_add(-radius, omega, v),
-            ..Moment::moving(v, radius * omega)
-        };
-        let course = Course::new(0.4, Load::weight(GRAVITY), friction, start, 1.0)?;
-        let rolls = course.first(Happening::RollingBegins).unwrap();
-        observed!(relative(rolls.time, time), 0.0..=7e-16);
         let ball = RoundBody::new(MASS, radius, 0.4)?;
+        let slide = ball.slide_of_spin(v, omega, FRICTION, GRAVITY)?;
+        observed!(relative(slide.time, time), 0.0..=7e-16);
         let rounded = ball.slide_to_roll(v, radius * omega, FRICTION, GRAVITY)?;
         assert_eq!(rounded.time, 0.0);
     }
+    let none = ball().slide_of_spin(1.0, f64::NAN, FRICTION, GRAVITY);
+    assert!(none.is_err());
+    let same = ball().slide_of_spin(2.0, -4.0 / RADIUS, FRICTION, GRAVITY)?;
+    let other = ball().slide_to_roll(2.0, -4.0, FRICTION, GRAVITY)?;
+    close!(same.time, other.time, 4e-16);
+    close!(same.speed, other.speed, 1e-15);
     Ok(())
 }
 

@@ -1,7 +1,7 @@
 //! Paragraph 4.3 after the cue: from sliding to rolling to rest, in closed forms from event to event, against a general integrator.
 
 use super::*;
-use spinning_bodies::rolling::{InPlane, RollingResistance};
+use spinning_bodies::rolling::{InPlane, RollingResistance, painleve_friction};
 use spinning_bodies::scene::Geometric;
 
 const G: f64 = 9.81;
@@ -253,4 +253,31 @@ fn cloth_refuses_what_is_no_motion() {
         let run = Course::new(kappa, Load::weight(g), (None, None, None), start, 1.0);
         refused!(run, NotPositive);
     }
+}
+
+/// Painlevé's rod at the very angle given, its sine and cosine by their series in 106 bits.
+#[test]
+fn the_friction_that_jams_a_sliding_rod() {
+    let sine_cosine = |x: f64| {
+        let (mut term, mut sums) = (Dd::from(1.0), [Dd::from(1.0), Dd::from(0.0)]);
+        for n in 1..50_usize {
+            term = term * Dd::from(x) / Dd::from(n as f64);
+            let signed = if n % 4 < 2 { term } else { -term };
+            sums[n % 2] = sums[n % 2] + signed;
+        }
+        sums
+    };
+    for kappa in [0.01, 1.0 / 3.0, 1.0, 40.0] {
+        let least = 2.0 * f64::sqrt(kappa * (1.0 + kappa));
+        for tilt in (1..500).map(|k| FRAC_PI_2 * f64::from(k) / 500.0) {
+            let [cosine, sine] = sine_cosine(tilt);
+            let exact = (Dd::from(kappa) + cosine * cosine) / (sine * cosine);
+            let found = painleve_friction(kappa, tilt).unwrap();
+            let off = (Dd::from(found) - exact) / exact;
+            let error = off.value().abs() / f64::EPSILON;
+            observed!(error, 1.0..=2.0, "{kappa} {tilt}");
+            assert!(found > least * (1.0 - 1e-15), "{kappa} {tilt}");
+        }
+    }
+    assert_eq!(painleve_friction(1.0, 0.0), Ok(f64::INFINITY));
 }

@@ -193,24 +193,13 @@ fn s4_6_bounces_that_pile_up() {
         let done = ball.last_contact().unwrap().unwrap();
         let expected = (2.0_f64 / 9.81).sqrt() * (1.0 + e) / (1.0 - e);
         close!(done, expected, 1e-14);
-        // Up and down again, all of it: Zeno's sum of the heights, each in the middle of its flight.
-        let (fall, flights) = (
-            (2.0_f64 / 9.81).sqrt(),
-            30_000.min((1e-8_f64.ln() / e.ln()) as i32),
-        );
-        let flown = |n: i32| 2.0 * e * (1.0 - e.powi(n)) / (1.0 - e) + e.powi(n + 1);
-        let summits: Vec<f64> = (0..flights).map(|n| fall * (1.0 + flown(n))).collect();
-        let balls = ball.followed(&summits).unwrap();
-        let way = balls
-            .iter()
-            .rev()
-            .map(|ball| 2.0 * ball.height)
-            .sum::<f64>()
-            + 1.0;
-        observed!(
-            (way / ((1.0 + e * e) / (1.0 - e * e)) - 1.0).abs(),
-            0.0..=3e-14
-        );
+        // The way as the bounces add it up, the small ones first, and how many there are above a millionth of the first speed.
+        let heights = |n: i32| 2.0 * e.powi(2 * n);
+        let way = (1..=30_000).rev().map(heights).sum::<f64>() + 1.0;
+        let off = (dull.path_of_a_drop(1.0).unwrap() / way - 1.0).abs();
+        observed!(off, 1e-15..=3e-14);
+        let counted = (0..).find(|&n| e.powi(n) <= 1e-6).unwrap() as u64;
+        assert_eq!(dull.bounces_down_to(4.4, 4.4e-6).unwrap(), Some(counted));
         let end = ball.followed(&[0.5 * done, done, done + 2.0]).unwrap()[2];
         assert_eq!((end.height, end.climb), (0.0, 0.0));
         // It rolls with what a point of the floor has always known.
@@ -222,6 +211,11 @@ fn s4_6_bounces_that_pile_up() {
     let ball = flight((Some(dull), None), thrown(1.0, 0.0, 1.0, 0.0));
     let done = ball.last_contact().unwrap().unwrap();
     close!(done, (2.0_f64 / 9.81).sqrt() * (2.0 - 1e-6) / 1e-6, 1e-10);
+    // ln 10⁶/(10⁻⁶ + 10⁻¹²/2 + …) = 13 815 503.65.
+    assert_eq!(dull.bounces_down_to(1.0, 1e-6).unwrap(), Some(13_815_504));
+    let elastic = Restitution::new(1.0, 0.6).unwrap();
+    assert_eq!(elastic.bounces_down_to(1.0, 0.5).unwrap(), None);
+    assert_eq!(elastic.path_of_a_drop(1.0).unwrap(), f64::INFINITY);
     // A contact speed that is reversed for ever has no last value.
     let odd = Restitution::new(0.5, 1.0).unwrap();
     let ball = flight((Some(odd), None), thrown(1.0, 0.0, 1.0, 0.0));

@@ -631,7 +631,8 @@ impl Flow<NUMBERS> for OnTheTable {
 impl OnTheTable {
     fn flown(&self, takeoff: TakeOff, ahead: &Ahead<'_, NUMBERS>) -> Result<Passage<Numbers>> {
         let flight = Flight::from(self.body(), self.table.gravity, ahead.start.1, takeoff)?;
-        ahead.in_closed_form(flight.landing(ahead.end)?, |t| flight.at(t))
+        let landing = flight.landing(ahead.end, |time| ahead.budget.spend(1, time))?;
+        ahead.in_closed_form(landing, |t| flight.at(t))
     }
 
     /// Near rest, where friction turns with the slip, faster and faster. Counted is not the time but ∫μg dt/|slip|: the slip then goes to nothing

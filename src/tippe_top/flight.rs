@@ -41,9 +41,6 @@ impl TakeOff {
     }
 }
 
-/// Samples of the gap in the search for a landing; seconds of computing.
-const MOST_SAMPLES: u32 = 10_000_000;
-
 impl Flight {
     /// From a state that leaves the table.
     pub(crate) fn from(
@@ -98,15 +95,20 @@ impl Flight {
     /// thousandth of a turn a touch that leaves the gap open again is missed.
     ///
     /// # Errors
-    /// [`Error::Integration`] for a body that turns a hundred thousand times before it lands.
-    pub(crate) fn landing(&self, until: f64) -> Result<Option<f64>> {
+    /// Those of `looked`, which is told of every time that the search looks at; [`Error::Integration`] where the next time is the same double.
+    pub(crate) fn landing(
+        &self,
+        until: f64,
+        looked: impl Fn(f64) -> Result<()>,
+    ) -> Result<Option<f64>> {
         let turning = Pose::of(&self.start).omega.norm() * self.body.slenderness();
         let reach = self.body.reach();
         let natural = (self.gravity / reach).sqrt();
         let stride = 0.1 / (turning + natural);
         let start = self.takeoff.time;
         let (mut before, mut after) = (start, (start + stride).min(until));
-        for _ in 0..MOST_SAMPLES {
+        loop {
+            looked(after)?;
             let gap = self.gap(after)?;
             if gap <= 0.0 {
                 let [_, touches] = halved([before, after], 0.0, |t| Ok(self.gap(t)? > 0.0))?;
@@ -126,11 +128,13 @@ impl Flight {
             };
             let nearing = gap / (squared(height).sqrt() + turning * reach);
             after = (before + nearing.max(aloft).max(0.01 * stride)).min(until);
+            if after == before {
+                return Err(Error::Integration {
+                    reason: "the body moves faster than two doubles can tell times apart; end the run earlier",
+                    time: before,
+                });
+            }
         }
-        Err(Error::Integration {
-            reason: "the body turns too often before it lands; end the run earlier",
-            time: before,
-        })
     }
 }
 

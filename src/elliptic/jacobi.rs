@@ -128,7 +128,11 @@ impl Modulus {
             rest = rest - self.quarter * DoubleDouble::from(again);
         }
         if rest.high().abs() < FEW_BITS_LEFT * u.high().abs() {
-            rest = landen::remainder(self.parameter, u, count);
+            let finer = landen::remainder(self.parameter, u, count);
+            // A top's mc may be less than a double can tell; then it is the prepared K that is right.
+            if (finer - rest).high().abs() < SAME_QUARTER * u.high().abs() {
+                rest = finer;
+            }
         }
         (count, rest)
     }
@@ -191,6 +195,9 @@ pub fn sn_cn_dn(u: f64, parameter: Parameter) -> Result<(f64, f64, f64)> {
 /// A remainder with less of the argument left than this is too short in bits, and K is taken to 150 bits instead.
 /// Both sides agree here: the prepared K, of 101 bits and more, leaves 51 right ones.
 const FEW_BITS_LEFT: f64 = 1.0 / (1_u64 << 50) as f64;
+
+/// By how much two remainders differ at most, in units of the argument, if K is the same in both: the prepared one has 101 bits.
+const SAME_QUARTER: f64 = 1.0 / (1_u128 << 96) as f64;
 
 /// An argument less a count of quarter periods.
 struct Reduced {

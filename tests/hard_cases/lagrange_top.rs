@@ -120,3 +120,23 @@ fn constants_against_the_table() -> Result<()> {
     assert_eq!(rows, 200);
     Ok(())
 }
+
+/// So close to upright that no double tells the square of the tilt: up to 2⁵³ quarter periods a state is a state all the same.
+#[test]
+fn next_to_upright_to_the_last_time_that_is_admitted() -> Result<()> {
+    for tilt in [1e-140, 1e-155, 1e-161, 1e-170, 1e-250] {
+        let attitude = Attitude::from_quaternion(1.0, 0.0, 0.5 * tilt, 0.0)?;
+        let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::zero(), attitude)?;
+        for turns in [1e3, 1e13, 2e14, 3e14, 1e15, 2.2e15] {
+            for part in 0..5 {
+                let state = top.at((turns + 0.23 * f64::from(part)) * top.period())?;
+                let energy = 0.5 * state.omega.dot(&state.angular_momentum) + state.height;
+                assert!(
+                    (energy - 1.0).abs() < 4e-15,
+                    "{tilt:e} {turns:e}: {state:?}"
+                );
+            }
+        }
+    }
+    Ok(())
+}

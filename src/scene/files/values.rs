@@ -82,10 +82,6 @@ macro_rules! keys {
 pub(super) use keys;
 
 impl<T: Value> Value for Option<T> {
-    fn expected(key: &Key) -> String {
-        T::expected(key)
-    }
-
     fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
         T::read(place, value).map(Some)
     }

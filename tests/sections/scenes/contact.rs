@@ -158,6 +158,18 @@ fn a_struck_ball_slides_until_it_rolls() {
     assert!((phases[1].start - known.time).abs() < 1e-8);
     let sliding = end(&scene, 0.5 * known.time, 1e-9);
     assert!((sliding.friction - 0.2 * sliding.reaction).abs() < 1e-15 * sliding.reaction);
+    // Just before, where steps count the way to rest and not the time.
+    let left = [6e-3, 4e-3, 2e-3].map(|part| part * known.time);
+    let late = motion(&scene, &left.map(|left| known.time - left), 1e-9);
+    for (left, (_, state)) in left.into_iter().zip(late.rows) {
+        let (velocity, slip) = (0.5 + 0.2 * G * left, 0.7 * G * left);
+        assert!((state.velocity.x() - velocity).abs() < 1e-9);
+        assert!(
+            (state.slip.x() - slip).abs() < 1e-8,
+            "{}",
+            state.slip.x() - slip
+        );
+    }
     let state = end(&scene, 2.0, 1e-9);
     assert!((state.velocity.x() - 0.5).abs() < 1e-8 && state.friction < 1e-8);
 }

@@ -295,6 +295,19 @@ fn a_superball_touches_floor_and_ceiling_where_it_bounces() {
     }
 }
 
+/// One that is thrown upward has room for what it climbs, as if it had been let go there.
+#[test]
+fn a_superball_in_the_open_is_as_large_as_goes_with_its_way() {
+    let open = file_of_the_book("superball.toml").replace("ceiling = 0.6", "");
+    let dropped = open.replace("climb = -5.0", "");
+    let dropped = dropped.replace("height = 0.3", "height = 1.5742099898063201");
+    let radius = |text: &str| {
+        let (_, sights) = seen("superball.toml", text, &[0.0]);
+        sights[0].place.z - lowest_of_all(&sights[0])
+    };
+    assert!((radius(&open) / radius(&dropped) - 1.0).abs() < 1e-14);
+}
+
 /// Where a bar ends.
 fn end((solid, stands): &(Solid, Isometry3<f64>)) -> Vector3<f64> {
     let Solid::Bar(to) = solid else {

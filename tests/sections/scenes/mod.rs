@@ -10,6 +10,7 @@ mod shape;
 mod spool;
 mod strip;
 mod superball;
+mod told;
 mod top;
 mod units;
 mod yo_yo;

@@ -299,6 +299,29 @@ fn the_crawler_from_event_to_event_and_by_a_general_method() {
     }
 }
 
+/// On a rough ground both feet come to rest between two strokes: every cycle is like the first.
+#[test]
+fn every_cycle_of_a_crawler_that_comes_to_rest_is_like_the_first() {
+    let times: Vec<f64> = (0..40).map(|k| 0.115 * f64::from(k)).collect();
+    let rows = rows(&on_the_ground(3.0), &Request::at(times).unwrap());
+    // Not beyond 250,000 of them.
+    let [last, more] = [249_999.0, 250_001.0].map(|cycles| {
+        let asked = Request::at([1.15 * cycles]).unwrap();
+        asked.to_accuracy(1e-6).unwrap()
+    });
+    crawler_body().simulate(&last).unwrap();
+    refused!(crawler_body().simulate(&more), Condition);
+    for (now, later) in rows.iter().zip(&rows[10..]) {
+        for foot in [0, 1] {
+            let way = later[foot] - now[foot];
+            assert!(
+                (way - (rows[10][foot] - rows[0][foot])).abs() < 1e-14,
+                "{way}"
+            );
+        }
+    }
+}
+
 #[test]
 fn a_crawler_without_friction_gets_nowhere() {
     let asked = request(8.0, 1e-10);

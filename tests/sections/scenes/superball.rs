@@ -77,7 +77,8 @@ fn what_is_told_of_many_bounces() {
         let followed = scene.simulate(&events).unwrap();
         let told = followed.error_estimate;
         assert!(same(&exact, &followed) < told && told < 1e-9);
-        assert!(followed.rows[2].1.ball.bounces > 70_000);
+        let bounces = followed.rows[2].1.ball.bounces;
+        assert!(bounces > 70_000 && followed.cost.steps == bounces);
     }
 }
 
@@ -89,6 +90,7 @@ fn a_ball_that_has_come_to_rest() {
     let motion = scene.simulate(&Request::at([1e7]).unwrap()).unwrap();
     let ball = motion.rows[0].1.ball;
     assert!(ball.bounces > 10_000_000 && ball.height == 0.0);
+    assert_eq!(motion.cost.steps, ball.bounces);
     assert!((ball.motion.velocity - (2.0 + 0.4 * 0.7) / 1.4).abs() < 1e-15);
 }
 

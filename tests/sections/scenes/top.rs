@@ -70,6 +70,9 @@ fn a_closed_form_and_a_general_method_agree() {
         let left = top.simulate(&request).unwrap();
         assert_eq!(left.plan.solver, Solver::Exact, "{moments:?}");
         assert!(apart(&exact, &left) < 1e-10, "{moments:?}");
+        let free = center == [0.0; 3];
+        let why = if free { "no torque" } else { "gravity on " };
+        assert!(left.plan.reason.starts_with(why), "{}", left.plan.reason);
         for method in Method::ALL {
             let accuracy = if method == Method::Rk4 { 1e-8 } else { 1e-11 };
             let general = top.simulate(&by(method, accuracy)).unwrap();
@@ -79,7 +82,25 @@ fn a_closed_form_and_a_general_method_agree() {
     }
 }
 
-/// Every method by its name, and the error it tells.
+/// Ω is told in its own size: a moment after a release it is small, and more of it is in doubt.
+#[test]
+fn more_is_told_of_a_top_that_hardly_moves() {
+    for (moments, center) in [KNOWN[0], KNOWN[4], KNOWN[5], KNOWN[7]] {
+        let attitude = Attitude::from_quaternion(0.9, 0.3, -0.2, 0.25).unwrap();
+        let start = Start::with_omega(BodyVector::zero(), attitude);
+        let top = Top::new(body(moments, center), start).unwrap();
+        let top = top.with(Gravity::new(G).unwrap()).unwrap();
+        let told = |t: f64| {
+            let request = Request::at([t]).unwrap().to_accuracy(1e-6);
+            let motion = top.simulate(&request.unwrap()).unwrap();
+            assert_eq!(motion.plan.solver, Solver::Exact, "{moments:?}");
+            motion.error_estimate
+        };
+        let ratio = told(1e-6) / told(1e-2);
+        assert!(ratio > 1e3, "{moments:?}: {ratio}");
+    }
+}
+
 /// What the ledger keeps beside energy and L is what the textbook says, from the start.
 #[test]
 fn the_ledger_keeps_the_fourth_integral() {
@@ -198,6 +219,17 @@ fn leaving_an_effect_out_changes_the_answer_and_its_zero_does_not() {
         others.remove(left_out);
         let absent = run(with(&others));
         assert!(apart(&with_all, &absent) > 1e-2);
+        let names = [
+            "gravity",
+            "pivot_friction",
+            "bearing_friction",
+            "air_drag",
+            "tip_friction",
+        ];
+        for (number, name) in names.iter().enumerate().skip(1) {
+            let told = absent.plan.reason.contains(name);
+            assert_eq!(told, number != left_out, "{}", absent.plan.reason);
+        }
         // Not bit for bit: where the event of the spin's end differs, so do the steps.
         assert!(apart(&run(with(&others).with(zero).unwrap()), &absent) < 1e-10);
         // The order of listing is none.

@@ -1,0 +1,62 @@
+//! What is told of an error: never less than the error, nor much less of a longer way, and the same whoever asks.
+
+use super::units::files;
+use spinning_bodies::scene::files::parse;
+use spinning_bodies::scene::{Choice, Geometric, Request, Solver, Table};
+
+/// The greatest difference of a number in two tables, in units of the greatest with the same unit.
+fn apart(a: &Table, b: &Table) -> f64 {
+    let greatest = |unit: &str| {
+        let numbers = b.rows().flat_map(|(_, row)| b.columns.iter().zip(row));
+        let alike = numbers.filter(|(column, _)| column.unit == unit);
+        // What is zero but for rounding has no size.
+        alike.fold(1e-3, |most, (_, x)| f64::max(most, x.abs()))
+    };
+    let sizes: Vec<f64> = b.columns.iter().map(|c| greatest(c.unit)).collect();
+    let rows = a.rows().zip(b.rows());
+    let numbers = rows.flat_map(|((_, a), (_, b))| a.into_iter().zip(b).zip(sizes.clone()));
+    numbers.fold(0.0, |most, ((a, b), size)| {
+        f64::max(most, (a - b).abs() / size)
+    })
+}
+
+/// Closed forms are judged by steps, steps by finer ones.
+#[test]
+fn no_error_is_more_than_is_told() {
+    let mut better = 0;
+    for (name, text) in files() {
+        let (scene, request) = parse(&name, &text).unwrap();
+        let all = request.times();
+        let some = all.iter().copied().step_by(all.len().div_ceil(6));
+        let times: Vec<f64> = some.chain([all[all.len() - 1]]).collect();
+        let request = request.of_times(&times);
+        let run = |accuracy: f64, solver: Choice| {
+            let request = request.clone().to_accuracy(accuracy).unwrap();
+            scene.simulate(&request.by(solver))
+        };
+        let rough = run(1e-5, Choice::Auto).unwrap();
+        let steps = Choice::Use(Solver::Geometric(Geometric::DormandPrince8));
+        // A planet is struck in no time, and a ball may slide on ice for ever. What is told is of attitude and Ω; other numbers, such as places, may be
+        // off by a little more.
+        if let Ok(fine) = run(1e-9, steps) {
+            let (told, error) = (rough.error_estimate, apart(&rough, &fine));
+            assert!(
+                error <= 4.0 * told + 1e-9,
+                "{name}: {error:e} {told:e}\n{text}"
+            );
+        }
+        if rough.error_estimate < 1e-5 && rough.cost.evaluations > 0 {
+            better += 1;
+        }
+        let half = request.of_times(&times[..4]).to_accuracy(1e-5).unwrap();
+        let sooner = scene.simulate(&half).unwrap().error_estimate;
+        let asked = Request::at(&times[..4]).unwrap().to_accuracy(1e-5);
+        let asked = scene.simulate(&asked.unwrap()).unwrap();
+        assert_eq!(sooner, asked.error_estimate, "{name}");
+        if rough.cost.evaluations == 0 {
+            assert!(sooner <= 1.1 * rough.error_estimate, "{name}\n{text}");
+        }
+    }
+    // Most are better than the accuracy, and say so.
+    assert!(better > 10, "{better}");
+}

@@ -39,7 +39,8 @@ fn main() -> Result<()> {
         .skip(1)
         .filter(|word| !word.starts_with('-'))
         .collect();
-    let parts: [(&str, fn() -> Result<()>); 3] = [
+    type Part = fn() -> Result<()>;
+    let parts: [(&str, Part); 3] = [
         ("steps", steps),
         ("eight", order_eight),
         ("long", long_runs),

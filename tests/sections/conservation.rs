@@ -355,7 +355,7 @@ fn s3_5_a_body_that_changes_shape_turns_without_angular_momentum() {
         for i in 0..steps {
             let twist = psi(i + 1) - psi(i);
             let lower = -upper * twist / (upper + 1.0);
-            beta = beta + Dd::from(lower);
+            beta += Dd::from(lower);
             l.record(none, upper * (lower + twist) + lower).unwrap();
         }
         if upper == 3.0 {

@@ -190,8 +190,8 @@ pub fn eigenvalues(matrix: [[f64; 3]; 3]) -> [Dd; 3] {
             }
             let c = 1.0 / (1.0 + t * t).sqrt();
             let s = t * c;
-            a[p][p] = a[p][p] - t * off;
-            a[q][q] = a[q][q] + t * off;
+            a[p][p] -= t * off;
+            a[q][q] += t * off;
             let (rp, rq) = (a[r][p], a[r][q]);
             a[p][q] = Dd::ZERO;
             a[q][p] = Dd::ZERO;
@@ -232,22 +232,22 @@ pub fn mesh_truth(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> MeshTruth {
     for corners in triangles {
         let [p, q, r] = corners.map(relative);
         let d = dot(p, cross(q, r));
-        determinant = determinant + d;
+        determinant += d;
         for i in 0..3 {
-            first[i] = first[i] + d * (p[i] + q[i] + r[i]);
+            first[i] += d * (p[i] + q[i] + r[i]);
         }
         for (sum, (i, j)) in second.iter_mut().zip(PAIRS) {
             let own = p[i] * p[j] + q[i] * q[j] + r[i] * r[j];
             let mixed =
                 p[i] * q[j] + q[i] * p[j] + p[i] * r[j] + r[i] * p[j] + q[i] * r[j] + r[i] * q[j];
-            *sum = *sum + d * (own + own + mixed);
+            *sum += d * (own + own + mixed);
         }
     }
     let volume = determinant / 6.0;
     let c = first.map(|sum| sum / (4.0 * determinant));
     let mut s = second.map(|sum| sum / 120.0);
     for (s, (i, j)) in s.iter_mut().zip(PAIRS) {
-        *s = *s - volume * c[i] * c[j];
+        *s -= volume * c[i] * c[j];
     }
     MeshTruth {
         volume,

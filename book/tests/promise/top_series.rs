@@ -351,7 +351,7 @@ impl<'a> Walk<'a> {
             (self.stopping, self.stopped) = (false, true);
         }
         self.terms = Terms::at(&state, l);
-        self.begin = self.begin + step / self.pace;
+        self.begin += step / self.pace;
         self.reach = Dd::ZERO;
         self.fastest = self.fastest.max(state.speed());
         self.unit = self.unit.max(state.speed());
@@ -404,7 +404,7 @@ impl<'a> Walk<'a> {
             for (friction, axes) in [(pivot, 3), (bearing, 2)] {
                 if let Some(c) = friction {
                     for (t, o) in torque.iter_mut().zip(omega.iter()).take(axes) {
-                        *t = *t - c * o.get(n);
+                        *t -= c * o.get(n);
                     }
                 }
             }
@@ -466,7 +466,7 @@ impl<'a> Walk<'a> {
             let slope = (1..=ORDER)
                 .rev()
                 .fold(Dd::ZERO, |sum, n| sum * root + n as f64 * spin.get(n));
-            root = root - spin.at(root) / slope;
+            root -= spin.at(root) / slope;
         }
         self.reach = root.abs();
         self.stopping = true;

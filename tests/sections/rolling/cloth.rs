@@ -263,7 +263,7 @@ fn the_friction_that_jams_a_sliding_rod() {
         for n in 1..50_usize {
             term = term * Dd::from(x) / Dd::from(n as f64);
             let signed = if n % 4 < 2 { term } else { -term };
-            sums[n % 2] = sums[n % 2] + signed;
+            sums[n % 2] += signed;
         }
         sums
     };

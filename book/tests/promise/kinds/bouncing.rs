@@ -94,7 +94,7 @@ impl Ball {
             }
             if let Some((wait, speed, ceiling)) = next {
                 state = self.bounced(&state, wait, speed, ceiling);
-                now = now + wait;
+                now += wait;
             }
         }
         rows
@@ -106,7 +106,7 @@ impl Ball {
         for _ in 0..bounces {
             let (wait, speed, ceiling) = self.contact(&state)?;
             state = self.bounced(&state, wait, speed, ceiling);
-            now = now + wait;
+            now += wait;
         }
         Some(now.value())
     }

@@ -136,7 +136,7 @@ impl Table {
         let (mut on_sheet, mut margin) = (self.sheet.is_some(), Dd::ZERO);
         if let Some(sheet) = &self.sheet {
             margin = sheet.margin;
-            state.slip = state.slip - sheet.speeds[0][1];
+            state.slip -= sheet.speeds[0][1];
         }
         let mut leg = 0;
         while rows.len() < times.len() {
@@ -147,7 +147,7 @@ impl Table {
                 speed = from[1];
                 if let Some(to) = sheet.speeds.get(leg + 1) {
                     ground = (to[1] - from[1]) / (to[0] - from[0]);
-                    speed = speed + ground * (now - from[0]);
+                    speed += ground * (now - from[0]);
                     ends = Some(to[0] - now);
                 }
             }
@@ -218,11 +218,11 @@ impl Table {
             }
             let Some((t, what)) = wait else { continue };
             let way = t * (state.v + 0.5 * t * v_rate) - t * (cloth + 0.5 * t * pull);
-            margin = margin + way;
+            margin += way;
             let speed = speed + t * ground;
             let cloth = cloth + t * pull;
             state = at(t);
-            now = now + t;
+            now += t;
             if stands {
                 state.rim = Dd::ZERO;
             }
@@ -484,7 +484,7 @@ pub fn spool(r: &mut Random) -> Scene {
         let (sine, cosine) = Dd::from(angle).sine_cosine();
         let pull = Dd::from(tension) / mass;
         (push, twist) = (pull * cosine, -(pull * ratio));
-        reaction = reaction - pull * sine;
+        reaction -= pull * sine;
     }
     let table = Table {
         push,

@@ -572,7 +572,7 @@ impl Walk {
                     ]);
                 }
                 (x, v, work, heat) = at(wait);
-                now = now + wait;
+                now += wait;
                 if let Some(k) = stops {
                     (v[k], slips[k]) = (zero, 0.0);
                 }

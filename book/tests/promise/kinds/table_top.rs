@@ -154,7 +154,7 @@ impl Body {
         y[..9].copy_from_slice(&start[..9]);
         let size = y[..4].iter().map(|&q| q * q).sum::<Dd>().sqrt();
         for q in &mut y[..4] {
-            *q = *q / size;
+            *q /= size;
         }
         y
     }

@@ -153,8 +153,8 @@ impl Toy {
                 break;
             }
             let [place, mut spin, lost] = leg.end.state;
-            heat = heat + lost;
-            energy = energy - lost;
+            heat += lost;
+            energy -= lost;
             let turns = |spin: Dd| spin * spin > 2.0 * pull && spin.hi > 0.0;
             let hangs = (Phase::Hanging, bottom, l, zero);
             let next = match phase {
@@ -177,9 +177,9 @@ impl Toy {
                 }
                 Phase::Turn | Phase::OutOfSleep => {
                     let lost = (1.0 - self.turn * self.turn) * 0.5 * bare * spin * spin;
-                    spin = spin * self.turn;
-                    work = work + self.hand;
-                    energy = energy + self.hand;
+                    spin *= self.turn;
+                    work += self.hand;
+                    energy += self.hand;
                     spin = (spin * spin + 2.0 * self.hand / bare).sqrt();
                     if spin.hi > 0.0 && (energy - lost + m * g * l).value() > 0.0 {
                         (Phase::Up, energy - lost, l, spin)
@@ -188,14 +188,14 @@ impl Toy {
                     }
                 }
                 _ if energy.hi > 0.0 && spin.hi > 1e-15 * fastest => {
-                    work = work - energy;
+                    work -= energy;
                     energy = zero;
                     (Phase::Caught, zero, zero, zero)
                 }
                 _ => (Phase::Down, energy, place, zero),
             };
             // What an event takes becomes heat.
-            heat = heat + (energy - next.1);
+            heat += energy - next.1;
             (phase, energy) = (next.0, next.1);
             let (time, state) = (leg.end.time, [next.2, next.3, zero]);
             here = Place { time, state };

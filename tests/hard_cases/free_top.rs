@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use spinning_bodies::Result;
 use spinning_bodies::euler_top::{EulerTop, State};
-use spinning_bodies::frame::{Attitude, BodyVector};
+use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use support::{greatest, observed, refused, vector};
 
 use support::decimal::decimal;

@@ -10,7 +10,6 @@ use spinning_bodies::euler_top::{EulerTop, State};
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use support::{greatest, observed, refused, vector};
 
-use support::decimal::decimal;
 use support::double_double::Dd;
 use support::table::{angle, apart, lines};
 
@@ -43,6 +42,8 @@ fn relative(found: BodyVector, exact: [Dd; 3]) -> f64 {
     let (off, size) = (apart(found, exact), x.hypot(y).hypot(z));
     if size == 0.0 { off } else { off / size }
 }
+
+const FLIPS: &str = include_str!("../reference/peers/flip_time.csv");
 
 /// Bar for the attitude (radians), L and Ω, at any time, on either side of the separatrix and on it.
 /// Observed: 9e-16, 4e-16, 4e-16, and 1.8e-15 for the attitude after 5·10¹⁶ turns of a body one unit in the last place from a sphere.
@@ -79,15 +80,10 @@ fn free_top_against_the_table() {
 #[test]
 fn flip_times_against_the_table() -> Result<()> {
     let mut rows = 0;
-    for line in include_str!("../reference/peers/flip_time.csv").lines() {
-        let fields: Vec<&str> = line.split(',').collect();
-        if fields[0] != "exact" {
-            continue;
-        }
-        let tilt: f64 = fields[2].parse().expect("a number");
+    for cells in lines(FLIPS).filter(|cells| cells.text(0) == "exact") {
+        let ([tilt], [exact]) = (cells.numbers(2), cells.decimals(3));
         let start = BodyVector::new(tilt, 1.0, tilt);
         let top = EulerTop::from_omega([1.0, 2.0, 3.0], start, Attitude::identity())?;
-        let exact = decimal(fields[3]);
         let error = (Dd::from(0.5 * top.period()) - exact).value().abs() / exact.value();
         // Observed 8.3e-17, which is a correctly rounded period.
         observed!(error, 0.0..=2e-16, "tilt {tilt:e}: {error:e}");
@@ -123,13 +119,9 @@ fn next_to_the_middle_axis_to_the_last_time_that_is_admitted() -> Result<()> {
 #[test]
 fn every_peer_loses_the_flip_by_a_tilt_of_1e_8() {
     let mut lost: BTreeMap<&str, f64> = BTreeMap::new();
-    for line in include_str!("../reference/peers/flip_time.csv")
-        .lines()
-        .skip(1)
-    {
-        let fields: Vec<&str> = line.split(',').collect();
-        let [tilt, error] = [2, 4].map(|k| fields[k].parse::<f64>().expect("a number"));
-        let entry = lost.entry(fields[0]).or_insert(0.0);
+    for cells in lines(FLIPS) {
+        let [tilt, _, error] = cells.numbers(2);
+        let entry = lost.entry(cells.text(0)).or_insert(0.0);
         // A refusal is a NaN in the table and counts as lost.
         if error.is_nan() || error > 1e-3 {
             *entry = entry.max(tilt);

@@ -7,6 +7,7 @@ use spinning_bodies::conservation::{
 use spinning_bodies::inertia::RigidMotion;
 use spinning_bodies::phenomena::Waist;
 use spinning_bodies::rotating_fluid::{JacobiEllipsoid, MaclaurinSpheroid};
+use support::table::lines;
 
 type V = SpaceVector;
 
@@ -394,11 +395,11 @@ fn coefficient_by_quadrature(q: f64, along: f64) -> f64 {
 fn s3_5_maclaurin_spheroids() {
     // Against 32 digits, in units of machine epsilon. Observed: 4 and 4.
     let (mut worst, mut worst_ratio) = (0.0_f64, 0.0_f64);
-    for line in include_str!("../reference/maclaurin.csv").lines().skip(1) {
-        let row: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
-        let star = MaclaurinSpheroid::from_eccentricity(row[0]).unwrap();
-        worst = worst.max((star.rotation / row[1] - 1.0).abs() / f64::EPSILON);
-        worst_ratio = worst_ratio.max((star.energy_ratio / row[2] - 1.0).abs() / f64::EPSILON);
+    for cells in lines(include_str!("../reference/maclaurin.csv")) {
+        let [e, rotation, energy] = cells.numbers(0);
+        let star = MaclaurinSpheroid::from_eccentricity(e).unwrap();
+        worst = worst.max((star.rotation / rotation - 1.0).abs() / f64::EPSILON);
+        worst_ratio = worst_ratio.max((star.energy_ratio / energy - 1.0).abs() / f64::EPSILON);
     }
     assert!(worst <= 4.5, "{worst} ulp");
     assert!(worst_ratio <= 4.5, "{worst_ratio} ulp");
@@ -456,7 +457,6 @@ fn s3_5_jacobi_ellipsoids_branch_off() {
     for (b, c, rotation) in [
         (0.9, 0.551_873, 0.372_567),
         (0.7, 0.478_110, 0.355_679),
-        (0.5, 0.383_309, 0.309_557),
         (0.432_232, 0.345_069, 0.284_030),
     ] {
         let star = JacobiEllipsoid::from_axis_ratio(b).unwrap();

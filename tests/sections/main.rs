@@ -35,6 +35,7 @@ use proptest::prelude::*;
 use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use spinning_bodies::inertia::{InertiaMatrix, MassProperties, PrincipalMoments, shapes};
 use spinning_bodies::integrators::{Effort, Kept, Leg, Method, order_eight};
+use spinning_bodies::rolling::Moment;
 use spinning_bodies::scene::{Choice, Request, Scene, Solver};
 use spinning_bodies::{Error, Result};
 use std::f64::consts::{
@@ -74,4 +75,14 @@ fn leg<'a, const N: usize, S: ?Sized>(
         times,
         end,
     }
+}
+
+/// How far two moments of what rolls are apart, in units of a speed.
+fn moments_apart(a: &Moment, b: &Moment, size: f64) -> f64 {
+    let numbers = |m: &Moment| {
+        let [heat, work] = [m.heat, m.work].map(|energy| energy / size);
+        [m.position, m.velocity, m.rim_speed, m.turned, heat, work]
+    };
+    let (a, b) = (numbers(a), numbers(b));
+    greatest((0..6).map(|k| (a[k] - b[k]).abs())) / size
 }

@@ -3,8 +3,7 @@
 use super::*;
 use spinning_bodies::frame::SpaceVector as V;
 use spinning_bodies::rolling::{
-    Coulomb, Course, Happening, InPlane, Load, Moment, RollingResistance, RoundBody, Sheet,
-    SheetSpeeds,
+    Coulomb, Course, Happening, InPlane, Load, RollingResistance, RoundBody, Sheet, SheetSpeeds,
 };
 use spinning_bodies::scene::Roller;
 

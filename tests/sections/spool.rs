@@ -3,7 +3,7 @@
 use super::*;
 use spinning_bodies::conservation::{Particle, Particles};
 use spinning_bodies::frame::SpaceVector as V;
-use spinning_bodies::rolling::{Coulomb, Course, Happening, Moment, RoundBody, Spool, Tug, Way};
+use spinning_bodies::rolling::{Coulomb, Course, Happening, RoundBody, Spool, Tug, Way};
 use spinning_bodies::scene::TuggedSpool;
 
 /// M = 0.2 kg, r = 2 cm, R = 5 cm, κ = 1/2.
@@ -296,15 +296,7 @@ fn s4_4_closed_forms_against_dop853() {
             for ((_, row), m) in closed.rows.iter().zip(by_dop853(tugged, &times)) {
                 let c = row.moment;
                 let size = c.velocity.abs().max(c.rim_speed.abs()).max(1.0);
-                for (a, b) in [
-                    (c.position, m.position),
-                    (c.velocity, m.velocity),
-                    (c.rim_speed, m.rim_speed),
-                    (c.heat / size, m.heat / size),
-                    (c.work / size, m.work / size),
-                ] {
-                    worst = worst.max((a - b).abs() / size);
-                }
+                worst = worst.max(moments_apart(&c, &m, size));
             }
         }
     }

@@ -20,6 +20,11 @@ impl Cells {
         self.0[cell]
     }
 
+    /// The doubles next to decimals, from this cell on.
+    pub fn numbers<const N: usize>(&self, from: usize) -> [f64; N] {
+        core::array::from_fn(|k| self.0[from + k].parse().expect("a number"))
+    }
+
     /// Floats that were printed exactly, from this cell on.
     pub fn exact<const N: usize>(&self, from: usize) -> [f64; N] {
         core::array::from_fn(|k| hexadecimal(self.0[from + k]))

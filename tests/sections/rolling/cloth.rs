@@ -132,16 +132,7 @@ fn apart(start: Moment, (mu, arm): (f64, f64), kappa: f64, solver: Solver) -> (f
     let size = start.velocity.abs().max(start.rim_speed.abs());
     let mut worst = 0.0_f64;
     for (t, row) in run.rows {
-        let (c, m) = (course.at(t), row.moment);
-        for (a, b) in [
-            (c.position, m.position),
-            (c.velocity, m.velocity),
-            (c.rim_speed, m.rim_speed),
-            (c.turned, m.turned),
-            (c.heat / size, m.heat / size),
-        ] {
-            worst = worst.max((a - b).abs() / size);
-        }
+        worst = worst.max(moments_apart(&course.at(t), &row.moment, size));
     }
     (worst, course.events.len())
 }

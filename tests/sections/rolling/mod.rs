@@ -4,5 +4,5 @@ mod billiard_shot;
 mod cloth;
 
 use super::*;
-use spinning_bodies::rolling::{Coulomb, Course, Happening, Load, Moment, RoundBody};
+use spinning_bodies::rolling::{Coulomb, Course, Happening, Load, RoundBody};
 use spinning_bodies::scene::Roller;

@@ -2,6 +2,7 @@
 
 use super::*;
 use support::samples;
+use support::table::lines;
 
 /// Energy gained in `count` bounces with a step of one's own, from V = 1 without spin.
 fn drift(count: u32, step: impl Fn(f64, f64, f64) -> (f64, f64)) -> f64 {
@@ -50,26 +51,15 @@ fn s4_6_drift_over_ten_million_bounces() {
     observed!((last.velocity - far.velocity).abs(), 4e-11..=3e-9);
 }
 
-/// A number, or another where the cell is empty.
-fn cell(text: &str, empty: f64) -> f64 {
-    if text.is_empty() {
-        empty
-    } else {
-        text.parse().unwrap()
-    }
-}
-
 /// The rows of the table of 34 digits: with a time those of flights, without one those of bounces alone.
 fn reference(with_time: bool) -> impl Iterator<Item = [f64; 14]> {
-    let table = include_str!("../../reference/superball.csv")
-        .lines()
-        .skip(1);
-    let rows = table.map(|line| {
-        let mut cells = line.split(',').enumerate();
-        core::array::from_fn(|_| {
-            let (column, text) = cells.next().unwrap();
+    let rows = lines(include_str!("../../reference/superball.csv"));
+    let rows = rows.map(|cells| {
+        core::array::from_fn(|column| match cells.text(column) {
             // The open sky.
-            cell(text, if column == 2 { f64::INFINITY } else { 0.0 })
+            "" if column == 2 => f64::INFINITY,
+            "" => 0.0,
+            number => number.parse().unwrap(),
         })
     });
     rows.filter(move |row: &[f64; 14]| (row[7] != 0.0) == with_time)

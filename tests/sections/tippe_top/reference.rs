@@ -1,6 +1,7 @@
 //! Trajectories against 25 digits, by other equations, another method and another arithmetic (`tests/reference/tippe_top.py`).
 
 use super::*;
+use support::table::{Cells, lines};
 
 /// The attitude of a turn about the second axis whose half angle has the tangent given, and a vertical spin.
 fn spun(tangent: f64, spin: f64) -> Start {
@@ -54,17 +55,15 @@ fn of(name: &str, times: &[f64]) -> Vec<(f64, State)> {
 fn s4_7_trajectories_to_eight_digits() {
     // claim: C4.7-1, C4.7-7, C4.7-8
     let table = include_str!("../../reference/tippe_top.csv");
-    let cells = |line: &'static str| line.split(',').collect();
-    let lines: Vec<Vec<&str>> = table.lines().skip(1).map(cells).collect();
+    let lines: Vec<Cells> = lines(table).collect();
     assert!(lines.len() >= 18, "six cases of three times");
     for case in lines.chunks(3) {
-        let name = case[0][0];
-        let number = |line: &[&str], i: usize| line[i].parse::<f64>().unwrap();
-        let times: Vec<f64> = case.iter().map(|line| number(line, 1)).collect();
+        let name = case[0].text(0);
+        let times: Vec<f64> = case.iter().flat_map(|line| line.numbers::<1>(1)).collect();
         let mut worst = 0.0_f64;
         for (line, (_, state)) in case.iter().zip(of(name, &times)) {
-            let [w, x, y, z, o1, o2, o3, work] = core::array::from_fn(|k| number(line, 2 + k));
-            let omega = vector([o1, o2, o3]);
+            let ([w, x, y, z], [work]) = (line.numbers(2), line.numbers(9));
+            let omega = vector(line.numbers(6));
             let attitude = Attitude::from_quaternion(w, x, y, z).unwrap();
             let turn = (state.omega - omega).norm() / omega.norm();
             worst = worst.max(state.attitude.angle_to(&attitude)).max(turn);

@@ -4,7 +4,7 @@
 //! whatever differs is the library's error.
 
 use spinning_bodies::Result;
-use spinning_bodies::frame::Attitude;
+use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::lagrange_top::{LagrangeTop, State};
 use support::{greatest, observed, vector};
 

@@ -212,18 +212,15 @@ impl Poinsot {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn start(&self) -> f64 {
-        let [l1, l2, l3] = self.l;
-        let [_, b, side] = self.half_widths();
-        let (along, kept) = match self.sector {
-            Sector::AroundSmallest => (l3, l1),
-            _ => (l1, l3),
+        let ([i1, i2, i3], [l1, l2, l3]) = (self.moments, self.l);
+        let width = |i: f64, more: f64, less: f64| (i / (more - less)).sqrt();
+        // The half width along the middle axis over that along the remaining one, which may be less than any double: the quotient is not.
+        let (along, kept, flatness) = match self.sector {
+            Sector::Point => return 0.0,
+            Sector::AroundSmallest => (l3, l1, width(i2, i2, i1) / width(i3, i3, i1)),
+            _ => (l1, l3, width(i2, i3, i2) / width(i1, i3, i1)),
         };
-        // Both over their half widths; a polhode of no width is a point, and all parameters agree.
-        let angle = if b == 0.0 {
-            0.0
-        } else {
-            (l2 / b).atan2(along / side)
-        };
+        let angle = l2.atan2(along * flatness);
         angle * self.sense(kept)
     }
 

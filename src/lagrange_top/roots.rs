@@ -55,7 +55,10 @@ pub struct Roots {
 }
 
 impl Roots {
-    pub(super) fn new(one_less: [f64; 2], one_more: [f64; 2], third_less_one: f64) -> Self {
+    pub(super) fn new(less: [f64; 2], more: [f64; 2], third_less_one: f64) -> Self {
+        // Two that are one, found by different ways, may have been rounded out of their order.
+        let one_less = [less[0].max(less[1]), less[1]];
+        let one_more = [more[0].min(more[1]), more[1]];
         let root = |k: usize| 0.5 * (one_more[k] - one_less[k]);
         Self {
             h1: root(0),

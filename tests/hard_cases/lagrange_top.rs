@@ -140,3 +140,15 @@ fn next_to_upright_to_the_last_time_that_is_admitted() -> Result<()> {
     }
     Ok(())
 }
+
+/// Without gravity both turning points are one, and found by different ways.
+#[test]
+fn a_top_that_only_turns_has_its_roots_in_order() -> Result<()> {
+    for l_vert in (0..4000).map(|k| 0.001 * f64::from(k) - 2.0) {
+        let top = LagrangeTop::above_upright(1e-150, 1.19e-150, 0.0, 4.0, l_vert, 0.0)?;
+        let r = top.roots();
+        let ordered = r.h1 <= r.h2 && r.one_less[0] >= r.one_less[1];
+        assert!(ordered && r.one_more[0] <= r.one_more[1], "{r:?}");
+    }
+    Ok(())
+}

@@ -353,3 +353,14 @@ fn s6_2_radii_of_the_herpolhode() {
         observed!(off / size, 1e-16..=2e-15); // observed 4.1e-16
     }
 }
+
+/// The narrower half width of a polhode may be less than any double.
+#[test]
+fn s6_3_a_polhode_flatter_than_doubles_begins_where_it_should() {
+    let l = BodyVector::new(3.6519420379412075, f64::MAX, 0.0);
+    let picture = Poinsot::new([0.5, 9.8304846383639, 1.4002434530615526e-33], l).unwrap();
+    assert_eq!(picture.start().abs(), FRAC_PI_2);
+    let l = BodyVector::new(3e-308, 1.0, 1e-325);
+    let picture = Poinsot::new([0.5, 9.8, 1e-33], l).unwrap();
+    assert_eq!(picture.start().abs(), FRAC_PI_2);
+}

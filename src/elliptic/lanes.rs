@@ -54,7 +54,9 @@ impl Course {
         }
         let quarters = (NEARLY * EXACT_COUNT - 1.0) * self.modulus.quarter_period() / rate;
         let turning = NEARLY * 0.5 * EXACT_COUNT * core::f64::consts::PI / (2.0 * share * fastest);
-        (0.5 / share * quarters).min(turning).min(1e290)
+        (0.5 / share * quarters)
+            .min(turning)
+            .min(1e290 / rate.max(1.0))
     }
 }
 

@@ -142,9 +142,9 @@ impl Modulus {
         self.rate.high()
     }
 
-    /// The greatest argument that still has a place: 2⁵³ quarter periods.
+    /// The greatest argument that still has a place: 2⁵³ quarter periods, if that is a double.
     pub(crate) fn greatest_argument(&self) -> f64 {
-        9_007_199_254_740_992.0 * self.quarter.high()
+        (9_007_199_254_740_992.0 * self.quarter.high()).min(f64::MAX)
     }
 
     #[inline(always)]

@@ -6,7 +6,7 @@
 use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::lagrange_top::{LagrangeTop, State};
-use support::{greatest, observed, vector};
+use support::{greatest, observed, refused, vector};
 
 use support::double_double::Dd;
 use support::table::{Cells, angle, apart, lines};
@@ -150,5 +150,14 @@ fn a_top_that_only_turns_has_its_roots_in_order() -> Result<()> {
         let ordered = r.h1 <= r.h2 && r.one_less[0] >= r.one_less[1];
         assert!(ordered && r.one_more[0] <= r.one_more[1], "{r:?}");
     }
+    Ok(())
+}
+
+/// On the separatrix it stands still long before its argument is no double any more; then it says so.
+#[test]
+fn at_the_end_of_the_doubles_a_time_is_refused() -> Result<()> {
+    let top = LagrangeTop::above_upright(1.4e-153, 0.0, 4.6e163, 0.0, 0.0, 0.0)?;
+    assert_eq!(top.at(1e149)?.height, 1.0);
+    refused!(top.at(1e150), OutOfRange);
     Ok(())
 }

@@ -333,7 +333,8 @@ impl Top {
             false => Err(Error::Amplified {
                 asked: request.accuracy,
                 reached: error,
-                growth: doubted / body::DOUBT[0],
+                // A change of the rates grows by the angle.
+                growth: angle.max(doubted / body::DOUBT[0]),
             }),
         };
         within(told)?;

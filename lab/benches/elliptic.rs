@@ -167,20 +167,12 @@ type Group = (Parameter, Vec<f64>);
 fn measure(name: &str, groups: &[Group]) -> Result<()> {
     let moduli: Vec<Modulus> = groups.iter().map(|(p, _)| Modulus::new(*p)).collect();
     let [mut sn, mut cn, mut dn] = [const { [0.0; ARGUMENTS] }; 3];
-    let each = |work: &dyn Fn(&Modulus, Parameter, f64)| {
-        for (modulus, (parameter, arguments)) in moduli.iter().zip(groups) {
-            arguments.iter().for_each(|&u| work(modulus, *parameter, u));
-        }
-    };
     let seconds = in_turn([
-        &mut || each(&|modulus, _, u| drop(black_box(modulus.sn_cn_dn(u)))),
-        &mut || each(&|modulus, _, u| drop(black_box(modulus.jacobi(u)))),
-        &mut || {
-            each(&|_, parameter, u| {
-                let [m, mc] = black_box([parameter.m(), parameter.mc()]);
-                let _ = black_box(Parameter::new(m, mc).and_then(|p| sn_cn_dn(u, p)));
-            });
-        },
+        &mut filled(&moduli, groups, |modulus, _, u| modulus.sn_cn_dn(u)),
+        &mut filled(&moduli, groups, |modulus, _, u| modulus.jacobi(u)),
+        &mut filled(&moduli, groups, |_, [m, mc], u| {
+            sn_cn_dn(u, Parameter::new(m, mc)?)
+        }),
         &mut || {
             for (modulus, (_, arguments)) in moduli.iter().zip(groups) {
                 let _ = black_box(modulus.jacobi_batch(arguments, &mut sn, &mut cn, &mut dn));
@@ -193,6 +185,24 @@ fn measure(name: &str, groups: &[Group]) -> Result<()> {
     let gsl = peers.reduce(f64::min).unwrap_or(f64::NAN);
     numbers(name, &[gsl, prepared, with_am, scratch, batch]);
     Ok(())
+}
+
+/// All values of all groups, one after the other into a list, as the peer does it.
+fn filled<T: Clone>(
+    moduli: &[Modulus],
+    groups: &[Group],
+    value: impl Fn(&Modulus, [f64; 2], f64) -> Result<T>,
+) -> impl FnMut() {
+    let mut list = vec![None; ARGUMENTS];
+    move || {
+        for (modulus, (parameter, arguments)) in moduli.iter().zip(groups) {
+            let both = [parameter.m(), parameter.mc()];
+            for (place, &u) in list.iter_mut().zip(arguments) {
+                *place = value(modulus, black_box(both), u).ok();
+            }
+            black_box(&list);
+        }
+    }
 }
 
 /// The peer's time for the same list, if it was built.

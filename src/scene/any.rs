@@ -166,7 +166,7 @@ pub struct Table {
     pub plan: Plan,
     /// What the solver spent.
     pub cost: Cost,
-    /// By how much attitude (radians) and angular velocity (relative to the fastest) may be off, as in [`Motion::error_estimate`](super::Motion::error_estimate); columns made of them, and places, by a few times that.
+    /// By how much the states may be off, as in [`Motion::error_estimate`](super::Motion::error_estimate).
     pub error_estimate: f64,
     /// What was kept.
     pub ledger: Ledger,

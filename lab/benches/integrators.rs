@@ -160,7 +160,7 @@ fn steps() -> Result<()> {
 }
 
 /// What a step of the crate's methods costs.
-fn general(moments: [f64; 3], torque: impl Torque<f64> + Copy) -> Result<()> {
+fn general(moments: [f64; 3], torque: impl Torque<f64> + Copy + core::fmt::Debug) -> Result<()> {
     for (method, effort) in [
         (Method::Rk4, Effort::Step(STEP)),
         (Method::Dop853, Effort::Tolerance(1e-10)),

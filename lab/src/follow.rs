@@ -1,5 +1,7 @@
 //! One way to ask every method for the motion of a body: geometric ones, general ones, closed forms.
 
+use core::fmt::Debug;
+
 use spinning_bodies::euler_equations::{AxisMoments, quaternion_rate};
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::integrators::geometric::{Integrator, Phase, Torque, follow};
@@ -7,7 +9,7 @@ use spinning_bodies::integrators::{Effort, Kept, Solution, System, order_eight};
 use spinning_bodies::{Error, Result};
 
 /// A method that can be asked for a motion by step or by tolerance.
-pub trait Follow {
+pub trait Follow: Debug {
     /// Its name, as in the tables.
     fn name(&self) -> String;
 
@@ -23,7 +25,7 @@ pub trait Follow {
 }
 
 /// Between two samples steps of one length, not above the one given.
-impl<I: Integrator> Follow for I {
+impl<I: Integrator + Debug> Follow for I {
     fn name(&self) -> String {
         Integrator::name(self)
     }
@@ -94,7 +96,7 @@ impl<N: Torque<f64>> System<7> for DormandPrince8<N> {
     }
 }
 
-impl<N: Torque<f64>> Follow for DormandPrince8<N> {
+impl<N: Torque<f64> + Debug> Follow for DormandPrince8<N> {
     fn name(&self) -> String {
         "dormand-prince-8".to_owned()
     }

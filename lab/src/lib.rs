@@ -33,4 +33,14 @@ pub mod hard_cases;
 pub mod stopwatch;
 mod table;
 
+use spinning_bodies::Error;
 pub use spinning_bodies::Result;
+
+/// What is no number is refused.
+const fn finite(quantity: &'static str, value: f64) -> Result<f64> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::NotFinite { quantity, value })
+    }
+}

@@ -2,6 +2,8 @@
 
 use spinning_bodies::{Error, Result};
 
+use crate::finite;
+
 /// The rows whose first cell is `wanted`, each turned into what `of` makes of its cells.
 ///
 /// # Errors
@@ -66,17 +68,8 @@ pub(crate) fn decimal(cell: &str) -> Result<[f64; 2]> {
     Ok([number(Some(high))?, number(Some(low))?])
 }
 
-/// What is no number is not a number.
 fn number(read: Option<f64>) -> Result<f64> {
-    let value = read.unwrap_or(f64::NAN);
-    if value.is_finite() {
-        Ok(value)
-    } else {
-        Err(Error::NotFinite {
-            quantity: "a number of a table",
-            value,
-        })
-    }
+    finite("a number of a table", read.unwrap_or(f64::NAN))
 }
 
 #[cfg(test)]

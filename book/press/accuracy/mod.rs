@@ -133,7 +133,7 @@ fn listed(problems: &[Problem], told: impl Fn(f64, String)) -> Result<Report> {
         let mut swept = Vec::new();
         for (done, candidate) in methods.iter().enumerate() {
             let part = place as f64 + done as f64 / methods.len() as f64;
-            let method = candidate.name();
+            let method = &candidate.name;
             let what = format!("{place} of {all} problems done, now {name} by {method}");
             told(part / all as f64, what);
             let trial = Trial::of(problem, candidate);

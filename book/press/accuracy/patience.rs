@@ -66,12 +66,12 @@ pub fn first(problem: &Problem, candidate: &Candidate, effort: Effort) -> f64 {
     let piece = || {
         let begin = Instant::now();
         let _ = candidate
-            .method()
+            .method
             .follow(problem.start(), &[problem.end() / parts], effort);
         begin.elapsed().as_secs_f64()
     };
     let least = (0..5).map(|_| piece()).fold(f64::INFINITY, f64::min);
-    match candidate.name() {
+    match &*candidate.name {
         "exact" => least,
         _ => least * parts,
     }

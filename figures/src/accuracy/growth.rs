@@ -46,7 +46,7 @@ fn errors(line: &Line, candidate: &Candidate, exact: &Candidate) -> Result<Vec<[
         StepsATurn(count) => Effort::Step(first.end() / count * (1.0 + 1e-12)),
         Tolerance(tolerance) => Effort::Tolerance(*tolerance),
     };
-    let follow = |one: &Candidate, effort| one.method().follow(first.start(), &times, effort);
+    let follow = |one: &Candidate, effort| one.method.follow(first.start(), &times, effort);
     let found = follow(candidate, effort)?;
     let truth = follow(exact, Effort::Tolerance(0.0))?;
     let pairs = found.states.iter().zip(&truth.states);
@@ -59,7 +59,7 @@ fn errors(line: &Line, candidate: &Candidate, exact: &Candidate) -> Result<Vec<[
 pub fn growth(_: &Values) -> Result<Figure> {
     let frame = Frame::log([0.8, 2e6], [1e-17, 10.0], [64.0, 584.0, 372.0, 32.0]);
     let all = candidates(&problem("free-top/1")?)?;
-    let by_name = |name: &str| all.iter().find(|candidate| candidate.name() == name);
+    let by_name = |name: &str| all.iter().find(|candidate| candidate.name == name);
     let mut lines = Vec::new();
     let mut told = Vec::new();
     for line in &LINES {
@@ -107,7 +107,7 @@ fn exact_errors() -> Result<Vec<[f64; 2]>> {
     let mut errors = Vec::new();
     for run in &named("free-top")? {
         let all = candidates(run)?;
-        if let Some(exact) = all.iter().find(|candidate| candidate.name() == "exact") {
+        if let Some(exact) = all.iter().find(|candidate| candidate.name == "exact") {
             let found = measure(run, exact, Effort::Tolerance(0.0));
             errors.push([run.turns(), found.error_attitude.max(2e-17)]);
         }

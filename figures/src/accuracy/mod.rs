@@ -35,7 +35,7 @@ fn problem(name: &str) -> Result<Problem> {
 /// The sweep of one method, with no run of more than so many evaluations.
 fn swept(problem: &Problem, method: &str, most: u64) -> Result<Vec<Measurement>> {
     let all = candidates(problem)?;
-    let Some(candidate) = all.iter().find(|candidate| candidate.name() == method) else {
+    let Some(candidate) = all.iter().find(|candidate| candidate.name == method) else {
         return Ok(Vec::new());
     };
     Ok(Trial::of(problem, candidate).sweep(|rows, effort| {

@@ -15,36 +15,14 @@ use crate::follow::{DormandPrince8, Follow};
 use crate::general::GeneralMethod;
 
 /// A method for a problem, and the efforts from coarse to more than rounding allows.
+#[derive(Debug)]
 pub struct Candidate {
-    name: String,
-    method: Box<dyn Follow>,
-    efforts: Vec<Effort>,
-}
-
-impl core::fmt::Debug for Candidate {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("Candidate")
-            .field("name", &self.name)
-            .field("efforts", &self.efforts)
-            .finish_non_exhaustive()
-    }
-}
-
-impl Candidate {
     /// The name in the tables: `exact`, `rk4`, `kick-drift-6`, …
-    pub fn name(&self) -> &str {
-        &self.name
-    }
-
+    pub name: String,
     /// The method.
-    pub fn method(&self) -> &dyn Follow {
-        &*self.method
-    }
-
+    pub method: Box<dyn Follow>,
     /// How hard it is asked to work, from coarse to fine.
-    pub fn efforts(&self) -> &[Effort] {
-        &self.efforts
-    }
+    pub efforts: Vec<Effort>,
 }
 
 /// The methods that can run a problem: closed form where there is one, geometric ones, those of the crate `differential-equations`.
@@ -134,7 +112,7 @@ impl Found<'_> {
         self.any_torque(moments, weight)
     }
 
-    fn any_torque<N: Torque<f64> + Copy + 'static>(
+    fn any_torque<N: Torque<f64> + Copy + core::fmt::Debug + 'static>(
         &mut self,
         moments: [f64; 3],
         torque: N,

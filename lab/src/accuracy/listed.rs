@@ -122,17 +122,10 @@ pub fn named(name: &str) -> Result<Vec<Problem>> {
 /// The problems with such a name and length, in the order of the table.
 fn read(wanted: impl Fn(&str) -> bool) -> Result<Vec<Problem>> {
     let samples = table::rows(TRUTH, wanted, |cells: [&'static str; 9]| {
-        let [run, time, attitude @ .., o1, o2, o3] = cells;
-        let [w, x, y, z] = attitude.map(table::decimal);
-        let omega = [
-            table::decimal(o1)?,
-            table::decimal(o2)?,
-            table::decimal(o3)?,
-        ];
-        Ok((
-            run,
-            Sample::new(table::exact(time)?, omega, [w?, x?, y?, z?]),
-        ))
+        let [run, time, numbers @ ..] = cells;
+        let [w, x, y, z, o1, o2, o3] = numbers.map(table::decimal);
+        let (attitude, omega) = ([w?, x?, y?, z?], [o1?, o2?, o3?]);
+        Ok((run, Sample::new(table::exact(time)?, omega, attitude)))
     })?;
     let runs = samples.chunk_by(|a, b| a.0 == b.0);
     runs.map(|samples| problem(samples[0].0, samples.iter().map(|(_, s)| *s).collect()))

@@ -98,8 +98,8 @@ impl<'a> Trial<'a, Solution<Phase>> {
     /// This method on this problem.
     pub fn of(problem: &'a Problem, candidate: &'a Candidate) -> Self {
         Self {
-            names: [problem.name(), candidate.name()],
-            efforts: candidate.efforts(),
+            names: [problem.name(), &candidate.name],
+            efforts: &candidate.efforts,
             floor: 0.0,
             lost: Apart {
                 attitude: f64::INFINITY,
@@ -107,7 +107,7 @@ impl<'a> Trial<'a, Solution<Phase>> {
             },
             run: Box::new(|effort| {
                 let times = [problem.end()];
-                let course = candidate.method().follow(problem.start(), &times, effort)?;
+                let course = candidate.method.follow(problem.start(), &times, effort)?;
                 let cost = course.cost;
                 Ok((course, cost))
             }),
@@ -220,7 +220,7 @@ pub fn measure(problem: &Problem, candidate: &Candidate, effort: Effort) -> Meas
 /// Those of the method.
 pub fn along_the_run(problem: &Problem, candidate: &Candidate, effort: Effort) -> Result<Apart> {
     let course = candidate
-        .method()
+        .method
         .follow(problem.start(), &problem.times(), effort)?;
     let none = Apart {
         attitude: 0.0,

@@ -2,19 +2,17 @@
 
 /// What the command wrote, under a line that names machine and compiler.
 pub const SWEEP: &str = include_str!("../../../book/src/tables/accuracy.csv");
+/// In turns.
+const LENGTHS: [u32; 3] = [1, 10, 1000];
 /// Each motion, what it is called on a page, and the lengths in turns to which all methods followed it.
 pub const MOTIONS: [(&str, &str, [u32; 3]); 8] = [
-    ("free-top", "free body", [1, 10, 1000]),
-    ("near-separatrix", "beside the separatrix", [1, 10, 1000]),
-    ("cusped-top", "top with cusps", [1, 10, 1000]),
-    ("near-sleeping", "top, nearly asleep", [1, 10, 1000]),
-    (
-        "kovalevskaya-level",
-        "Kovalevskaya’s top, level",
-        [1, 10, 1000],
-    ),
-    ("kovalevskaya", "Kovalevskaya’s top, upright", [1, 10, 1000]),
-    ("heavy-body", "no closed form", [1, 10, 1000]),
+    ("free-top", "free body", LENGTHS),
+    ("near-separatrix", "beside the separatrix", LENGTHS),
+    ("cusped-top", "top with cusps", LENGTHS),
+    ("near-sleeping", "top, nearly asleep", LENGTHS),
+    ("kovalevskaya-level", "Kovalevskaya’s top, level", LENGTHS),
+    ("kovalevskaya", "Kovalevskaya’s top, upright", LENGTHS),
+    ("heavy-body", "no closed form", LENGTHS),
     ("tippe-top", "tippe top", [1, 10, 100]),
 ];
 /// Accuracies at which a winner is named.

@@ -15,10 +15,10 @@
 //! use lab::accuracy::{Status, along_the_run, candidates, measure, named};
 //! let problem = &named("free-top/10")?[0];
 //! let methods = candidates(problem)?;
-//! let exact = methods.iter().find(|m| m.name() == "exact").expect("a free top has a closed form");
-//! let found = measure(problem, exact, exact.efforts()[0]);
+//! let exact = methods.iter().find(|m| m.name == "exact").expect("a free top has a closed form");
+//! let found = measure(problem, exact, exact.efforts[0]);
 //! assert!(found.status == Status::Ok && found.error_attitude < 1e-14);
-//! assert!(along_the_run(problem, exact, exact.efforts()[0])?.attitude < 1e-14);
+//! assert!(along_the_run(problem, exact, exact.efforts[0])?.attitude < 1e-14);
 //! # Ok::<(), spinning_bodies::Error>(())
 //! ```
 

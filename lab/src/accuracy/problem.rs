@@ -3,6 +3,8 @@
 use spinning_bodies::integrators::geometric::Phase;
 use spinning_bodies::{Error, Result};
 
+use crate::finite;
+
 use super::sample::Sample;
 use super::table_top::SlidingBall;
 
@@ -130,13 +132,5 @@ impl Problem {
     /// How long it lasts, s.
     pub fn end(&self) -> f64 {
         self.last().time()
-    }
-}
-
-fn finite(quantity: &'static str, value: f64) -> Result<f64> {
-    if value.is_finite() {
-        Ok(value)
-    } else {
-        Err(Error::NotFinite { quantity, value })
     }
 }

@@ -5,7 +5,7 @@ use spinning_bodies::integrators::geometric::Phase;
 use spinning_bodies::integrators::{Effort, Kept, Method, Solution, System, order_eight};
 
 use crate::follow::Follow;
-use crate::general::solve;
+use crate::general::Run;
 
 /// The quaternion, Ω along the body's axes, level velocity of C, its level place, work done against friction.
 type Numbers = [f64; 12];
@@ -167,7 +167,7 @@ impl Follow for Sliding {
         let y = self.ball.numbers(start)?;
         let scales = self.ball.scales(&y);
         let run = match self.general {
-            Some(method) => solve(&self.ball, 0.0, &y, &scales, times, method, effort)?,
+            Some(method) => Run::new(&self.ball, &scales, method, effort).solve(0.0, &y, times)?,
             None => {
                 let kept = Kept::UnitQuaternion(0);
                 order_eight(&self.ball, kept, &y, &scales, times, effort)?

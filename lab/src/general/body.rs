@@ -6,7 +6,7 @@ use spinning_bodies::frame::BodyVector;
 use spinning_bodies::integrators::geometric::{Phase, Torque};
 use spinning_bodies::integrators::{Effort, Method, Solution, System};
 
-use super::solve;
+use super::Run;
 use crate::follow::Follow;
 
 /// A body under a torque by a method that knows nothing of bodies: seven numbers like any others.
@@ -52,19 +52,14 @@ impl<N: Torque<f64>> System<7> for GeneralMethod<N> {
         let [o1, o2, o3] = [a / i1, b / i2, c / i3];
         let [n1, n2, n3] = self.torque.torque(&phase);
         let [qw, qx, qy, qz] = quaternion_rate(phase.q, BodyVector::new(o1, o2, o3));
-        [
-            (i2 - i3) * o2 * o3 + n1,
-            (i3 - i1) * o3 * o1 + n2,
-            (i1 - i2) * o1 * o2 + n3,
-            qw,
-            qx,
-            qy,
-            qz,
-        ]
+        let r1 = (i2 - i3) * o2 * o3 + n1;
+        let r2 = (i3 - i1) * o3 * o1 + n2;
+        let r3 = (i1 - i2) * o1 * o2 + n3;
+        [r1, r2, r3, qw, qx, qy, qz]
     }
 }
 
-impl<N: Torque<f64>> Follow for GeneralMethod<N> {
+impl<N: Torque<f64> + core::fmt::Debug> Follow for GeneralMethod<N> {
     fn name(&self) -> String {
         self.method.name().to_owned()
     }
@@ -79,7 +74,7 @@ impl<N: Torque<f64>> Follow for GeneralMethod<N> {
         let packed = [a, b, c, q.w, q.i, q.j, q.k];
         let size = a.hypot(b).hypot(c).max(f64::MIN_POSITIVE);
         let scales = [size, size, size, 1.0, 1.0, 1.0, 1.0];
-        let run = solve(self, 0.0, &packed, &scales, times, self.method, effort)?;
+        let run = Run::new(self, &scales, self.method, effort).solve(0.0, &packed, times)?;
         let phases = run.states.iter().map(|y| Phase {
             l: [y[0], y[1], y[2]],
             q: [y[3], y[4], y[5], y[6]],

@@ -31,9 +31,8 @@ pub(super) const NEEDLE: Family = Family {
     cure: r"\tfrac{\det I}{I_2I_3}",
     textbook: |inputs| Ok(vec![least_root(&matrix(numbers(inputs)?))]),
     ours: |inputs| {
-        Ok(vec![
-            principal_axes_of(&matrix(numbers(inputs)?))?.moments[0],
-        ])
+        let [least, ..] = principal_axes_of(&matrix(numbers(inputs)?))?.moments;
+        Ok(vec![least])
     },
 };
 

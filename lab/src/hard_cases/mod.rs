@@ -83,13 +83,11 @@ impl Family {
             |name| name == self.name,
             |cells: [&'static str; 4]| {
                 let [_, nearness, inputs, results] = cells;
+                let (inputs, results) = (inputs.split(' '), results.split(' '));
                 Ok(Step {
                     nearness: table::exact(nearness)?,
-                    inputs: inputs.split(' ').map(table::exact).collect::<Result<_>>()?,
-                    results: results
-                        .split(' ')
-                        .map(table::decimal)
-                        .collect::<Result<_>>()?,
+                    inputs: inputs.map(table::exact).collect::<Result<_>>()?,
+                    results: results.map(table::decimal).collect::<Result<_>>()?,
                 })
             },
         )

@@ -1,6 +1,6 @@
 //! The adapter to the general integrators: samples in any order, events, orders of convergence, refusals.
 
-use lab::general::{solve, until};
+use lab::general::Run;
 use spinning_bodies::integrators::{Effort, Event, Method, Passage, Solution, Stop, System};
 use spinning_bodies::{Error, Result};
 use support::refused;
@@ -24,7 +24,7 @@ fn by(method: Method) -> Effort {
 
 /// The pendulum at these times.
 fn swung(times: &[f64], method: Method, effort: Effort) -> Result<Solution<[f64; 2]>> {
-    solve(&pendulum, 0.0, &START, &[1.0; 2], times, method, effort)
+    Run::new(&pendulum, &[1.0; 2], method, effort).solve(0.0, &START, times)
 }
 
 /// Until the event, or to the last time.
@@ -34,9 +34,8 @@ fn ended(
     event: &dyn Event<2>,
     (by, effort): (Method, Effort),
 ) -> Passage<[f64; 2]> {
-    let scales = &[1.0; 2];
-    let run = until(system, 0.0, &start, scales, times, last, event, by, effort);
-    run.unwrap()
+    let run = Run::new(system, &[1.0; 2], by, effort);
+    run.until(0.0, &start, times, last, event).unwrap()
 }
 
 #[test]
@@ -75,9 +74,12 @@ fn evaluations_are_those_made() {
             made.set(made.get() + 1);
             pendulum(t, y)
         };
-        let (scales, times, effort) = ([1.0; 2], [1.0, 2.0], by(method));
-        let run = solve(&counted, 0.0, &START, &scales, &times, method, effort);
-        let told = run.unwrap().cost.evaluations;
+        let run = Run::new(&counted, &[1.0; 2], method, by(method));
+        let told = run
+            .solve(0.0, &START, &[1.0, 2.0])
+            .unwrap()
+            .cost
+            .evaluations;
         // Not told: Euler's steps over what rounding has left, one for each sample and the end.
         let untold = made.get() - told;
         assert!(untold <= 4, "{method:?}: {untold} {told}");
@@ -88,8 +90,8 @@ fn evaluations_are_those_made() {
 fn what_cannot_be_followed_is_refused() {
     let explodes = |_: f64, y: &[f64; 1]| [y[0] * y[0]];
     for method in [Method::Dopri5, Method::Dop853, Method::Verner98] {
-        let run = solve(&explodes, 0.0, &[1.0], &[1.0], &[2.0], method, by(method));
-        let error = run.expect_err("it has no end");
+        let run = Run::new(&explodes, &[1.0], method, by(method));
+        let error = run.solve(0.0, &[1.0], &[2.0]).expect_err("it has no end");
         let told = matches!(error, Error::Integration { .. } | Error::NotFinite { .. });
         assert!(told, "{method:?}: {error:?}");
     }

@@ -1,7 +1,7 @@
 //! The library's own order 8, beside the DOP853 of the general integrators in the same run: error, evaluations, events.
 
 use super::*;
-use lab::general::{solve, until};
+use lab::general::Run;
 use spinning_bodies::integrators::{Event, Stop, System};
 
 /// A comet of eccentricity ½ with its own year, 2π: after whole years it is back.
@@ -38,7 +38,8 @@ fn beside(begun: f64, times: &[f64], tolerance: f64) -> [(f64, u64); 2] {
     let (effort, scales) = (Effort::Tolerance(tolerance), [1.0; 4]);
     let start = comet_at(begun);
     let own = order_eight(&comet, Kept::Nothing, &start, &scales, times, effort).unwrap();
-    let crates = solve(&comet, 0.0, &start, &scales, times, Method::Dop853, effort).unwrap();
+    let crates = Run::new(&comet, &scales, Method::Dop853, effort);
+    let crates = crates.solve(0.0, &start, times).unwrap();
     [own, crates].map(|run| {
         let off = times.iter().zip(&run.states).map(|(&t, y)| {
             let [x, z, ..] = comet_at(begun + t);
@@ -90,10 +91,8 @@ fn located<const N: usize>(
     let scales = [1.0; N];
     let leg = leg(system, (start, &scales), (&[], end));
     let effort = Effort::Tolerance(1e-15);
-    let (method, none) = (Method::Dop853, &[]);
-    let crates = until(
-        system, 0.0, start, &scales, none, end, event, method, effort,
-    );
+    let crates = Run::new(system, &scales, Method::Dop853, effort);
+    let crates = crates.until(0.0, start, &[], end, event);
     [leg.follow(Some(event), effort), crates].map(|run| {
         let run = run.unwrap();
         assert_eq!(run.stopped, Stop::AtTheEvent);
@@ -152,8 +151,8 @@ fn the_first_of_several_falls_is_found() {
             assert_eq!(run.stopped, Stop::AtTheEvent);
             assert!((run.time - 0.4).abs() < 1e-15, "{step}: {}", run.time);
         }
-        let (method, effort, none) = (Method::Rk4, Effort::Step(1.0), &[]);
-        let crates = until(&even, 0.0, &[0.0], &[1.0], none, 2.0, event, method, effort);
+        let crates = Run::new(&even, &[1.0], Method::Rk4, Effort::Step(1.0));
+        let crates = crates.until(0.0, &[0.0], &[], 2.0, event);
         assert!((crates.unwrap().time - 0.4).abs() < 1e-15);
     }
 }

@@ -13,7 +13,7 @@ fn candidate(problem: &Problem, name: &str) -> Candidate {
     let mut all = candidates(problem).unwrap();
     let place = all
         .iter()
-        .position(|c| c.name() == name)
+        .position(|c| c.name == name)
         .expect("a method of this name");
     all.swap_remove(place)
 }
@@ -56,7 +56,7 @@ fn rounding_is_called_the_floor_and_ends_the_sweep() {
         let [.., before, last] = &rows[..] else {
             panic!("{name}: {rows:?}");
         };
-        assert!(rows.len() < method.efforts().len(), "{name}");
+        assert!(rows.len() < method.efforts.len(), "{name}");
         assert_eq!([before.status, last.status], [Status::Floor; 2], "{name}");
         let errors = rows.iter().map(|r| r.error_attitude);
         let best = errors.fold(f64::INFINITY, f64::min);
@@ -75,7 +75,7 @@ fn a_sweep_stops_when_it_is_told_to() {
     let mut asked = 0;
     let rows = Trial::of(&free, &method).sweep(|rows, next| {
         assert_eq!(rows.len(), asked);
-        assert_eq!(next, method.efforts()[asked]);
+        assert_eq!(next, method.efforts[asked]);
         asked += 1;
         (rows.len() < 5).then(|| measure(&free, &method, next))
     });

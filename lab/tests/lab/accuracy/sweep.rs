@@ -15,7 +15,7 @@ fn rows(problem: &Problem, most: u64) -> Vec<(String, Option<u32>, Vec<Measureme
             let more = rows.last().is_none_or(|r| r.evaluations < most);
             more.then(|| measure(problem, method, effort))
         });
-        (method.name().to_owned(), method.method().order(), rows)
+        (method.name.clone(), method.method.order(), rows)
     });
     swept.collect()
 }

@@ -12,91 +12,17 @@ use crate::error::{Error, Result, finite, not_negative, positive, within};
 /// * on a thin string that of a constant acceleration;
 /// * on a thick one √(2(P + ε)/g) [E(φ|m) − E(φ₀|m)], tan²φ = (x + ε)/(p − x), ε = e/g, p and P the depths at which r² and r² + k²
 ///   would be zero, m = (p + ε)/(P + ε); the radius that shrinks is an ellipse that straightens. Here as one integral from x₀ to x by Carlson's
-///   functions (*A table of elliptic integrals of the second kind*, Math. Comp. 49, 1987): all terms are positive, and no difference is taken;
-/// * on a thick one without gravity an inverse hyperbolic sine.
+///   functions (*A table of elliptic integrals of the second kind*, Math. Comp. 49, 1987), as a multiple of the time on a string that stays as thick as
+///   at x₀: all terms are positive, no difference is taken, and neither a fall without gravity nor one from rest is an exception.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unwinding {
     toy: YoYo,
     gravity: f64,
     energy: f64,
     top: f64,
-    law: Law,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Law {
-    /// Speed at the upper end, acceleration.
-    Uniform { speed: f64, acceleration: f64 },
-    /// From the upper end on.
-    Elliptic(Arc),
-    /// √(2e).
-    Free { speed: f64 },
-}
-
-/// The way of a thick string under gravity from its upper end on, m.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Arc {
-    gravity: f64,
-    /// ε + x₀: from where it would be at rest to the upper end.
-    above: f64,
-    /// p − x₀, to where r² would be zero; and P − p, from there to where r² + k² would be.
-    left: f64,
-    beyond: f64,
-}
-
-impl Arc {
-    /// The time of this way, s: ∫ √((P − x)/(2g(x + ε)(p − x))) dx.
-    fn time(&self, way: f64) -> Result<f64> {
-        if way == 0.0 {
-            return Ok(0.0);
-        }
-        let roots = |way: f64| {
-            let left = (self.left - way).max(0.0);
-            [left, self.above + way, self.beyond + left].map(f64::sqrt)
-        };
-        let ([a, b, c], [a0, b0, c0]) = (roots(way), roots(0.0));
-        // Over this sum nothing vanishes or overflows where the way is short.
-        let (sum, s) = (b + b0, way / (b + b0));
-        let [x, y, z] = [
-            a * b * c0 + a0 * b0 * c,
-            a * c * b0 + a0 * c0 * b,
-            a * b0 * c0 + a0 * b * c,
-        ]
-        .map(|x| x / sum);
-        let second = (self.left + self.above) / 3.0 * s * s * rd(x * x, y * y, z * z)?;
-        let first = rf(x * x, y * y, z * z)?;
-        let integral = s * (self.beyond * (first + second) + a * a0 / z);
-        Ok(integral * (2.0 / self.gravity).sqrt())
-    }
-
-    /// The way that takes this time, up to the longest with its duration: by Newton's method in s, with way = s(s + 2√above), in which the motion from
-    /// rest is no exception.
-    fn way(&self, time: f64, [longest, duration]: [f64; 2]) -> Result<f64> {
-        let root = self.above.sqrt();
-        let way = |s: f64| s * (s + 2.0 * root);
-        let most = longest / ((self.above + longest).sqrt() + root);
-        // The time bends upward, so that steps come from above after the first and cannot overshoot.
-        let s = newton(most * (time / duration), most, |s| {
-            let left = self.left - way(s);
-            let pace = (2.0 * (self.beyond + left) / (self.gravity * left)).sqrt();
-            Ok((self.time(way(s))? - time) / pace)
-        })?;
-        Ok(way(s))
-    }
-}
-
-/// Newton's method between 0 and `most`, to rounding.
-fn newton(first: f64, most: f64, correction: impl Fn(f64) -> Result<f64>) -> Result<f64> {
-    let mut root = first;
-    for _ in 0..100 {
-        let next = (root - correction(root)?).clamp(0.0, most);
-        let step = (next - root).abs();
-        root = next;
-        if step <= 2.0 * f64::EPSILON * root {
-            break;
-        }
-    }
-    Ok(root)
+    /// At the upper end: the speed, and the acceleration on a string that stays as thick as there.
+    speed: f64,
+    acceleration: f64,
 }
 
 impl Unwinding {
@@ -124,13 +50,15 @@ impl Unwinding {
                 value: energy,
             });
         }
-        let law = law(&toy, gravity, e, top);
+        let factor = 1.0 + toy.gyration_squared() / toy.radius_squared(top);
         Ok(Self {
             toy,
             gravity,
             energy,
             top,
-            law,
+            // From rest below the hand.
+            speed: (2.0 * e.max(0.0) / factor).sqrt(),
+            acceleration: gravity / factor,
         })
     }
 
@@ -186,36 +114,47 @@ impl Unwinding {
     /// ```
     pub fn time_at(&self, depth: f64) -> Result<f64> {
         within("the depth of the yo-yo", depth, self.top, self.toy.length)?;
-        Ok(match self.law {
-            Law::Uniform {
-                speed,
-                acceleration,
-            } => {
-                let way = depth - self.top;
-                if way == 0.0 {
-                    0.0
-                } else {
-                    2.0 * way / (speed + (speed * speed + 2.0 * acceleration * way).sqrt())
-                }
-            }
-            Law::Elliptic(arc) => arc.time(depth - self.top)?,
-            Law::Free { speed } => self.free_time(depth) / speed,
-        })
+        self.time_of(depth - self.top)
     }
 
-    /// ∫ √((r² + k²)/r²) dx from the upper end: in s = r², the difference of √(s(s + k²)) + k² asinh √(s/k²) between both ends over q, by formulas
-    /// in which q cancels.
-    fn free_time(&self, depth: f64) -> f64 {
-        let (k2, q, way) = (
-            self.toy.gyration_squared(),
-            self.toy.thinning(),
-            depth - self.top,
-        );
-        let [from, to] = [self.top, depth].map(|x| self.toy.radius_squared(x));
-        let [a, b] = [from, to].map(|s| (s / k2).sqrt());
-        let roots = (from * (from + k2)).sqrt() + (to * (to + k2)).sqrt();
-        let mixed = a * (1.0 + b * b).sqrt() + b * (1.0 + a * a).sqrt();
-        way * (from + to + k2) / roots + k2 * (q * way / (k2 * mixed)).asinh() / q
+    /// The time of this way from the upper end, s.
+    fn time_of(&self, way: f64) -> Result<f64> {
+        if way == 0.0 {
+            return Ok(0.0);
+        }
+        let (speed, acceleration) = (self.speed, self.acceleration);
+        let even = self.even_time(way);
+        let later = speed + acceleration * even;
+        let q = self.toy.thinning() / self.toy.radius_squared(self.top);
+        if q == 0.0 {
+            return Ok(even);
+        }
+        // ∫ √(1 + k²/r²)/√(2(e + g x)) dx over what it is with r at the upper end.
+        let ([_, b0], [a, b]) = (self.roots(0.0), self.roots(way));
+        let [c0, c] = [speed, later].map(|v| v / (speed + later));
+        let [x, y, z] = [
+            a * b0 * c + b * c0,
+            b0 * c + a * b * c0,
+            b * c + a * b0 * c0,
+        ];
+        let bend = q * even * even * (2.0 * acceleration + q * speed * speed);
+        let second = bend / 12.0 * rd(x * x, y * y, z * z)?;
+        let first = rf(x * x, y * y, z * z)?;
+        let gyration = self.toy.gyration_squared() / self.toy.radius_squared(self.top);
+        Ok(even * ((gyration * (first + second) + a / z) / b0))
+    }
+
+    /// The same on a string that stays as thick as at the upper end.
+    fn even_time(&self, way: f64) -> f64 {
+        let square = self.speed * self.speed + 2.0 * self.acceleration * way;
+        2.0 * way / (self.speed + square.sqrt())
+    }
+
+    /// √r² and √(r² + k²) so far below the upper end, over r there.
+    fn roots(&self, way: f64) -> [f64; 2] {
+        let depth = (self.top + way).min(self.toy.length);
+        let [from, here] = [self.top, depth].map(|depth| self.toy.radius_squared(depth));
+        [here, here + self.toy.gyration_squared()].map(|square| (square / from).sqrt())
     }
 
     /// Time from the upper end to the end of the string, s.
@@ -259,18 +198,30 @@ impl Unwinding {
         if within("the time on the way down", time, 0.0, duration)? == duration {
             return Ok([length, self.omega(length)]);
         }
-        let way = match self.law {
-            Law::Uniform {
-                speed,
-                acceleration,
-            } => time * (speed + 0.5 * acceleration * time),
-            Law::Elliptic(arc) => arc.way(time, [length - self.top, duration])?,
-            Law::Free { speed } => newton(length * (time / duration), length, |depth| {
-                Ok((self.free_time(depth) / speed - time) * self.speed(depth))
-            })?,
-        };
+        let way = self.way_of(time, duration)?;
         let depth = (self.top + way).clamp(self.top, length);
         Ok([depth, self.omega_below(depth, way.max(0.0))])
+    }
+
+    /// The way from the upper end that takes this time: by Newton's method in the time that it takes on a string that stays as thick as there.
+    fn way_of(&self, time: f64, duration: f64) -> Result<f64> {
+        let way = |even: f64| even * (self.speed + 0.5 * self.acceleration * even);
+        if self.toy.thinning() == 0.0 {
+            return Ok(way(time));
+        }
+        let [_, b0] = self.roots(0.0);
+        let most = self.even_time(self.toy.length - self.top);
+        let mut even = most * (time / duration);
+        // The time bends upward, so that steps come from above after the first and cannot overshoot.
+        for _ in 0..100 {
+            let [a, b] = self.roots(way(even));
+            let step = (self.time_of(way(even))? - time) * (a * b0 / b);
+            even = (even - step).clamp(0.0, most);
+            if step.abs() <= 2.0 * f64::EPSILON * even {
+                break;
+            }
+        }
+        Ok(way(even))
     }
 
     /// The energy, J, with which a yo-yo leaves this depth (m) at this speed (m/s, either way) under `gravity`.
@@ -291,30 +242,5 @@ impl Unwinding {
         let omega = speed / positive("the winding radius", toy.radius(depth))?;
         let fallen = toy.mass * not_negative("gravity", gravity)? * depth;
         finite("the energy", toy.kinetic_energy(depth, omega) - fallen)
-    }
-}
-
-/// The law of the way from `top` on, for this energy over the mass.
-fn law(toy: &YoYo, gravity: f64, e: f64, top: f64) -> Law {
-    let slope = toy.thinning();
-    if slope == 0.0 {
-        let factor = 1.0 + toy.inertia_factor();
-        Law::Uniform {
-            // From rest below the hand.
-            speed: (2.0 * e.max(0.0) / factor).sqrt(),
-            acceleration: gravity / factor,
-        }
-    } else if gravity == 0.0 {
-        Law::Free {
-            speed: (2.0 * e).sqrt(),
-        }
-    } else {
-        Law::Elliptic(Arc {
-            gravity,
-            // Zero, not nearly zero, where the yo-yo starts from rest.
-            above: if e <= 0.0 { 0.0 } else { e / gravity },
-            left: toy.radius_squared(top) / slope,
-            beyond: toy.gyration_squared() / slope,
-        })
     }
 }

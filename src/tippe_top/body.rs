@@ -6,17 +6,16 @@ use super::surface::{Surface, mirrored};
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::finite_vector;
 use crate::frame::{Attitude, BodyVector, SpaceVector};
-use crate::inertia::{InertiaMatrix, PrincipalAxes};
+use crate::inertia::InertiaMatrix;
 
 /// A rigid body with a smooth convex surface (tutorial 4.7). Its reference point is the centre of mass C.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ConvexBody {
     pub(super) mass: f64,
-    pub(super) inertia: Matrix3<f64>,
+    pub(super) inertia: InertiaMatrix,
     pub(super) inverse: Matrix3<f64>,
     pub(super) surface: Surface,
     pub(super) center: Vector3<f64>,
-    about_c: InertiaMatrix,
 }
 
 impl ConvexBody {
@@ -52,11 +51,10 @@ impl ConvexBody {
         })?;
         Ok(Self {
             mass,
-            inertia: matrix,
+            inertia,
             inverse,
             surface,
             center: center.components(),
-            about_c: inertia,
         })
     }
 
@@ -83,7 +81,7 @@ impl ConvexBody {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub const fn inertia(&self) -> &InertiaMatrix {
-        &self.about_c
+        &self.inertia
     }
 
     /// The surface.
@@ -117,12 +115,12 @@ impl ConvexBody {
     #[must_use]
     pub fn mirrored(&self) -> Self {
         let mut image = *self;
-        image.inertia = mirrored(&self.inertia);
         image.inverse = mirrored(&self.inverse);
         image.surface = self.surface.mirrored();
         image.center.y = -self.center.y;
         // The mirror image of the inertia matrix of a body is one.
-        image.about_c = InertiaMatrix::from_matrix(image.inertia).unwrap_or(self.about_c);
+        let inertia = InertiaMatrix::from_matrix(mirrored(&self.inertia.matrix()));
+        image.inertia = inertia.unwrap_or(self.inertia);
         image
     }
 
@@ -150,7 +148,7 @@ impl ConvexBody {
     /// Constant under any force at the contact if the body has an inertial axis of symmetry through K
     /// (see [`has_jellett_integral`](Self::has_jellett_integral)).
     pub(crate) fn jellett(&self, up: BodyVector, omega: BodyVector) -> f64 {
-        let l = self.inertia * omega.components();
+        let l = self.inertia.matrix() * omega.components();
         -l.dot(&self.arm(&up.components()))
     }
 
@@ -163,15 +161,12 @@ impl ConvexBody {
             // K = C: ⟨L, z⟩, which friction changes only through the arm R z, parallel to z.
             return true;
         };
-        let axial = axis.dot(&(self.inertia * axis));
-        let transverse = 0.5 * (self.inertia.trace() - axial);
+        let inertia = self.inertia.matrix();
+        let axial = axis.dot(&(inertia * axis));
+        let transverse = 0.5 * (inertia.trace() - axial);
         let symmetric =
             Matrix3::identity() * transverse + axis * axis.transpose() * (axial - transverse);
-        (self.inertia - symmetric).amax() <= 8.0 * f64::EPSILON * self.inertia.amax()
-    }
-
-    pub(super) fn principal(&self) -> PrincipalAxes {
-        self.about_c.principal_axes()
+        (inertia - symmetric).amax() <= 8.0 * f64::EPSILON * inertia.amax()
     }
 
     /// √(gR), the speed against which slips are small or large, m/s.
@@ -181,7 +176,7 @@ impl ConvexBody {
 
     /// Kinetic energy (J) at this angular velocity and velocity of C.
     pub(crate) fn kinetic_energy(&self, omega: &Vector3<f64>, velocity: &Vector3<f64>) -> f64 {
-        0.5 * (omega.dot(&(self.inertia * omega)) + self.mass * velocity.norm_squared())
+        0.5 * (omega.dot(&(self.inertia.matrix() * omega)) + self.mass * velocity.norm_squared())
     }
 }
 

@@ -43,7 +43,7 @@ impl Contact {
             slip: Vector3::zeros(),
             reaction: 0.0,
             traction: Vector3::zeros(),
-            omega_rate: body.inverse * -omega.cross(&(body.inertia * omega)),
+            omega_rate: body.inverse * -omega.cross(&(body.inertia.matrix() * omega)),
             power: 0.0,
         }
     }
@@ -118,7 +118,7 @@ impl Table {
             // C moves up or down as the contact asks, which cancels the vertical part of the swing.
             slip: pose.level + swing - up * up.dot(&swing),
             whirl: omega.cross(&(swing - rate)),
-            free: body.inverse * omega.cross(&(body.inertia * omega)),
+            free: body.inverse * omega.cross(&(body.inertia.matrix() * omega)),
             couple: self.resistance.map(|law| law.couple(omega, up)),
         }
     }

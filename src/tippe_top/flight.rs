@@ -146,7 +146,7 @@ impl ConvexBody {
 
     /// No angular velocity of the free body exceeds the one at the start by more than this factor: energy is conserved.
     fn slenderness(&self) -> f64 {
-        let moments = self.principal().moments;
+        let moments = self.inertia().principal_axes().moments;
         (moments[2] / moments[0]).sqrt()
     }
 }
@@ -161,28 +161,18 @@ impl Table {
     /// # Errors
     /// [`Error::Integration`] for a blow that is not finite.
     pub(crate) fn landed(&self, y: &Numbers, climb: f64) -> Result<Numbers> {
-        let body = &self.body;
         let pose = Pose::of(y);
-        let velocity = pose.level + pose.up * climb;
-        let arm = body.arm(&pose.up);
-        let contact = velocity + pose.omega.cross(&arm);
-        let matrix = body.yielding(&arm);
-        let after = self.blow(&pose.up, &contact, matrix)?;
-        let inverse = matrix.try_inverse().unwrap_or_else(Matrix3::zeros);
-        Ok(body.struck(y, &pose, &velocity, &arm, &(inverse * (after - contact))))
+        let arm = self.body.arm(&pose.up);
+        let contact = pose.level + pose.up * climb + pose.omega.cross(&arm);
+        let after = self.blow(&pose.up, &contact, self.body.yielding(&arm))?;
+        Ok(self.body.struck(y, &pose, climb, after))
     }
 
     /// The state with all velocity of the point in contact taken away by a blow.
     pub(crate) fn held(&self, y: &Numbers) -> Numbers {
-        let body = &self.body;
         let pose = Pose::of(y);
-        let arm = body.arm(&pose.up);
-        let (_, climb) = body.height(&pose);
-        let velocity = pose.level + pose.up * climb;
-        let contact = velocity + pose.omega.cross(&arm);
-        let inverse = body.yielding(&arm).try_inverse();
-        let impulse = inverse.map_or_else(Vector3::zeros, |inverse| inverse * -contact);
-        body.struck(y, &pose, &velocity, &arm, &impulse)
+        let (_, climb) = self.body.height(&pose);
+        self.body.struck(y, &pose, climb, Vector3::zeros())
     }
 
     /// The velocity of the point in contact after a blow.
@@ -298,19 +288,18 @@ const SETTLED: f64 = 1e-12;
 const NO_SLIP: f64 = 1e-15;
 
 impl ConvexBody {
-    /// The state after this impulse at the contact.
-    fn struck(
-        &self,
-        y: &Numbers,
-        pose: &Pose,
-        velocity: &Vector3<f64>,
-        arm: &Vector3<f64>,
-        impulse: &Vector3<f64>,
-    ) -> Numbers {
-        let omega = pose.omega + self.inverse * arm.cross(impulse);
+    /// The state after the blow that leaves the point in contact this velocity, where C had that vertical one.
+    fn struck(&self, y: &Numbers, pose: &Pose, climb: f64, contact: Vector3<f64>) -> Numbers {
+        let velocity = pose.level + pose.up * climb;
+        let arm = self.arm(&pose.up);
+        let change = contact - (velocity + pose.omega.cross(&arm));
+        let inverse = self.yielding(&arm).try_inverse();
+        let impulse = inverse.unwrap_or_else(Matrix3::zeros) * change;
+        let omega = pose.omega + self.inverse * arm.cross(&impulse);
         let after = velocity + impulse / self.mass;
         let level = pose.turn * after;
-        let lost = self.kinetic_energy(&pose.omega, velocity) - self.kinetic_energy(&omega, &after);
+        let lost =
+            self.kinetic_energy(&pose.omega, &velocity) - self.kinetic_energy(&omega, &after);
         let mut y = *y;
         (y[4], y[5], y[6]) = (omega.x, omega.y, omega.z);
         (y[7], y[8]) = (level.x, level.y);

@@ -117,11 +117,9 @@ fn newton(table: &Table, spin: f64, start: Vector4<f64>) -> Result<Vector4<f64>>
     let mut x = start;
     let mut value = residual(&x);
     for _ in 0..60 {
-        let jacobian = SMatrix::<f64, 4, 4>::from_columns(&core::array::from_fn::<_, 4, _>(|i| {
-            let mut shift = Vector4::zeros();
-            shift[i] = stride;
-            (residual(&(x + shift)) - residual(&(x - shift))) / (2.0 * stride)
-        }));
+        let Ok(jacobian) = jacobian(residual, x, [stride; 4], [1.0; 4]) else {
+            break;
+        };
         let Some(step) = jacobian.lu().solve(&value) else {
             break;
         };
@@ -178,10 +176,10 @@ fn growth_rates(table: &Table, up: Vector3<f64>, [a, b]: [f64; 2], spin: f64) ->
     let n = (0.02 * sharp / swing).min(1e-3);
     let omega = up * spin;
     let x = SVector::from([up.x, up.y, omega.x, omega.y, omega.z, a, b]);
-    let jacobian = jacobian(rate, x, [n, n, w, w, w, v, v]);
     let turn = spin.abs();
-    let scaled = scaled(jacobian, [1.0, 1.0, turn, turn, turn, swing, swing])?;
-    let values: [Complex<f64>; 7] = scaled.complex_eigenvalues().into();
+    let scales = [1.0, 1.0, turn, turn, turn, swing, swing];
+    let jacobian = jacobian(rate, x, [n, n, w, w, w, v, v], scales)?;
+    let values: [Complex<f64>; 7] = jacobian.complex_eigenvalues().into();
     let [_, rest @ ..] = sorted(values, |a, b| a.norm().total_cmp(&b.norm()));
     Ok(sorted(rest, |a, b| b.re.total_cmp(&a.re)).map(Rate::from))
 }
@@ -203,12 +201,23 @@ fn sorted<T, const N: usize>(
     values
 }
 
-/// Each coordinate over its scale, so that the eigenvalue solver sees numbers of one size.
-fn scaled<const N: usize>(
-    matrix: SMatrix<f64, N, N>,
+/// By differences of fourth order, each coordinate over its scale, so that the eigenvalue solver sees numbers of one size.
+fn jacobian<const N: usize>(
+    rate: impl Fn(&SVector<f64, N>) -> SVector<f64, N>,
+    x: SVector<f64, N>,
+    strides: [f64; N],
     scales: [f64; N],
 ) -> Result<SMatrix<f64, N, N>> {
-    let matrix = SMatrix::<f64, N, N>::from_fn(|i, j| matrix[(i, j)] * scales[j] / scales[i]);
+    let columns: [SVector<f64, N>; N] = core::array::from_fn(|i| {
+        let at = |factor: f64| {
+            let mut moved = x;
+            moved[i] += factor * strides[i];
+            rate(&moved)
+        };
+        let near = (at(1.0) - at(-1.0)) * 8.0;
+        (near - (at(2.0) - at(-2.0))) / (12.0 * strides[i])
+    });
+    let matrix = SMatrix::<f64, N, N>::from_fn(|i, j| columns[j][i] * scales[j] / scales[i]);
     if matrix.iter().all(|x| x.is_finite()) {
         Ok(matrix)
     } else {
@@ -217,23 +226,6 @@ fn scaled<const N: usize>(
             value: matrix.sum(),
         })
     }
-}
-
-/// Differences of fourth order.
-fn jacobian<const N: usize>(
-    rate: impl Fn(&SVector<f64, N>) -> SVector<f64, N>,
-    x: SVector<f64, N>,
-    strides: [f64; N],
-) -> SMatrix<f64, N, N> {
-    SMatrix::from_columns(&core::array::from_fn::<_, N, _>(|i| {
-        let at = |factor: f64| {
-            let mut moved = x;
-            moved[i] += factor * strides[i];
-            rate(&moved)
-        };
-        let near = (at(1.0) - at(-1.0)) * 8.0;
-        (near - (at(2.0) - at(-2.0))) / (12.0 * strides[i])
-    }))
 }
 
 /// The eigenvalues (1/s) of pure rolling about steady spin round the third axis, which must be vertical-steady: CK along it and the
@@ -278,8 +270,7 @@ pub fn rolling_growth_rates(body: &ConvexBody, gravity: f64, spin: f64) -> Resul
     }
     let turn = natural.max(spin.abs());
     let strides = [1e-3, 1e-3, 1e-3 * turn, 1e-3 * turn];
-    let jacobian = jacobian(rate, Vector4::zeros(), strides);
-    let scaled = scaled(jacobian, [1.0, 1.0, turn, turn])?;
-    let values: [Complex<f64>; 4] = scaled.complex_eigenvalues().into();
+    let jacobian = jacobian(rate, Vector4::zeros(), strides, [1.0, 1.0, turn, turn])?;
+    let values: [Complex<f64>; 4] = jacobian.complex_eigenvalues().into();
     Ok(sorted(values, |a, b| b.re.total_cmp(&a.re)).map(Rate::from))
 }

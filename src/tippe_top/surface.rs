@@ -124,11 +124,7 @@ impl Surface {
 
 /// M with the sign of everything changed that is odd in the second axis.
 pub(super) fn mirrored(matrix: &Matrix3<f64>) -> Matrix3<f64> {
-    Matrix3::from_fn(|i, j| {
-        if (i == 1) == (j == 1) {
-            matrix[(i, j)]
-        } else {
-            -matrix[(i, j)]
-        }
-    })
+    matrix.component_mul(&Matrix3::new(
+        1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0,
+    ))
 }

@@ -5,10 +5,10 @@
 //! All of this happens on the deviator, the matrix less a third of its trace, so that near-equal moments are seen
 //! in their own scale. Moments that drown in the rounding of others are found once more, in 106 bits. After D. Eberly, "A robust eigensolver for 3×3 symmetric matrices".
 
-use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
 use crate::error::{Error, Result, finite};
-use crate::precise::{DoubleDouble, Extended, Number};
+use crate::precise::{DoubleDouble, Extended, Number, quick};
 
 /// Principal moments, ascending, and principal axes (2.4).
 ///
@@ -102,7 +102,7 @@ pub(super) fn symmetric(entries: &'static str, matrix: &Matrix3<f64>, slack: f64
     Ok(())
 }
 
-type V = [f64; 3];
+type V = Vector3<f64>;
 
 /// Below this part of the largest a moment has lost more than four bits to the rounding of the mean.
 const NEEDLE: f64 = 1.0 / 16.0;
@@ -127,27 +127,17 @@ pub(super) fn symmetric_axes(matrix: &Matrix3<f64>) -> PrincipalAxes {
     }
     // The deviator. Any number near the mean will do as the shift; the subtraction is exact where entries are close.
     let mean = (m00 + m11 + m22) * (1.0 / 3.0);
-    let (d0, d1, d2) = (m00 - mean, m11 - mean, m22 - mean);
-    let size = [d0, d1, d2, m01, m02, m12]
-        .into_iter()
-        .fold(
-            0.0,
-            |size, x: f64| if x.abs() > size { x.abs() } else { size },
-        );
+    let deviator = matrix - Matrix3::from_diagonal_element(mean);
+    let size = deviator.fold(0.0, |size, x: f64| quick::greater(x.abs(), size));
     let (down, up) = powers_of_two(size);
-    let b = Deviator {
-        diagonal: [d0 * down, d1 * down, d2 * down],
-        off: [m01 * down, m02 * down, m12 * down],
-    };
-    let (separated, side) = b.separated_root();
-    let apart = b.axis_of(separated);
-    let [u, w] = across(apart);
-    let (bu, bw) = (b.times(u), b.times(w));
-    let (uu, uw, ww) = (dot(u, bu), dot(u, bw), dot(w, bw));
-    let (cosine, sine, low, high) = plane_rotation(uu, uw, ww);
-    let first = combine(cosine, u, -sine, w);
-    let second = combine(sine, u, cosine, w);
-    let alone = dot(apart, b.times(apart));
+    let b = deviator * down;
+    let (separated, side) = separated_root(&b);
+    let apart = axis_of(&b, separated);
+    let [u, w] = across(&apart);
+    let (bu, bw) = (b * u, b * w);
+    let (cosine, sine, low, high) = plane_rotation(u.dot(&bu), u.dot(&bw), w.dot(&bw));
+    let (first, second) = (u * cosine - w * sine, u * sine + w * cosine);
+    let alone = apart.dot(&(b * apart));
     // (apart, first, second) is right-handed, and so is its cyclic shift.
     let (values, mut axes) = match side {
         Side::Smallest => ([alone, low, high], [apart, first, second]),
@@ -171,7 +161,7 @@ pub(super) fn symmetric_axes(matrix: &Matrix3<f64>) -> PrincipalAxes {
     moments[2] = moments[2].max(moments[1]);
     PrincipalAxes {
         moments,
-        axes: Matrix3::from_columns(&axes.map(Into::into)),
+        axes: Matrix3::from_columns(&axes),
     }
 }
 
@@ -182,7 +172,7 @@ pub(super) fn symmetric_axes(matrix: &Matrix3<f64>) -> PrincipalAxes {
 ///
 /// Out of line: within its caller the registers do not suffice for either.
 #[inline(never)]
-fn found_again<N: Number>(a: [f64; 6], moments: &mut V, axes: &mut [V; 3], side: Side) {
+fn found_again<N: Number>(a: [f64; 6], moments: &mut [f64; 3], axes: &mut [V; 3], side: Side) {
     let [x, y, z, xy, xz, yz] = a;
     let minor = |a: f64, b: f64, c: f64, d: f64| N::product(a, b).add_alike(N::product(-c, d));
     // det(A − v) = cube − v (squares − v (trace − v)).
@@ -257,31 +247,24 @@ fn found_again<N: Number>(a: [f64; 6], moments: &mut V, axes: &mut [V; 3], side:
     if largest.is_zero() {
         return;
     }
-    let axis = column.map(|x| x.ratio(largest));
-    let across = combine(1.0, axis, -dot(axis, axes[apart]), axes[apart]);
-    let (length, whole) = (dot(across, across), dot(axis, axis));
+    let axis = V::from(column.map(|x| x.ratio(largest)));
+    let across = axis - axes[apart] * axis.dot(&axes[apart]);
+    let (length, whole) = (across.dot(&across), axis.dot(&axis));
     // Where the two moments agree to the last bits the column says nothing, and any pair will do.
     if length > 0.5 * whole {
-        axes[low] = across.map(|x| x / length.sqrt());
-        axes[high] = cross(axes[apart], axes[low]);
+        axes[low] = across / length.sqrt();
+        axes[high] = axes[apart].cross(&axes[low]);
     }
 }
 
 /// A diagonal matrix: its own entries in order, and coordinate axes, the last reversed if need be.
-fn coordinate_axes(diagonal: V) -> PrincipalAxes {
+fn coordinate_axes(diagonal: [f64; 3]) -> PrincipalAxes {
     let mut order = [0, 1, 2];
     order.sort_by(|&i, &j| diagonal[i].total_cmp(&diagonal[j]));
-    let mut axes = Matrix3::zeros();
-    for (column, &row) in order.iter().enumerate() {
-        axes[(row, column)] = 1.0;
-    }
-    let even = order == [0, 1, 2] || order == [1, 2, 0] || order == [2, 0, 1];
-    if !even {
-        axes[(order[2], 2)] = -1.0;
-    }
+    let [first, second, _] = order.map(|i| V::ith(i, 1.0));
     PrincipalAxes {
         moments: order.map(|i| diagonal[i]),
-        axes,
+        axes: Matrix3::from_columns(&[first, second, first.cross(&second)]),
     }
 }
 
@@ -301,97 +284,62 @@ enum Side {
     Largest,
 }
 
-/// A symmetric matrix of vanishing trace, entries near 1.
-struct Deviator {
-    diagonal: V,
-    /// Entries 01, 02, 12.
-    off: V,
+/// Of a symmetric matrix B of vanishing trace, entries near 1: the root of the characteristic cubic that is at least as far from the middle one as the other.
+///
+/// With p² = |B|²/6 and h = det B/2p³ the roots are pt, t³ − 3t = 2h. For h ≥ 0 the largest lies between √3 and 2 and
+/// its distance from the next is at least √3; for h < 0 the same holds of the smallest.
+#[inline]
+fn separated_root(b: &Matrix3<f64>) -> (f64, Side) {
+    let (diagonal, off) = (b.diagonal(), V::new(b.m12, b.m13, b.m23));
+    let squares = (diagonal.dot(&diagonal) + 2.0 * off.dot(&off)) / 6.0;
+    let p = squares.sqrt();
+    let determinant = b.determinant();
+    let h = (0.5 * determinant.abs() / (squares * p)).min(1.0);
+    // Minimax cubic for 2 cos(arccos(h)/3) on 0..1, error 7e-5; two Newton steps square it twice.
+    let mut t = GUESS[0] + h * (GUESS[1] + h * (GUESS[2] + h * GUESS[3]));
+    for _ in 0..2 {
+        let tt = t * t;
+        t = (2.0 * t * tt + 2.0 * h) / (3.0 * (tt - 1.0));
+    }
+    if determinant < 0.0 {
+        (-p * t, Side::Smallest)
+    } else {
+        (p * t, Side::Largest)
+    }
 }
 
-impl Deviator {
-    /// The root of the characteristic cubic that is at least as far from the middle one as the other.
-    ///
-    /// With p² = |B|²/6 and h = det B/2p³ the roots are pt, t³ − 3t = 2h. For h ≥ 0 the largest lies between √3 and 2 and
-    /// its distance from the next is at least √3; for h < 0 the same holds of the smallest.
-    #[inline]
-    fn separated_root(&self) -> (f64, Side) {
-        let [d0, d1, d2] = self.diagonal;
-        let [o01, o02, o12] = self.off;
-        let off_squares = o01 * o01 + o02 * o02 + o12 * o12;
-        let squares = (d0 * d0 + d1 * d1 + d2 * d2 + 2.0 * off_squares) / 6.0;
-        let p = squares.sqrt();
-        let determinant = d0 * (d1 * d2 - o12 * o12) - o01 * (o01 * d2 - o12 * o02)
-            + o02 * (o01 * o12 - d1 * o02);
-        let h = (0.5 * determinant.abs() / (squares * p)).min(1.0);
-        // Minimax cubic for 2 cos(arccos(h)/3) on 0..1, error 7e-5; two Newton steps square it twice.
-        let mut t = GUESS[0] + h * (GUESS[1] + h * (GUESS[2] + h * GUESS[3]));
-        for _ in 0..2 {
-            let tt = t * t;
-            t = (2.0 * t * tt + 2.0 * h) / (3.0 * (tt - 1.0));
-        }
-        if determinant < 0.0 {
-            (-p * t, Side::Smallest)
-        } else {
-            (p * t, Side::Largest)
-        }
-    }
-
-    /// The unit vector that B − root annihilates: the longest cross product of two of its rows.
-    ///
-    /// For the separated root that product is at least 2√3 p² long, so its direction is good to a few eps.
-    #[inline]
-    fn axis_of(&self, root: f64) -> V {
-        let [d0, d1, d2] = self.diagonal.map(|d| d - root);
-        let [o01, o02, o12] = self.off;
-        // The columns of the adjugate, which is symmetric: six minors serve for all three.
-        let (a00, a11, a22) = (
-            d1 * d2 - o12 * o12,
-            d0 * d2 - o02 * o02,
-            d0 * d1 - o01 * o01,
-        );
-        let (a01, a02, a12) = (
-            o02 * o12 - o01 * d2,
-            o01 * o12 - o02 * d1,
-            o01 * o02 - o12 * d0,
-        );
-        // The adjugate is a multiple of v vᵀ, so its largest diagonal entry marks the longest column.
-        let (b0, b1, b2) = (a00.abs(), a11.abs(), a22.abs());
-        let column = if b0 >= b1 && b0 >= b2 {
-            [a00, a01, a02]
-        } else if b1 >= b2 {
-            [a01, a11, a12]
-        } else {
-            [a02, a12, a22]
-        };
-        let inverse = 1.0 / dot(column, column).sqrt();
-        column.map(|x| x * inverse)
-    }
-
-    /// B v.
-    #[inline]
-    fn times(&self, v: V) -> V {
-        let [d0, d1, d2] = self.diagonal;
-        let [o01, o02, o12] = self.off;
-        [
-            d0 * v[0] + o01 * v[1] + o02 * v[2],
-            o01 * v[0] + d1 * v[1] + o12 * v[2],
-            o02 * v[0] + o12 * v[1] + d2 * v[2],
-        ]
-    }
+/// The unit vector that B − root annihilates: the longest cross product of two of its columns.
+///
+/// For the separated root that product is at least 2√3 p² long, so its direction is good to a few eps.
+#[inline]
+fn axis_of(b: &Matrix3<f64>, root: f64) -> V {
+    let shifted = b - Matrix3::from_diagonal_element(root);
+    let [x, y, z] = [0, 1, 2].map(|k| V::from(shifted.column(k)));
+    // Together they are the adjugate, a multiple of v vᵀ: its largest diagonal entry marks the longest.
+    let [x, y, z] = [y.cross(&z), z.cross(&x), x.cross(&y)];
+    let sizes = [x.x.abs(), y.y.abs(), z.z.abs()];
+    let longest = if sizes[0] >= sizes[1] && sizes[0] >= sizes[2] {
+        x
+    } else if sizes[1] >= sizes[2] {
+        y
+    } else {
+        z
+    };
+    longest * (1.0 / longest.dot(&longest).sqrt())
 }
 
 /// Two unit vectors that with the unit vector `n` make a right-handed frame (n, u, w).
 ///
 /// T. Duff et al., "Building an orthonormal basis, revisited": no root, no cancellation.
 #[inline]
-fn across(n: V) -> [V; 2] {
-    let [x, y, z] = n;
+fn across(n: &V) -> [V; 2] {
+    let [x, y, z] = (*n).into();
     let sign = 1.0_f64.copysign(z);
     let a = -1.0 / (sign + z);
     let b = x * y * a;
     [
-        [1.0 + sign * x * x * a, sign * b, -sign * x],
-        [b, sign + y * y * a, -y],
+        V::new(1.0 + sign * x * x * a, sign * b, -sign * x),
+        V::new(b, sign + y * y * a, -y),
     ]
 }
 
@@ -414,24 +362,4 @@ fn plane_rotation(uu: f64, uw: f64, ww: f64) -> (f64, f64, f64, f64) {
         // u carries the larger value: a quarter turn more puts the lower first again.
         (sine, cosine, ww - tangent * uw, uu + tangent * uw)
     }
-}
-
-#[inline]
-fn dot(a: V, b: V) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-#[inline]
-fn cross(a: V, b: V) -> V {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-/// αa + βb.
-#[inline]
-fn combine(alpha: f64, a: V, beta: f64, b: V) -> V {
-    [0, 1, 2].map(|i| alpha * a[i] + beta * b[i])
 }

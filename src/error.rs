@@ -241,6 +241,17 @@ pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64> {
     }
 }
 
+/// Whether all of them are finite.
+pub(crate) fn each_finite(
+    quantity: &'static str,
+    values: impl IntoIterator<Item = f64>,
+) -> Result<()> {
+    for value in values {
+        finite(quantity, value)?;
+    }
+    Ok(())
+}
+
 /// `value`, if it is finite and greater than zero.
 pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<f64> {
     if finite(quantity, value)? > 0.0 {

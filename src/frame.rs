@@ -27,7 +27,7 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector3};
 
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, each_finite, finite};
 
 /// Axes attached to the body, turning with it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -184,9 +184,7 @@ impl<Axes> FrameVector<Axes> {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn direction(&self, quantity: &'static str) -> Result<Self> {
-        for component in self.components.iter() {
-            finite(quantity, *component)?;
-        }
+        each_finite(quantity, self.components.iter().copied())?;
         let largest = self.components.amax();
         if largest == 0.0 {
             return Err(Error::ZeroVector { quantity });
@@ -318,9 +316,7 @@ pub(crate) fn finite_vector<Axes>(
     quantity: &'static str,
     vector: FrameVector<Axes>,
 ) -> Result<FrameVector<Axes>> {
-    for component in vector.components().iter() {
-        finite(quantity, *component)?;
-    }
+    each_finite(quantity, vector.components().iter().copied())?;
     Ok(vector)
 }
 
@@ -359,9 +355,7 @@ impl Attitude {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn from_quaternion(w: f64, x: f64, y: f64, z: f64) -> Result<Self> {
-        for component in [w, x, y, z] {
-            finite("a quaternion component", component)?;
-        }
+        each_finite("a quaternion component", [w, x, y, z])?;
         let largest = [w, x, y, z]
             .into_iter()
             .fold(0.0, |m: f64, c| m.max(c.abs()));

@@ -12,7 +12,9 @@
 //! # Ok::<(), spinning_bodies::Error>(())
 //! ```
 
-use crate::error::{Error, Result, finite, positive, within};
+use nalgebra::Vector3;
+
+use crate::error::{Error, Result, each_finite, finite, positive, within};
 use crate::precise::{DoubleDouble, Number, power_of_two_below};
 
 /// Which way round the corners A, R, B run.
@@ -339,7 +341,8 @@ fn side_torque(from: [f64; 2], to: [f64; 2], hinge: [f64; 2]) -> Result<f64> {
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn tetrahedron_areas(vertices: [[f64; 3]; 4]) -> Result<[[f64; 3]; 4]> {
-    let volume = triple(edges_from(vertices, 0)?);
+    let [u, v, w] = edges_from(vertices)?;
+    let volume = u.cross(&v).dot(&w);
     if volume == 0.0 {
         let condition = "the tetrahedron must enclose a volume";
         return Err(Error::Condition {
@@ -352,42 +355,22 @@ pub fn tetrahedron_areas(vertices: [[f64; 3]; 4]) -> Result<[[f64; 3]; 4]> {
         // The three corners of the face, and from the first of them the edges to the other two and to the apex.
         let face: Vec<usize> = (0..4).filter(|&j| j != k).collect();
         let corner = |j: usize| vertices[face[j]];
-        let [u, v, apex] = edges_from([corner(0), corner(1), corner(2), vertices[k]], 0)?;
-        let normal = cross(u, v);
+        let [u, v, apex] = edges_from([corner(0), corner(1), corner(2), vertices[k]])?;
+        let normal = u.cross(&v);
         // The apex lies inside: outward is away from it.
-        let outward = if triple([u, v, apex]) > 0.0 {
-            -0.5
-        } else {
-            0.5
-        };
-        for (component, n) in area.iter_mut().zip(normal) {
-            *component = finite("a face of the tetrahedron", outward * n)?;
-        }
+        let outward = if normal.dot(&apex) > 0.0 { -0.5 } else { 0.5 };
+        *area = (normal * outward).into();
+        each_finite("a face of the tetrahedron", *area)?;
     }
     Ok(areas)
 }
 
-fn edges_from(vertices: [[f64; 3]; 4], first: usize) -> Result<[[f64; 3]; 3]> {
-    let mut edges = [[0.0; 3]; 3];
-    for (edge, vertex) in edges.iter_mut().zip(&vertices[first + 1..]) {
-        for k in 0..3 {
-            edge[k] = finite("an edge of the tetrahedron", vertex[k] - vertices[first][k])?;
-        }
+fn edges_from([first, others @ ..]: [[f64; 3]; 4]) -> Result<[Vector3<f64>; 3]> {
+    let edges = others.map(|vertex| Vector3::from(vertex) - Vector3::from(first));
+    for edge in edges {
+        each_finite("an edge of the tetrahedron", edge.iter().copied())?;
     }
     Ok(edges)
-}
-
-fn cross(u: [f64; 3], v: [f64; 3]) -> [f64; 3] {
-    [
-        u[1] * v[2] - u[2] * v[1],
-        u[2] * v[0] - u[0] * v[2],
-        u[0] * v[1] - u[1] * v[0],
-    ]
-}
-
-fn triple([u, v, w]: [[f64; 3]; 3]) -> f64 {
-    let normal = cross(u, v);
-    normal[0] * w[0] + normal[1] * w[1] + normal[2] * w[2]
 }
 
 fn angle_of_triangle(gamma: f64) -> Result<f64> {

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::error::{Error, Result, finite, not_negative, positive};
+use crate::error::{Error, Result, each_finite, finite, not_negative, positive};
 use crate::frame::FrameVector;
 
 /// What a quantity is allowed to do.
@@ -62,9 +62,7 @@ impl<Axes> From<FrameVector<Axes>> for Value {
 impl Value {
     /// This, if its components are finite.
     fn checked(self, name: &'static str) -> Result<Self> {
-        for component in self.components() {
-            finite(name, component)?;
-        }
+        each_finite(name, self.components())?;
         Ok(self)
     }
 
@@ -75,15 +73,19 @@ impl Value {
         }
     }
 
+    /// A number as it is, of a vector the magnitude.
+    fn told(self) -> f64 {
+        match self {
+            Self::Scalar(value) => value,
+            vector => vector.magnitude(),
+        }
+    }
+
     fn components(self) -> [f64; 3] {
         match self {
             Self::Scalar(value) => [value, 0.0, 0.0],
             Self::Vector(components) => components,
         }
-    }
-
-    fn is_finite(self) -> bool {
-        self.components().iter().all(|c| c.is_finite())
     }
 }
 
@@ -99,18 +101,12 @@ impl Entry {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn first(&self) -> f64 {
-        match self.first {
-            Value::Scalar(value) => value,
-            vector => vector.magnitude(),
-        }
+        self.first.told()
     }
 
     /// Latest value recorded, as [`Entry::first`]; not finite if a record was refused.
     pub(crate) fn last(&self) -> f64 {
-        match self.last {
-            Value::Scalar(value) => value,
-            vector => vector.magnitude(),
-        }
+        self.last.told()
     }
 
     /// Largest violation so far, as [`Law`] counts it, over the scale of the quantity, dimensionless. Never NaN: a value that was not finite
@@ -136,15 +132,14 @@ impl Entry {
     /// been made infinite, so that a caller who drops the error still cannot report a clean run.
     fn book(&mut self, value: Value) -> Result<()> {
         self.last = value;
-        let drift = if value.is_finite() {
-            self.violation(value)
-        } else {
-            f64::INFINITY
-        };
+        let checked = value.checked(self.name);
+        let drift = checked
+            .as_ref()
+            .map_or(f64::INFINITY, |_| self.violation(value));
         if drift > self.drift {
             self.drift = drift;
         }
-        value.checked(self.name).map(|_| ())
+        checked.map(drop)
     }
 
     fn violation(&mut self, value: Value) -> f64 {
@@ -223,8 +218,8 @@ impl Ledger {
     /// ```
     pub fn open(&mut self, name: &'static str, law: Law, first: f64) -> Result<ScalarAccount> {
         finite(name, first)?;
-        self.push(name, law, Value::Scalar(first), first.abs());
-        Ok(ScalarAccount(self.entries.len() - 1))
+        let place = self.push(name, law, first.into(), first.abs());
+        Ok(ScalarAccount(place))
     }
 
     /// Opens an account for a scalar whose relative drift is measured against `scale`, in the unit of the
@@ -252,8 +247,7 @@ impl Ledger {
     ) -> Result<ScalarAccount> {
         finite(name, first)?;
         let scale = positive("the scale of a ledger account", scale)?;
-        self.push(name, law, Value::Scalar(first), scale);
-        Ok(ScalarAccount(self.entries.len() - 1))
+        Ok(ScalarAccount(self.push(name, law, first.into(), scale)))
     }
 
     /// Opens an account for a conserved vector; drift is the length of the difference, relative to the length
@@ -277,8 +271,7 @@ impl Ledger {
     ) -> Result<VectorAccount> {
         let value = Value::from(first).checked(name)?;
         let scale = finite(name, value.magnitude())?;
-        self.push(name, Law::Conserved, value, scale);
-        Ok(VectorAccount(self.entries.len() - 1))
+        Ok(VectorAccount(self.push(name, Law::Conserved, value, scale)))
     }
 
     /// Opens an account for a scalar or a conserved vector and records all its values. Its drift is measured against a scale; 0 means that any will do.
@@ -294,8 +287,7 @@ impl Ledger {
         let first = first.into().checked(name)?;
         let scale = if scale > 0.0 { scale } else { 1.0 };
         let scale = finite("the scale of a ledger account", scale)?;
-        self.push(name, law, first, scale);
-        let place = self.entries.len() - 1;
+        let place = self.push(name, law, first, scale);
         values.try_for_each(|value| self.entries[place].book(value.into()))
     }
 
@@ -375,7 +367,7 @@ impl Ledger {
         Ok(entries.all(|entry| entry.relative_drift() <= bound))
     }
 
-    fn push(&mut self, name: &'static str, law: Law, first: Value, scale: f64) {
+    fn push(&mut self, name: &'static str, law: Law, first: Value, scale: f64) -> usize {
         self.entries.push(Entry {
             name,
             law,
@@ -385,6 +377,7 @@ impl Ledger {
             scale,
             drift: 0.0,
         });
+        self.entries.len() - 1
     }
 
     fn entry_mut(&mut self, index: usize, kind: fn(&Value) -> bool) -> Result<&mut Entry> {

@@ -14,7 +14,6 @@ const MASS: f64 = 0.125;
 #[derive(Debug, Clone)]
 pub struct SpringBody {
     moments: AxisMoments,
-    mass: f64,
     stiffness: f64,
     rest: [[f64; 6]; 6],
     positions: [Vector3<f64>; 6],
@@ -55,7 +54,6 @@ impl SpringBody {
         let omega = omega.components();
         Ok(Self {
             moments,
-            mass: MASS,
             stiffness,
             rest,
             positions,
@@ -99,7 +97,7 @@ impl SpringBody {
 
     fn kick(&mut self, forces: &[Vector3<f64>; 6], time: f64) {
         for (velocity, force) in self.velocities.iter_mut().zip(forces) {
-            *velocity += force * (time / self.mass);
+            *velocity += force * (time / MASS);
         }
     }
 
@@ -134,7 +132,7 @@ impl SpringBody {
     /// ```
     pub fn omega(&self) -> Result<BodyVector> {
         let l: Vector3<f64> = (0..6)
-            .map(|k| self.positions[k].cross(&self.velocities[k]) * self.mass)
+            .map(|k| self.positions[k].cross(&self.velocities[k]) * MASS)
             .sum();
         let first = self.positions[0] - self.positions[1];
         let second = self.positions[2] - self.positions[3];

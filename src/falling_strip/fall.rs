@@ -4,7 +4,7 @@ use core::f64::consts::{FRAC_1_PI, PI, TAU};
 
 use super::plate::{AddedMass, Drag, Equations, Lift, Plate, RotationalDamping};
 use crate::error::{Result, positive, within};
-use crate::integrators::{Effort, Kept, System, order_eight};
+use crate::integrators::{Effort, Kept, System, halved, order_eight};
 
 /// The numbers that the forces of the fluid are fitted with. All dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -154,6 +154,8 @@ struct Passage {
     theta: f64,
     /// θ, u, w and ω, with the plate turned by π if it moved the other way: its two sides are alike.
     section: [f64; 4],
+    /// Whether the quantity falls through zero there.
+    falling: bool,
 }
 
 impl Fall {
@@ -244,7 +246,16 @@ impl Fall {
             .map(|k| run_up + step * k as f64)
             .collect();
         let path = self.path(start, &times)?;
-        let passages = self.passages(&times, &path);
+        let edge_on = self.crossings(&times, &path, W)?;
+        let ends = self.crossings(&times, &path, OMEGA)?;
+        // Half of what lies between the least and the greatest angle at which it turns back.
+        let swing = 0.5 * range(ends.iter().map(|end| end.theta));
+        // All passages edge on, or all ends of a swing to the left.
+        let passages: Vec<Passage> = if edge_on.len() > 2 {
+            edge_on
+        } else {
+            ends.into_iter().filter(|end| end.falling).collect()
+        };
         let regime = regime(&path);
         let (first, last, period) = match repeats(&passages) {
             // Whole periods only: from the first passage to the last one like it.
@@ -264,30 +275,9 @@ impl Fall {
             drift: mean(0),
             descent: -mean(1),
             reach: path.iter().map(|s| (s[0] - from).abs()).fold(0.0, f64::max),
-            swing: (regime == Regime::Flutter)
-                .then(|| self.swing(&times, &path))
-                .filter(|swing| *swing >= 0.0),
+            swing: (regime == Regime::Flutter && swing >= 0.0).then_some(swing),
             period,
         })
-    }
-
-    /// All passages edge on, or all ends of a swing to the left.
-    fn passages(&self, times: &[f64], path: &[[f64; 7]]) -> Vec<Passage> {
-        let edge_on = self.crossings(times, path, W);
-        if edge_on.len() > 2 {
-            return edge_on.into_iter().map(|(_, passage)| passage).collect();
-        }
-        let swings = self.crossings(times, path, OMEGA).into_iter();
-        swings
-            .filter(|(falling, _)| *falling)
-            .map(|(_, passage)| passage)
-            .collect()
-    }
-
-    /// Half of what lies between the least and the greatest angle at which it turns back.
-    fn swing(&self, times: &[f64], path: &[[f64; 7]]) -> f64 {
-        let ends = self.crossings(times, path, OMEGA);
-        0.5 * range(ends.iter().map(|(_, end)| end.theta))
     }
 
     /// All times at which a component of the state changes its sign, and whether it fell.
@@ -296,7 +286,7 @@ impl Fall {
         times: &[f64],
         path: &[[f64; 7]],
         component: usize,
-    ) -> Vec<(bool, Passage)> {
+    ) -> Result<Vec<Passage>> {
         let mut crossings = Vec::new();
         for k in 1..path.len() {
             let falling = path[k - 1][component] > 0.0;
@@ -304,29 +294,23 @@ impl Fall {
                 continue;
             }
             // By bisection of the cubic through values and rates.
-            let (mut low, mut high) = (times[k - 1], times[k]);
-            for _ in 0..40 {
-                let time = 0.5 * (low + high);
-                if (self.hermite(times, path, k, time)[component] > 0.0) == falling {
-                    low = time;
-                } else {
-                    high = time;
-                }
-            }
+            let still = |t| Ok((self.hermite(times, path, k, t)[component] > 0.0) == falling);
+            let width = 1e-12 * (times[k] - times[k - 1]);
+            let [low, _] = halved([times[k - 1], times[k]], width, still)?;
             let [_, _, theta, u, w, omega, _] = self.hermite(times, path, k, low);
             let section = if component == OMEGA || falling {
                 [theta.rem_euclid(TAU), u, w, omega]
             } else {
                 [(theta + PI).rem_euclid(TAU), -u, -w, omega]
             };
-            let passage = Passage {
+            crossings.push(Passage {
                 time: low,
                 theta,
                 section,
-            };
-            crossings.push((falling, passage));
+                falling,
+            });
         }
-        crossings
+        Ok(crossings)
     }
 
     /// The state between samples k − 1 and k, by the cubic through their values and rates.

@@ -58,13 +58,8 @@ impl MassProperties {
     pub fn new(mass: f64, center: BodyVector, inertia: InertiaMatrix) -> Result<Self> {
         positive("the mass", mass)?;
         for coordinate in center.components().iter() {
-            let value = finite("a coordinate of the centre of mass", *coordinate)?;
-            within(
-                "a coordinate of the centre of mass",
-                value,
-                -FARTHEST,
-                FARTHEST,
-            )?;
+            let quantity = "a coordinate of the centre of mass";
+            within(quantity, *coordinate, -FARTHEST, FARTHEST)?;
         }
         Ok(Self {
             mass,

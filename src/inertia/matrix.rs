@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::principal::{PrincipalAxes, symmetric, symmetric_axes};
-use crate::error::{Error, Result, finite, not_negative};
+use crate::error::{Error, Result, each_finite, finite, not_negative};
 use crate::frame::{Attitude, BodyVector};
 
 /// The inertia matrix I about some point, kg m²: symmetric, and such as a body can have.
@@ -118,18 +118,17 @@ impl InertiaMatrix {
     /// ```
     pub fn of_particle(mass: f64, position: BodyVector) -> Result<Self> {
         not_negative("the mass", mass)?;
-        for coordinate in position.components().iter() {
-            finite("a coordinate of the particle", *coordinate)?;
-        }
+        each_finite(
+            "a coordinate of the particle",
+            position.components().iter().copied(),
+        )?;
         Self::checked(particle_term(mass, &position.components()))
     }
 
     /// A matrix built by this module from parts that are inertia matrices: only overflow is left to refuse.
     pub(super) fn checked(matrix: Matrix3<f64>) -> Result<Self> {
         finite("the trace of the inertia matrix", matrix.trace())?;
-        for entry in matrix.iter() {
-            finite("an entry of the inertia matrix", *entry)?;
-        }
+        each_finite("an entry of the inertia matrix", matrix.iter().copied())?;
         Ok(Self(matrix))
     }
 

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::{InertiaMatrix, MassProperties};
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result, each_finite, positive};
 use crate::frame::BodyVector;
 
 mod formats;
@@ -158,9 +158,7 @@ fn bad_index(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> Error {
 /// Refuses a mesh one of whose triangles has a corner that is not finite.
 fn all_finite(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<()> {
     for &index in triangles.as_flattened() {
-        for coordinate in vertices[index as usize] {
-            finite("a coordinate of a vertex", coordinate)?;
-        }
+        each_finite("a coordinate of a vertex", vertices[index as usize])?;
     }
     Ok(())
 }

@@ -7,7 +7,7 @@
 
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, each_finite};
 use crate::precise::{DoubleDouble, Extended, Number, quick};
 
 /// Principal moments, ascending, and principal axes (2.4).
@@ -85,9 +85,7 @@ pub fn principal_axes_of(matrix: &Matrix3<f64>) -> Result<PrincipalAxes> {
 
 /// Refuses a matrix with entries that are not finite, or that differ from those beyond the diagonal by more than `slack`.
 pub(super) fn symmetric(entries: &'static str, matrix: &Matrix3<f64>, slack: f64) -> Result<()> {
-    for entry in matrix.iter() {
-        finite(entries, *entry)?;
-    }
+    each_finite(entries, matrix.iter().copied())?;
     for (row, column) in [(0, 1), (0, 2), (1, 2)] {
         let (upper, lower) = (matrix[(row, column)], matrix[(column, row)]);
         if (upper - lower).abs() > slack {

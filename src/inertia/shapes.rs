@@ -11,7 +11,7 @@
 //! [`Error::NotFinite`] if a moment overflows.
 
 use super::{InertiaMatrix, MassProperties, PlatonicSolid};
-use crate::error::{Error, Result, finite, not_negative, positive, within};
+use crate::error::{Error, Result, each_finite, finite, not_negative, positive, within};
 use crate::frame::BodyVector;
 
 /// The body at the origin whose mass has the means ⟨x²⟩ = f₁a₁², ⟨y²⟩ = f₂a₂², ⟨z²⟩ = f₃a₃².
@@ -392,9 +392,7 @@ pub fn ellipse_lamina(mass: f64, semi_axes: [f64; 2]) -> Result<MassProperties> 
 /// ```
 pub fn triangle_lamina(mass: f64, corners: [[f64; 2]; 3]) -> Result<MassProperties> {
     positive("the mass", mass)?;
-    for coordinate in corners.as_flattened() {
-        finite("a corner of the triangle", *coordinate)?;
-    }
+    each_finite("a corner of the triangle", corners.into_iter().flatten())?;
     let [a, b, c] = corners;
     let (u, v) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
     let centroid = [(u[0] + v[0]) / 3.0, (u[1] + v[1]) / 3.0];

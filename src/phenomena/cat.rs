@@ -6,8 +6,8 @@ use nalgebra::{Matrix3, Unit, UnitQuaternion, Vector3};
 
 use super::holonomy::ShapePlane;
 use super::quadrature::periodic;
-use crate::error::{Error, Result, finite, positive, within};
-use crate::frame::{Attitude, BodyVector};
+use crate::error::{Error, Result, positive, within};
+use crate::frame::{Attitude, BodyVector, finite_vector};
 use crate::integrators::halved;
 use crate::precise::power_of_two_below;
 
@@ -197,10 +197,8 @@ impl Cat {
             .cholesky()
             .map(|factors| factors.solve(&right))
             .unwrap_or(Vector3::repeat(f64::NAN));
-        for component in omega.iter() {
-            finite("the angular velocity of the cat", *component)?;
-        }
-        Ok(BodyVector::from_components(omega))
+        let omega = BodyVector::from_components(omega);
+        finite_vector("the angular velocity of the cat", omega)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::moment::{Contact, Happening, Load, Moment, State};
 use super::stretch::{Hold, Laws, Stretch};
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, each_finite, finite};
 
 /// What happened, and when.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,9 +63,10 @@ impl Course {
 
     /// The same under these laws.
     pub(crate) fn under(laws: &Laws<'_>, start: Moment, until: f64) -> Result<Self> {
-        for value in [start.position, start.velocity, start.rim_speed, start.slip] {
-            finite("the start", value)?;
-        }
+        each_finite(
+            "the start",
+            [start.position, start.velocity, start.rim_speed, start.slip],
+        )?;
         let mut course = Self {
             stretches: Vec::new(),
             events: Vec::new(),

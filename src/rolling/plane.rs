@@ -1,7 +1,7 @@
 //! Sliding in any direction over the cloth (tutorial 4.3, out of its plane): the massé shot.
 
 use super::shot::RoundBody;
-use crate::error::{Result, finite, positive};
+use crate::error::{Result, each_finite, finite, positive};
 
 /// Velocities along the two directions of the table, m/s.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,9 +58,10 @@ impl RoundBody {
     pub fn slide_in_plane(&self, start: InPlane, friction: f64, gravity: f64) -> Result<Slide> {
         let strength = positive("the coefficient of friction", friction)?
             * positive("the acceleration of gravity", gravity)?;
-        for value in start.velocity.iter().chain(&start.rim_velocity) {
-            finite("a velocity", *value)?;
-        }
+        each_finite(
+            "a velocity",
+            start.velocity.iter().chain(&start.rim_velocity).copied(),
+        )?;
         let [x, y] = start.slip();
         let size = x.hypot(y);
         let friction = if size == 0.0 {

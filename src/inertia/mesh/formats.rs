@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::Mesh;
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, each_finite};
 
 /// The mesh of an STL file, with words or binary. Corners with the same coordinates are one vertex.
 ///
@@ -113,9 +113,7 @@ fn coordinates<'a>(mut words: impl Iterator<Item = &'a str>) -> Result<[f64; 3]>
 }
 
 fn checked(corner: [f64; 3]) -> Result<[f64; 3]> {
-    for coordinate in corner {
-        finite("a coordinate of a vertex", coordinate)?;
-    }
+    each_finite("a coordinate of a vertex", corner)?;
     Ok(corner)
 }
 

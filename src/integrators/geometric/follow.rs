@@ -1,7 +1,7 @@
 //! A method asked for a motion.
 
 use super::{Integrator, Phase};
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result, each_finite, positive};
 use crate::integrators::{Cost, Solution, both_ways};
 
 /// Phases at `times` (s, either side of 0, in any order) of the motion that starts with `start` at time 0: between two samples steps of one length,
@@ -27,9 +27,7 @@ pub fn follow(
     step: f64,
     watch: &mut dyn FnMut(f64, Cost) -> Result<()>,
 ) -> Result<Solution<Phase>> {
-    for &t in times {
-        finite("the time", t)?;
-    }
+    each_finite("the time", times.iter().copied())?;
     let step = positive("the step", step)?;
     let mut cost = Cost::default();
     let states = both_ways(times, |times| {

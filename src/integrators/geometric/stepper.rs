@@ -1,6 +1,6 @@
 //! What a geometric method is, what it carries from step to step, and how it is asked for a step.
 
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, each_finite, finite};
 use crate::euler_equations::AxisMoments;
 use crate::frame::{Attitude, BodyVector};
 use crate::integrators::Cost;
@@ -99,13 +99,8 @@ impl<T: Real> Phase<T> {
     }
 
     pub(super) fn check(&self) -> Result<()> {
-        for component in self.l {
-            finite("the angular momentum", component.to_double())?;
-        }
-        for component in self.q {
-            finite("the attitude's quaternion", component.to_double())?;
-        }
-        Ok(())
+        each_finite("the angular momentum", self.l.map(T::to_double))?;
+        each_finite("the attitude's quaternion", self.q.map(T::to_double))
     }
 }
 

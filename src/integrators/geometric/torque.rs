@@ -1,7 +1,7 @@
 //! What acts on a body.
 
 use super::Phase;
-use crate::error::{Result, finite};
+use crate::error::{Result, each_finite};
 use crate::integrators::real::{Real, cross};
 
 /// A torque, N m along the body's axes, as a function of the phase. A function or closure of the phase will do; `()` is none.
@@ -56,9 +56,7 @@ impl Weight {
     /// assert!(Weight::new([0.0, 0.0, 1.0]).is_ok() && Weight::new([0.0, 0.0, f64::NAN]).is_err());
     /// ```
     pub fn new(lever: [f64; 3]) -> Result<Self> {
-        for component in lever {
-            finite("the lever MgC", component)?;
-        }
+        each_finite("the lever MgC", lever)?;
         Ok(Self { lever })
     }
 }

@@ -13,7 +13,7 @@ mod tableau;
 mod walk;
 
 use super::{Cost, Effort, Event, Passage, Solution, Stop, System, both_ways};
-use crate::error::{Result, finite, positive};
+use crate::error::{Result, each_finite, finite, positive};
 use event::Watch;
 use walk::{MOST_STEPS, Taken, Walk, too_many};
 
@@ -56,12 +56,9 @@ impl<const N: usize, S: System<N> + ?Sized> Leg<'_, N, S> {
         event: Option<&dyn Event<N>>,
         effort: Effort,
     ) -> Result<Passage<[f64; N]>> {
-        for &t in self.times.iter().chain([&self.start.0, &self.end]) {
-            finite("the time", t)?;
-        }
-        for &component in self.start.1 {
-            finite("the state at the start", component)?;
-        }
+        each_finite("the time", self.times.iter().copied())?;
+        each_finite("the time", [self.start.0, self.end])?;
+        each_finite("the state at the start", *self.start.1)?;
         match effort {
             Effort::Step(step) => positive("the step", step)?,
             Effort::Tolerance(tolerance) => positive("the tolerance", tolerance)?,

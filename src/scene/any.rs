@@ -53,13 +53,13 @@ pub struct UnknownColumn {
     pub names: Vec<&'static str>,
 }
 
-impl UnknownColumn {
-    fn among(columns: &[Column], name: &str) -> Self {
-        Self {
-            name: name.to_owned(),
-            names: columns.iter().map(|column| column.name).collect(),
-        }
-    }
+/// The place of the column of this name.
+fn place(columns: &[Column], name: &str) -> core::result::Result<usize, UnknownColumn> {
+    let found = columns.iter().position(|column| column.name == name);
+    found.ok_or_else(|| UnknownColumn {
+        name: name.to_owned(),
+        names: columns.iter().map(|column| column.name).collect(),
+    })
 }
 
 impl AnyScene {
@@ -131,14 +131,8 @@ impl AnyScene {
         mut self,
         names: &[N],
     ) -> core::result::Result<Self, UnknownColumn> {
-        let place = |name: &N| {
-            let found = self.columns.iter().position(|c| c.name == name.as_ref());
-            found.ok_or_else(|| UnknownColumn::among(&self.columns, name.as_ref()))
-        };
-        self.told = names
-            .iter()
-            .map(place)
-            .collect::<core::result::Result<_, _>>()?;
+        let places = names.iter().map(|name| place(&self.columns, name.as_ref()));
+        self.told = places.collect::<core::result::Result<_, _>>()?;
         Ok(self)
     }
 
@@ -251,15 +245,13 @@ impl Table {
         &self,
         names: [&str; N],
     ) -> core::result::Result<Vec<[f64; N]>, UnknownColumn> {
-        let mut places = [0; N];
-        for (place, name) in places.iter_mut().zip(names) {
-            let mut columns = core::iter::once("t").chain(self.columns.iter().map(|c| c.name));
-            let found = columns.position(|column| column == name);
-            *place = found.ok_or_else(|| UnknownColumn::among(&self.columns, name))?;
+        let mut places = [None; N];
+        for (column, name) in places.iter_mut().zip(names) {
+            if name != "t" {
+                *column = Some(place(&self.columns, name)?);
+            }
         }
-        let chosen = |(t, row): (f64, Vec<f64>)| {
-            places.map(|place| if place == 0 { t } else { row[place - 1] })
-        };
+        let chosen = |(t, row): (f64, Vec<f64>)| places.map(|place| place.map_or(t, |p| row[p]));
         Ok(self.rows().map(chosen).collect())
     }
 }

@@ -175,6 +175,16 @@ macro_rules! state {
             $(#[doc = $more] pub $field: $type,)*
         }
 
+        impl $name {
+            /// Of these numbers, in the order of a row.
+            pub(crate) const fn of(
+                [$($number),*]: [f64; [$($text),*].len()],
+                $($field: $type,)*
+            ) -> Self {
+                Self { $($number,)* $($field,)* }
+            }
+        }
+
         impl $crate::scene::Tabulated for $name {
             fn columns() -> $crate::scene::Columns<Self> {
                 let told = [$([stringify!($number), $text]),*];

@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | gravity | [`Gravity`](super::effects::Gravity), downwards | a free body, in closed form |
 //! | friction | [`Viscous`](super::effects::Viscous), [`Regularised`](super::effects::Regularised), [`Coulomb`], [`NoSlip`](super::effects::NoSlip) | a table without friction |
-//! | resistance | [`Resistance`] to rolling and pivoting | |
+//! | resistance | [`Resistance`](super::effects::Resistance) to rolling and pivoting | |
 //!
 //! The table only pushes. Where the reaction falls to zero the body takes off, flies in closed form, and lands with an inelastic blow.
 //! Coulomb's law is the true one: a body whose slip comes to rest rolls while the force that takes lies within the cone of friction, and
@@ -31,7 +31,6 @@ use nalgebra::Vector3;
 use super::columns::{Columns, columns};
 use super::effects::Effect;
 use super::engine::{self, Ahead, Answer, Flow, planned, solved, to_accuracy};
-use super::motion::Accounts;
 use super::{Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Error, Result, finite, positive};
@@ -40,16 +39,13 @@ use crate::integrators::{Cost, Effort, Kept, Leg, Passage, Stop, System, Watched
 use crate::rolling::Coulomb;
 use crate::tippe_top::equations::{Contact, NUMBERS, Numbers, Pose, Table, numbers};
 use crate::tippe_top::flight::{Flight, TakeOff};
-use crate::tippe_top::{ConvexBody, Friction, Resistance, Start};
+use crate::tippe_top::{ConvexBody, Friction, Start};
 
 /// A body on a table, and what acts on it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TableTop {
-    body: ConvexBody,
+    table: Table,
     start: Start,
-    gravity: Option<f64>,
-    friction: Option<Friction>,
-    resistance: Option<Resistance>,
 }
 
 impl TableTop {
@@ -63,13 +59,13 @@ impl TableTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub const fn new(body: ConvexBody, start: Start) -> Self {
-        Self {
+        let table = Table {
             body,
-            start,
-            gravity: None,
+            gravity: 0.0,
             friction: None,
             resistance: None,
-        }
+        };
+        Self { table, start }
     }
 
     /// The same with an effect; one without strength is absent.
@@ -87,14 +83,15 @@ impl TableTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
+        let table = &mut self.table;
         let some = |law: Friction| law.acts().then_some(law);
         match effect.into() {
-            Effect::Gravity(gravity) => self.gravity = Some(positive("gravity", gravity.value())?),
-            Effect::Coulomb(law) => self.friction = some(Friction::Coulomb(law)),
-            Effect::Regularised(law) => self.friction = some(Friction::Regularised(law)),
-            Effect::Viscous(law) => self.friction = some(Friction::Viscous(law)),
-            Effect::NoSlip(_) => self.friction = Some(Friction::NoSlip),
-            Effect::Resistance(law) => self.resistance = law.acts().then_some(law),
+            Effect::Gravity(gravity) => table.gravity = positive("gravity", gravity.value())?,
+            Effect::Coulomb(law) => table.friction = some(Friction::Coulomb(law)),
+            Effect::Regularised(law) => table.friction = some(Friction::Regularised(law)),
+            Effect::Viscous(law) => table.friction = some(Friction::Viscous(law)),
+            Effect::NoSlip(_) => table.friction = Some(Friction::NoSlip),
+            Effect::Resistance(law) => table.resistance = law.acts().then_some(law),
             other => {
                 let takes = "gravity, friction, regularised_friction, viscous_friction, no_slip, resistance";
                 return Err(other.refused("a body on a table", takes));
@@ -118,13 +115,12 @@ impl TableTop {
     /// ```
     pub fn phases(&self, request: &Request) -> Result<Vec<Phase>> {
         let answer = self.answer(request, &self.plan(request)?)?;
-        let mut phases: Vec<Phase> = Vec::new();
-        for (start, mode) in answer.trace.phases {
-            let support = mode.support();
-            if phases.last().map(|phase| phase.support) != Some(support) {
-                phases.push(Phase { start, support });
-            }
-        }
+        let phases = answer.trace.phases.iter().map(|&(start, mode)| Phase {
+            start,
+            support: mode.support(),
+        });
+        let mut phases: Vec<Phase> = phases.collect();
+        phases.dedup_by_key(|phase| phase.support);
         Ok(phases)
     }
 
@@ -136,7 +132,7 @@ impl TableTop {
         }
         let flow = self.on_the_table(request.accuracy)?;
         let takeoff = flow.takeoff(0.0, &flow.start);
-        let flight = Flight::from(&self.body, 0.0, &flow.start, takeoff)?;
+        let flight = Flight::from(flow.body(), 0.0, &flow.start, takeoff)?;
         solved((&flow, plan, request), 1, |t| flight.at(t))
     }
 
@@ -145,13 +141,8 @@ impl TableTop {
         for number in start {
             finite("the start of a body on a table", number)?;
         }
-        let table = Table {
-            body: self.body,
-            gravity: self.gravity.unwrap_or(0.0),
-            friction: self.friction,
-            resistance: self.resistance,
-        };
-        let size = self.body.surface().size();
+        let table = self.table;
+        let size = table.body.surface().size();
         let turning = self.start.omega.norm() + (table.gravity / size).sqrt();
         Ok(OnTheTable {
             table,
@@ -447,17 +438,17 @@ impl OnTheTable {
     fn stopped(&self, law: Coulomb, y: &mut Numbers) -> Mode {
         *y = self.body().rolled(&self.table.held(y));
         // At the rim a run that rolls would see no event: the margin has to fall through zero.
-        if self.held_by(law, &Pose::of(y)) > 0.0 {
+        if self.holds(law, y) {
             Mode::Rolling
         } else {
             Mode::Leaving
         }
     }
 
-    /// How far rolling is from the rim of the cone, in weights.
-    fn held_by(&self, law: Coulomb, pose: &Pose) -> f64 {
-        let contact = self.table.rolls(pose);
-        contact.reaction * (law.grip() - contact.traction.norm()) / self.weight()
+    /// Whether rolling lies within the cone.
+    fn holds(&self, law: Coulomb, y: &Numbers) -> bool {
+        let contact = self.table.rolls(&Pose::of(y));
+        contact.reaction * (law.grip() - contact.traction.norm()) > 0.0
     }
 
     /// The body takes off, if it can: with the constraint of rolling it may be the level force that keeps it up.
@@ -548,12 +539,11 @@ impl Flow<NUMBERS> for OnTheTable {
         self.table.rates(y, &pose, &self.contact(&mode, &pose))
     }
 
-    fn may_end(&self, _: Mode) -> bool {
-        !self.is_free()
-    }
-
     /// The reaction over the weight; how far the slip is from rest, or from being no longer near it; how far rolling is from the rim of the cone.
-    fn margin(&self, mode: Mode, _: f64, y: &Numbers) -> f64 {
+    fn margin(&self, mode: Mode, _: f64, y: &Numbers) -> Option<f64> {
+        if self.is_free() {
+            return None;
+        }
         let pose = Pose::of(y);
         let contact = match mode {
             Mode::Rolling => self.table.rolls(&pose),
@@ -561,11 +551,11 @@ impl Flow<NUMBERS> for OnTheTable {
         };
         let pressed = contact.reaction / self.weight();
         let Some(law) = self.coulomb() else {
-            return pressed;
+            return Some(pressed);
         };
         let near = NEAR * self.stopping_speed(law);
         let slip = contact.slip.norm();
-        match mode {
+        Some(match mode {
             Mode::Rolling => pressed.min(pressed * (law.grip() - contact.traction.norm())),
             Mode::Stopping => pressed
                 .min((slip / self.still()).ln())
@@ -578,7 +568,7 @@ impl Flow<NUMBERS> for OnTheTable {
                 pressed.min(1.0 - along / left).min(along / left + ROUNDING)
             }
             _ => pressed.min(slip / near - 1.0),
-        }
+        })
     }
 
     fn next(&self, mode: Mode, _: Stop, t: f64, y: &mut Numbers) -> Result<Mode> {
@@ -602,7 +592,7 @@ impl Flow<NUMBERS> for OnTheTable {
             Mode::Stopping if slip <= 2.0 * self.still() => self.stopped(law, y),
             Mode::Stopping if slip < 0.5 * self.left(law) => {
                 // It has gone past its rest, or it has come as near as the steps are exact.
-                match self.held_by(law, &Pose::of(y)) > 0.0 {
+                match self.holds(law, y) {
                     true => self.stopped(law, y),
                     false => Mode::Leaving,
                 }
@@ -665,7 +655,7 @@ impl OnTheTable {
             let left = |z: &[f64; NUMBERS + 1]| self.turning * (time - now - z[NUMBERS]);
             let lasts = |z: &[f64; NUMBERS + 1]| self.margin(Mode::Stopping, now, &parted(z));
             let whole = left(&z);
-            if whole > 0.0 && lasts(&z) > 0.0 {
+            if whole > 0.0 && lasts(&z) > Some(0.0) {
                 let leg = Leg {
                     system: &slowing as &dyn System<{ NUMBERS + 1 }>,
                     kept: self.kept(),
@@ -674,7 +664,7 @@ impl OnTheTable {
                     times: &[],
                     end: SETTLED,
                 };
-                let event = |_: f64, z: &[f64; NUMBERS + 1]| left(z).min(lasts(z));
+                let event = |_: f64, z: &[f64; NUMBERS + 1]| lasts(z).unwrap_or(0.0).min(left(z));
                 // No looser: what the steps are off by would pass for slip. No finer: what rounding does to a slip that small is more.
                 let effort = Effort::Tolerance(self.tolerance.clamp(FINEST, COARSEST));
                 let part = leg.follow(Some(&event), effort)?;
@@ -705,8 +695,8 @@ impl Scene for TableTop {
     type State = State;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
-        let plan = match (self.gravity, self.friction) {
-            (None, _) => Plan::exact("no gravity, so no contact: closed form"),
+        let plan = match (self.table.gravity, self.table.friction) {
+            (0.0, _) => Plan::exact("no gravity, so no contact: closed form"),
             (_, Some(Friction::NoSlip)) => Plan::stepped("pure rolling: take-off is an event"),
             (_, Some(Friction::Coulomb(_))) => {
                 Plan::stepped("Coulomb friction: slip, roll and take-off are events")
@@ -714,7 +704,7 @@ impl Scene for TableTop {
             (_, Some(_)) => Plan::stepped("sliding friction: take-off is an event"),
             (_, None) => Plan::stepped("a table without friction: take-off is an event"),
         };
-        if self.gravity.is_some() {
+        if plan.solver != Solver::Exact {
             request.forward()?;
         }
         planned(request, plan, SOLVERS)
@@ -722,38 +712,38 @@ impl Scene for TableTop {
 
     fn simulate(&self, request: &Request) -> Result<Motion<State>> {
         let plan = self.plan(request)?;
-        let Answer { trace, error } = self.answer(request, &plan)?;
+        let answer = self.answer(request, &plan)?;
         let flow = self.on_the_table(request.accuracy)?;
         let (mode, y) = flow.start()?;
         let start = flow.state(0.0, &mode, &y);
-        let rows = request.times().iter().zip(&trace.samples);
-        let states: Vec<State> = rows.map(|(&t, (mode, y))| flow.state(t, mode, y)).collect();
         // Angular momenta against those at this rate.
-        let spin = self.body.inertia().matrix().amax() * flow.turning;
+        let Table { body, .. } = &self.table;
+        let spin = body.inertia().matrix().amax() * flow.turning;
         let first = start.energy;
-        let (energy, jellett) = (|k: usize| states[k].energy, |k: usize| states[k].jellett);
-        let balance = |k: usize| states[k].energy + states[k].dissipated;
-        let vertical = |k: usize| states[k].vertical_angular_momentum;
-        let mut accounts = Accounts::of(request);
-        accounts.keep(("energy", Law::NonIncreasing, first), first, energy)?;
-        accounts.conserved("energy and what contact has taken", first, first, balance)?;
-        let no_couple = self.resistance.is_none();
-        if self.gravity.is_some() && no_couple && self.body.has_jellett_integral() {
-            let scale = spin * self.body.surface().size();
-            accounts.conserved("Jellett's integral", scale, start.jellett, jellett)?;
+        let mut books = answer.told(request, plan, |t, mode, y| flow.state(t, mode, y));
+        books.keep(("energy", Law::NonIncreasing, first), first, |_, s| {
+            s.energy
+        })?;
+        let both = "energy and what contact has taken";
+        books.conserved(both, first, first, |_, s| s.energy + s.dissipated)?;
+        let no_couple = self.table.resistance.is_none();
+        if self.table.gravity > 0.0 && no_couple && body.has_jellett_integral() {
+            let scale = spin * body.surface().size();
+            books.conserved("Jellett's integral", scale, start.jellett, |_, s| s.jellett)?;
         }
-        if self.friction.is_none() && no_couple {
-            let first = start.vertical_angular_momentum;
-            accounts.conserved("vertical angular momentum", spin, first, vertical)?;
+        if self.table.friction.is_none() && no_couple {
+            let vertical = |s: &State| s.vertical_angular_momentum;
+            let name = "vertical angular momentum";
+            books.conserved(name, spin, vertical(&start), |_, s| vertical(s))?;
         }
-        Motion::of(request, plan, trace.cost, error, accounts, states)
+        books.closed(request)
     }
 
     fn further(&self) -> Columns<State> {
-        let (body, gravity) = (self.body, self.gravity);
+        let Table { body, gravity, .. } = self.table;
         let l = move |state: &State| body.inertia().angular_momentum(state.omega);
         let momentum = move |state: &State| state.attitude.to_space(l(state));
-        let weight = body.mass() * gravity.unwrap_or(0.0);
+        let weight = body.mass() * gravity;
         Columns::default()
             .angles(|state: &State| state.attitude)
             .and(columns! { |state: &State|

@@ -5,12 +5,11 @@
 //! after the start ([`Run::at`]), repeats the run with a smaller tolerance until two runs vouch for the better one ([`to_accuracy`]), and, where none
 //! will do, measures how much the motion amplifies a change of its start. Every evaluation counts against the budget of the request.
 
-use super::motion::furthest;
+use super::motion::{Books, furthest};
 use super::{Budget, Choice, Plan, Request, Solver};
 use crate::error::{Error, Result, finite};
 use crate::integrators::{
-    AnyLeg, Cost, Effort, GeneralMethods, Kept, Leg, Method, Passage, Stop, System, Watched,
-    both_ways,
+    AnyLeg, Cost, Effort, Kept, Leg, Passage, Stop, System, Watched, both_ways,
 };
 
 /// A motion whose equations change from phase to phase. States are N numbers.
@@ -40,14 +39,9 @@ pub(crate) trait Flow<const N: usize> {
     /// The rates of the numbers.
     fn rate(&self, phase: Self::Phase, t: f64, y: &[f64; N]) -> [f64; N];
 
-    /// Positive while the phase lasts; where it falls through zero, the phase ends.
-    fn margin(&self, _phase: Self::Phase, _t: f64, _y: &[f64; N]) -> f64 {
-        1.0
-    }
-
-    /// Whether [`margin`](Self::margin) can end this phase at all.
-    fn may_end(&self, _phase: Self::Phase) -> bool {
-        false
+    /// Positive while the phase lasts; where it falls through zero, the phase ends. Nothing, whatever the numbers, if only the clock ends it.
+    fn margin(&self, _phase: Self::Phase, _t: f64, _y: &[f64; N]) -> Option<f64> {
+        None
     }
 
     /// When the phase that holds from time t on ends by the clock, at the latest; of what cannot be run backward.
@@ -155,6 +149,20 @@ pub(crate) struct Answer<P, const N: usize> {
     pub error: f64,
 }
 
+impl<P, const N: usize> Answer<P, N> {
+    /// The motion, each sample told as a state.
+    pub fn told<S>(
+        &self,
+        request: &Request,
+        plan: Plan,
+        state: impl Fn(f64, &P, &[f64; N]) -> S,
+    ) -> Books<S> {
+        let samples = request.times().iter().zip(&self.trace.samples);
+        let states = samples.map(|(&t, (phase, y))| state(t, phase, y));
+        Books::of(request, plan, (self.trace.cost, self.error), states)
+    }
+}
+
 /// A motion that changes its phase more often than this is not followed further.
 const MOST_PHASES: usize = 10_000_000;
 /// So many phases in a row may have no duration.
@@ -168,18 +176,16 @@ pub(crate) struct Run<'a, F, const N: usize> {
     pub budget: &'a Budget,
 }
 
-/// The passage of a leg in steps of this length.
-type InEvenSteps<'a> = dyn Fn(&AnyLeg<'_>, Effort) -> Result<Passage<Vec<f64>>> + 'a;
+/// The passage of a leg.
+type Follow<'a> = dyn Fn(&AnyLeg<'_>, Effort) -> Result<Passage<Vec<f64>>> + 'a;
 
 /// What steps.
 #[derive(Clone, Copy)]
 pub(crate) enum Stepper<'a> {
     /// The library's own order 8.
     OrderEight,
-    /// A general method by its name.
-    General(&'a dyn GeneralMethods, Method),
-    /// A method with steps of one length that has equations of its own.
-    Even(&'a InEvenSteps<'a>),
+    /// Another method, and whether its steps are of one length.
+    Other(&'a Follow<'a>, bool),
     /// Closed forms from event to event: every phase must be known.
     Events,
 }
@@ -296,14 +302,10 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
             flow.rate(phase, t, y)
         };
         let reached = |time: f64| budget.reached(time);
-        let margin = |t: f64, y: &[f64; N]| flow.margin(phase, t, y);
-        let (ends, scales) = (flow.may_end(phase), flow.scales());
-        let Ahead {
-            start: (now, y),
-            times,
-            end,
-            ..
-        } = *ahead;
+        let margin = |t: f64, y: &[f64; N]| flow.margin(phase, t, y).unwrap_or(f64::INFINITY);
+        let scales = flow.scales();
+        let ((now, y), times, end) = (ahead.start, ahead.times, ahead.end);
+        let ends = flow.margin(phase, now, y).is_some();
         let any_margin = |t: f64, y: &[f64]| margin(t, &sized(y));
         let any = AnyLeg {
             rate: &|t, y, rates| rates.copy_from_slice(&rate(t, &sized(y))),
@@ -326,8 +328,7 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
                 };
                 return leg.follow(ends.then_some(&margin), effort);
             }
-            Stepper::General(methods, method) => methods.follow(method, &any, effort)?,
-            Stepper::Even(follow) => follow(&any, effort)?,
+            Stepper::Other(follow, _) => follow(&any, effort)?,
             Stepper::Events => return Err(NO_STEPS),
         };
         Ok(Passage {
@@ -421,7 +422,20 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
     solver: Solver,
     flow: impl Fn(f64) -> Result<F>,
 ) -> Result<Answer<F::Phase, N>> {
-    vouched(request, stepper(solver, request)?, flow)
+    match solver {
+        Solver::General(method) => {
+            let methods = request.methods()?;
+            let follow = |leg: &AnyLeg<'_>, effort| methods.follow(method, leg, effort);
+            vouched(
+                request,
+                Stepper::Other(&follow, !method.is_adaptive()),
+                flow,
+            )
+        }
+        Solver::ORDER_EIGHT => vouched(request, Stepper::OrderEight, flow),
+        Solver::Events | Solver::Exact => vouched(request, Stepper::Events, flow),
+        Solver::Geometric(_) => Err(ONLY_FOR_TOPS),
+    }
 }
 
 /// The same by what steps.
@@ -442,11 +456,9 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
         return Ok(Answer { trace, error });
     }
     let (accuracy, count) = (request.accuracy, request.times().len());
-    let (angle, sure) = {
-        let flow = flow(accuracy)?;
-        let angle = flow.pace() * request.furthest.abs();
-        (angle, flow.doubt() == [0.0; N])
-    };
+    let first = flow(accuracy)?;
+    let angle = first.pace() * request.furthest.abs();
+    let sure = first.doubt() == [0.0; N];
     let times = with_checks(request, angle);
     let mut cost = Cost::default();
     let mut run = |effort, off, halves: &[Half<F::Phase>]| -> Result<(F, Trace<F::Phase, N>)> {
@@ -460,17 +472,12 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
     let mut efforts = Efforts::new(stepper, accuracy, angle, furthest(&times));
     if rounding > accuracy {
         // No run would do. What a moment tells of the growth is told; a change of the rates grows by the angle.
-        let (flow, moment) = (flow(accuracy)?, request.moment());
-        let growth = growth(&flow, stepper, efforts.worse, &times, &moment);
-        return Err(Error::Amplified {
-            asked: accuracy,
-            reached: rounding,
-            growth: growth.unwrap_or(angle),
-        });
+        let growth = growth(&first, stepper, efforts.worse(), &times, &request.moment());
+        return Err(request.amplified(rounding, growth.unwrap_or(angle)));
     }
-    let mut worse = run(efforts.worse, 1.0, &[])?.1;
+    let mut worse = run(efforts.worse(), 1.0, &[])?.1;
     loop {
-        let (flow, better) = run(efforts.better, 0.0, &worse.halves)?;
+        let (flow, mut better) = run(efforts.better(), 0.0, &worse.halves)?;
         let seen = &better.samples;
         let floor = efforts.floor(better.phases.len());
         let told = |asked: &Trace<_, N>, checked: &Trace<_, N>, share: f64| {
@@ -483,7 +490,7 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
         let mut error = told(&worse, &worse, efforts.share());
         if !sure && efforts.near_rounding() {
             // Where the doubt and the steps move the run as far, they may do so against each other: not with the doubt the other way as well.
-            let other = run(efforts.worse, -1.0, &[])?.1;
+            let other = run(efforts.worse(), -1.0, &[])?.1;
             error = greater(error, told(&other, &other, efforts.share()));
         }
         if error > accuracy {
@@ -492,42 +499,31 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
                     better
                 } else {
                     efforts.spread(APART);
-                    run(efforts.worse, 1.0, &[])?.1
+                    run(efforts.worse(), 1.0, &[])?.1
                 };
                 continue;
             }
             // Nothing is tighter, but the worse run can come nearer: then all of the distance is told. What the motion makes of rounding where nobody
             // has asked is no reason to refuse it.
             efforts.spread(APART.sqrt());
-            let asked = run(efforts.worse, SHARE, &[])?.1;
-            let checked = run(efforts.worse, 0.0, &[])?.1;
+            let asked = run(efforts.worse(), SHARE, &[])?.1;
+            let checked = run(efforts.worse(), 0.0, &[])?.1;
             error = told(&asked, &checked, 1.0);
         }
         if error > accuracy {
-            let growth = growth(&flow, stepper, efforts.better, &times, budget)?;
-            return Err(Error::Amplified {
-                asked: accuracy,
-                reached: error,
-                growth,
-            });
+            let growth = growth(&flow, stepper, efforts.better(), &times, budget)?;
+            return Err(request.amplified(error, growth));
         }
         // The runs vouch for the accuracy. Below it all of their distance is told, and what the steps may add up to: both runs may have been lucky.
         let mut whole = told(&worse, &worse, 1.0);
-        if let Effort::Tolerance(tolerance) = efforts.better {
-            let steps = better.cost.steps as f64 * of_a_step(&flow, tolerance, seen);
-            whole += steps;
+        if !efforts.even {
+            whole += better.cost.steps as f64 * of_a_step(&flow, efforts.better, seen);
         }
         error = greater(error, whole.min(accuracy));
-        let mut samples = better.samples;
-        samples.truncate(count);
-        return Ok(Answer {
-            trace: Trace {
-                samples,
-                cost,
-                ..better
-            },
-            error,
-        });
+        better.samples.truncate(count);
+        better.cost = cost;
+        let trace = better;
+        return Ok(Answer { trace, error });
     }
 }
 
@@ -628,10 +624,12 @@ fn tolerance_of(effort: Effort, accuracy: f64) -> f64 {
     }
 }
 
-/// The efforts of the two runs that are compared.
+/// The efforts of the two runs that are compared: their steps, s, or their tolerances.
 struct Efforts {
-    worse: Effort,
-    better: Effort,
+    /// Whether their steps are of one length.
+    even: bool,
+    worse: f64,
+    better: f64,
     /// The error that the last pair has told.
     reached: f64,
 }
@@ -646,78 +644,79 @@ const SMALL: f64 = 1e-6;
 
 impl Efforts {
     fn new(stepper: Stepper<'_>, accuracy: f64, angle: f64, last: f64) -> Self {
-        let even = match stepper {
-            Stepper::General(_, method) => !method.is_adaptive(),
-            Stepper::Even(_) => true,
-            _ => false,
-        };
-        if even {
-            let step = longest_step(angle, last);
-            return Self {
-                worse: Effort::Step(step),
-                better: Effort::Step(0.5 * step),
-                reached: f64::INFINITY,
-            };
-        }
+        let even = matches!(stepper, Stepper::Other(_, true));
         let first = FIRST * accuracy / angle.max(2.0);
         let tolerance = first.clamp(LEAST_TOLERANCE * APART, GREATEST_TOLERANCE);
+        let (worse, apart) = match even {
+            true => (longest_step(angle, last), 2.0),
+            false => (tolerance, APART),
+        };
         Self {
-            worse: Effort::Tolerance(tolerance),
-            better: Effort::Tolerance(tolerance / APART),
+            even,
+            worse,
+            better: worse / apart,
             reached: f64::INFINITY,
+        }
+    }
+
+    fn worse(&self) -> Effort {
+        match self.even {
+            true => Effort::Step(self.worse),
+            false => Effort::Tolerance(self.worse),
+        }
+    }
+
+    fn better(&self) -> Effort {
+        match self.even {
+            true => Effort::Step(self.better),
+            false => Effort::Tolerance(self.better),
         }
     }
 
     /// The share of the distance of both that is taken for the error of the better.
     fn share(&self) -> f64 {
-        match (self.worse, self.better) {
-            (Effort::Tolerance(worse), Effort::Tolerance(better)) => {
-                (SHARE * APART * better / worse).min(1.0)
-            }
+        match self.even {
             // A third for order 2, a fifteenth for order 4.
-            _ => 0.5,
+            true => 0.5,
+            false => (SHARE * APART * self.better / self.worse).min(1.0),
         }
     }
 
     /// Whether what rounding does in a step is a hundredth, or more, of what the better run lets a step be off by.
     fn near_rounding(&self) -> bool {
-        matches!(self.better, Effort::Tolerance(tolerance) if tolerance < APART * LEAST_TOLERANCE)
+        !self.even && self.better < APART * LEAST_TOLERANCE
     }
 
     /// Less does no pair suffice for: where every phase has few steps, two runs of the same steps agree.
     fn floor(&self, phases: usize) -> f64 {
-        match self.better {
-            Effort::Tolerance(tolerance) => OF_A_STEP.max(phases as f64) * tolerance,
-            Effort::Step(_) => 0.0,
+        match self.even {
+            true => 0.0,
+            false => OF_A_STEP.max(phases as f64) * self.better,
         }
     }
 
     /// The next pair, the better of today being its worse; false if there is none.
     fn tighten(&mut self, accuracy: f64, error: f64) -> bool {
-        let next = match self.better {
-            Effort::Tolerance(tolerance) => {
-                if tolerance <= LEAST_TOLERANCE || !error.is_finite() {
-                    return false;
-                }
-                // At least half a digit more, at most four at once: an estimate that large is none.
-                let less = (0.3 * accuracy / error).clamp(1e-4, 0.3);
-                Effort::Tolerance((tolerance * less).max(LEAST_TOLERANCE))
-            }
-            Effort::Step(step) => {
-                if !error.is_finite() || error >= self.reached && error < SMALL {
-                    return false;
-                }
-                Effort::Step(0.5 * step)
-            }
+        // At least half a digit more, at most four at once: an estimate that large is none.
+        let less = (0.3 * accuracy / error).clamp(1e-4, 0.3);
+        let (is_last, next) = match self.even {
+            true => (error >= self.reached && error < SMALL, 0.5 * self.better),
+            false => (
+                self.better <= LEAST_TOLERANCE,
+                (self.better * less).max(LEAST_TOLERANCE),
+            ),
         };
+        if is_last || !error.is_finite() {
+            return false;
+        }
         (self.worse, self.better, self.reached) = (self.better, next, error);
         true
     }
 
     /// The worse of a pair of tolerances so many times the better.
     fn spread(&mut self, times: f64) {
-        if let Effort::Tolerance(better) = self.better {
-            self.worse = Effort::Tolerance(times * better);
+        if !self.even {
+            self.worse = times * self.better;
         }
     }
 }
@@ -765,16 +764,6 @@ const MOVED: f64 = 1e-10;
 /// The same in units of the doubt about the start.
 const DOUBTS: f64 = 1e4;
 
-/// What steps for a solver.
-fn stepper(solver: Solver, request: &Request) -> Result<Stepper<'static>> {
-    match solver {
-        Solver::General(method) => Ok(Stepper::General(request.methods()?, method)),
-        Solver::ORDER_EIGHT => Ok(Stepper::OrderEight),
-        Solver::Events | Solver::Exact => Ok(Stepper::Events),
-        Solver::Geometric(_) => Err(ONLY_FOR_TOPS),
-    }
-}
-
 /// This plan, or what the request asks for by its name.
 ///
 /// # Errors
@@ -820,12 +809,8 @@ mod tests {
             [y[1], -1.0]
         }
 
-        fn margin(&self, (): (), _: f64, y: &[f64; 2]) -> f64 {
-            y[0]
-        }
-
-        fn may_end(&self, (): ()) -> bool {
-            true
+        fn margin(&self, (): (), _: f64, y: &[f64; 2]) -> Option<f64> {
+            Some(y[0])
         }
 
         fn next(&self, (): (), _: Stop, _: f64, y: &mut [f64; 2]) -> Result<()> {

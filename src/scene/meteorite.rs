@@ -2,7 +2,7 @@
 
 use super::columns::{Columns, columns};
 use super::effects::{Effect, Impact};
-use super::motion::Accounts;
+use super::motion::Books;
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Error, Result};
@@ -238,13 +238,13 @@ impl Scene for StruckPlanet {
             None => Law::Conserved,
         };
         let turning = "angular momentum about the origin";
-        let mut accounts = Accounts::of(request);
-        accounts.conserved("momentum", p.norm(), p, |k| rows[k].1[0])?;
-        accounts.conserved(turning, l.norm(), l, |k| rows[k].1[1])?;
+        let states = rows.iter().map(|(state, _)| *state);
+        let mut books = Books::of(request, plan, (Cost::default(), error), states);
+        books.conserved("momentum", p.norm(), p, |k, _| rows[k].1[0])?;
+        books.conserved(turning, l.norm(), l, |k, _| rows[k].1[1])?;
         let kinetic = ("kinetic energy", law, opening.energy);
-        accounts.keep(kinetic, opening.energy, |k| rows[k].0.energy)?;
-        let states = rows.iter().map(|(state, _)| *state).collect();
-        Motion::of(request, plan, Cost::default(), error, accounts, states)
+        books.keep(kinetic, opening.energy, |_, s| s.energy)?;
+        books.closed(request)
     }
 
     fn further(&self) -> Columns<Flying> {

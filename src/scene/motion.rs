@@ -214,6 +214,15 @@ impl Request {
         &self.times
     }
 
+    /// The refusal of a motion whose error is this, and whose start has grown so many times.
+    pub(super) fn amplified(&self, reached: f64, growth: f64) -> Error {
+        Error::Amplified {
+            asked: self.accuracy,
+            reached,
+            growth,
+        }
+    }
+
     /// # Errors
     /// [`Error::OutOfRange`] for a time before the start, of a scene that cannot be run backward.
     pub(super) fn forward(&self) -> Result<()> {
@@ -239,70 +248,62 @@ pub struct Motion<S> {
     pub rows: Vec<(f64, S)>,
 }
 
-impl<S> Motion<S> {
-    /// The states at the times of the request, if their error is within its accuracy and the accounts balance.
-    ///
-    /// # Errors
-    /// [`Error::Amplified`], [`Error::Ledger`].
-    pub(crate) fn of(
+/// A motion whose books are open: one after the other it is told what it conserves, or may only lose or gain.
+pub(crate) struct Books<S> {
+    motion: Motion<S>,
+    /// The rows that are read, in the order of time.
+    order: Vec<usize>,
+}
+
+impl<S> Books<S> {
+    /// What the solver of a plan has cost, by how much its states may be off, and these, at the times of a request.
+    pub fn of(
         request: &Request,
         plan: Plan,
-        cost: Cost,
-        error: f64,
-        accounts: Accounts,
-        states: Vec<S>,
-    ) -> Result<Self> {
-        // An error that is not a number must not pass for a small one.
-        if error <= request.accuracy {
-            Ok(Self {
-                plan,
-                cost,
-                error_estimate: error,
-                ledger: balanced(accounts.ledger, request.accuracy)?,
-                rows: request.times().iter().copied().zip(states).collect(),
-            })
-        } else {
-            Err(Error::Amplified {
-                asked: request.accuracy,
-                reached: error,
-                growth: error / f64::EPSILON,
-            })
-        }
-    }
-}
-
-/// What a scene conserves, or may only lose or gain, over its rows in the order of time.
-pub(crate) struct Accounts {
-    pub order: Vec<usize>,
-    pub ledger: Ledger,
-}
-
-impl Accounts {
-    /// Over all rows of a request.
-    pub fn of(request: &Request) -> Self {
-        Self::over(request, usize::MAX)
+        (cost, error_estimate): (Cost, f64),
+        states: impl IntoIterator<Item = S>,
+    ) -> Self {
+        let motion = Motion {
+            plan,
+            cost,
+            error_estimate,
+            ledger: Ledger::new(),
+            rows: request.times.iter().copied().zip(states).collect(),
+        };
+        let order = Vec::new();
+        Self { motion, order }.reading(usize::MAX)
     }
 
-    /// Over at most so many of them, evenly chosen, and the last.
-    pub fn over(request: &Request, most: usize) -> Self {
-        let times = &request.times;
-        let last = times.len() - 1;
-        let chosen = (0..last).step_by(times.len().div_ceil(most));
-        let mut order: Vec<usize> = chosen.chain([last]).collect();
-        order.sort_by(|&i, &j| times[i].total_cmp(&times[j]));
-        let ledger = Ledger::new();
-        Self { order, ledger }
+    /// The same of at most so many of its rows, evenly chosen, and the last.
+    pub fn reading(mut self, most: usize) -> Self {
+        let rows = &self.motion.rows;
+        let last = rows.len() - 1;
+        let chosen = (0..last).step_by(rows.len().div_ceil(most));
+        self.order = chosen.chain([last]).collect();
+        self.order.sort_by(|&i, &j| rows[i].0.total_cmp(&rows[j].0));
+        self
     }
 
-    /// A quantity by its name and law and the scale of its drift (0: any will do), its value at the start, and that in a row.
+    /// Its states.
+    pub fn states(&self) -> impl Iterator<Item = &S> {
+        self.motion.rows.iter().map(|(_, state)| state)
+    }
+
+    /// The earliest state that is read.
+    pub fn earliest(&self) -> &S {
+        &self.motion.rows[self.order[0]].1
+    }
+
+    /// A quantity by its name and law and the scale of its drift (0: any will do), its value at the start, and that of a state by its place.
     pub fn keep<V: Into<Value>>(
         &mut self,
         account: (&'static str, Law, f64),
         start: V,
-        row: impl Fn(usize) -> V,
+        of: impl Fn(usize, &S) -> V,
     ) -> Result<()> {
-        let rows = self.order.iter().map(|&place| row(place));
-        self.ledger.keep(account, start, rows)
+        let Motion { rows, ledger, .. } = &mut self.motion;
+        let read = self.order.iter().map(|&place| of(place, &rows[place].1));
+        ledger.keep(account, start, read)
     }
 
     /// One that keeps its value.
@@ -311,9 +312,26 @@ impl Accounts {
         name: &'static str,
         scale: f64,
         start: V,
-        row: impl Fn(usize) -> V,
+        of: impl Fn(usize, &S) -> V,
     ) -> Result<()> {
-        self.keep((name, Law::Conserved, scale), start, row)
+        self.keep((name, Law::Conserved, scale), start, of)
+    }
+
+    /// The motion, if its error is within the accuracy asked for and the books balance.
+    ///
+    /// # Errors
+    /// [`Error::Amplified`], [`Error::Ledger`].
+    pub fn closed(self, request: &Request) -> Result<Motion<S>> {
+        let (asked, reached) = (request.accuracy, self.motion.error_estimate);
+        // An error that is not a number must not pass for a small one.
+        if reached <= asked {
+            let ledger = balanced(self.motion.ledger, asked)?;
+            return Ok(Motion {
+                ledger,
+                ..self.motion
+            });
+        }
+        Err(request.amplified(reached, reached / f64::EPSILON))
     }
 }
 

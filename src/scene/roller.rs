@@ -4,7 +4,7 @@ use super::columns::{Columns, columns};
 use super::effects::Effect;
 use super::engine::{Answer, Flow, OF_CLOSED_FORMS, apart, greater};
 use super::engine::{planned, to_accuracy};
-use super::motion::Accounts;
+use super::motion::Books;
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Result, finite, positive};
@@ -251,20 +251,21 @@ impl OnTable<'_> {
         plan: Plan,
         state: impl Fn(Moment) -> S,
     ) -> Result<Motion<S>> {
-        let (moments, cost, error) = self.moments(&plan, request)?;
-        let accounts = self.accounts(request, &moments)?;
-        let states = moments.into_iter().map(state).collect();
-        Motion::of(request, plan, cost, error, accounts, states)
+        let (moments, done) = self.moments(&plan, request)?;
+        let states = moments.iter().copied().map(state);
+        let mut books = Books::of(request, plan, done, states);
+        self.keep(&mut books, request, &moments)?;
+        books.closed(request)
     }
 
     /// Moments at the times of a request by the solver of a plan, what they have cost, and by how much they may be off: lengths in radii, speeds
     /// and energies in the greatest of the motion.
-    fn moments(&self, plan: &Plan, request: &Request) -> Result<(Vec<Moment>, Cost, f64)> {
+    fn moments(&self, plan: &Plan, request: &Request) -> Result<(Vec<Moment>, (Cost, f64))> {
         let times = request.times();
         if !matches!(plan.solver, Solver::Exact | Solver::Events) {
             let Answer { trace, error } = to_accuracy(request, plan.solver, |_| Ok(*self))?;
             let moments = trace.samples.iter().map(|(_, y)| Moment::of(y));
-            return Ok((moments.collect(), trace.cost, error));
+            return Ok((moments.collect(), (trace.cost, error)));
         }
         let course = Course::under(&self.laws, self.start, self.span)?;
         let moments: Vec<Moment> = times.iter().map(|&t| course.at(t)).collect();
@@ -273,7 +274,7 @@ impl OnTable<'_> {
             steps: course.stretches() as u64,
         };
         if plan.solver == Solver::Exact {
-            return Ok((moments, cost, OF_CLOSED_FORMS));
+            return Ok((moments, (cost, OF_CLOSED_FORMS)));
         }
         let (sizes, mut off) = (self.sizes(&moments), 0.0);
         // In one of them what the changes do may cancel.
@@ -285,7 +286,7 @@ impl OnTable<'_> {
             off = times.iter().map(apart).fold(off, greater);
         }
         let error = ROUNDING * (course.stretches() as f64 + off / MOVED);
-        Ok((moments, cost, error))
+        Ok((moments, (cost, error)))
     }
 
     /// Another on this sheet that starts a little faster, turns a little slower, is pressed and pulled a little harder and is a little harder to turn; or
@@ -330,7 +331,7 @@ impl OnTable<'_> {
     }
 
     /// What is kept, or may only be lost.
-    fn accounts(&self, request: &Request, moments: &[Moment]) -> Result<Accounts> {
+    fn keep<S>(&self, books: &mut Books<S>, request: &Request, moments: &[Moment]) -> Result<()> {
         let Laws { kappa, load, .. } = self.laws;
         let (mass, drive) = (self.body.mass(), load.push + load.twist);
         let scale = |size: &dyn Fn(&Moment) -> f64| {
@@ -339,13 +340,10 @@ impl OnTable<'_> {
         };
         let kinetic = |m: &Moment| mass * m.energy(kappa);
         let balance = |m: &Moment| mass * (m.energy(kappa) + m.heat - m.work);
-        let energies = |row: usize| kinetic(&moments[row]);
-        let balances = |row: usize| balance(&moments[row]);
         // About the contact only a tug has a moment, and it is steady.
-        let about = |row: usize| {
+        let about = |row: usize, _: &S| {
             mass * (moments[row].about_the_table(kappa) - request.times()[row] * drive)
         };
-        let mut accounts = Accounts::of(request);
         if self.laws.resistance.is_none() {
             let name = match self.driven() {
                 true => "angular momentum about the table less the tug's",
@@ -354,21 +352,22 @@ impl OnTable<'_> {
             let first = mass * self.start.about_the_table(kappa);
             let own = |m: &Moment| m.velocity.abs() + kappa * m.rim_speed.abs();
             let size = scale(&own).max(mass * self.speed());
-            accounts.conserved(name, size, first, about)?;
+            books.conserved(name, size, first, about)?;
         }
         let pull = |m: &Moment| (load.push * m.position).abs() + (load.twist * m.turned).abs();
         let size = scale(&|m| m.energy(kappa) + m.heat + m.work.abs() + pull(m));
         let name = "energy plus heat less work";
-        accounts.conserved(name, size, balance(&self.start), balances)?;
+        books.conserved(name, size, balance(&self.start), |row, _| {
+            balance(&moments[row])
+        })?;
         if !self.driven() && self.laws.sheet.is_none() {
-            let (size, first) = (scale(&|m| m.energy(kappa)), kinetic(&self.start));
-            accounts.keep(
-                ("kinetic energy", Law::NonIncreasing, size),
-                first,
-                energies,
-            )?;
+            let size = scale(&|m| m.energy(kappa));
+            let account = ("kinetic energy", Law::NonIncreasing, size);
+            books.keep(account, kinetic(&self.start), |row, _| {
+                kinetic(&moments[row])
+            })?;
         }
-        Ok(accounts)
+        Ok(())
     }
 
     /// Whether something pulls at the body.
@@ -400,15 +399,9 @@ impl Flow<8> for OnTable<'_> {
         stretch.rates(t - stretch.start, y)
     }
 
-    fn margin(&self, stretch: Stretch, _: f64, y: &State) -> f64 {
-        stretch
-            .ends(y)
-            .map(|(margin, _)| margin)
-            .fold(f64::INFINITY, f64::min)
-    }
-
-    fn may_end(&self, stretch: Stretch) -> bool {
-        stretch.ends(&[0.0; 8]).next().is_some()
+    fn margin(&self, stretch: Stretch, _: f64, y: &State) -> Option<f64> {
+        let margins = stretch.ends(y).map(|(margin, _)| margin);
+        margins.reduce(f64::min)
     }
 
     /// At once where the body stands on the edge of the sheet and goes over it.

@@ -2,12 +2,11 @@
 
 use super::columns::{Columns, columns};
 use super::effects::Effect;
-use super::engine::{Answer, Flow, OF_CLOSED_FORMS, ROUNDING, greater, planned, solved};
-use super::motion::Accounts;
+use super::engine::{Flow, OF_CLOSED_FORMS, ROUNDING, greater, planned, solved};
 use super::{Motion, Plan, Request, Scene, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Result, finite, not_negative};
-use crate::falling_strip::{Equations, Plate};
+use crate::falling_strip::{Equations, Plate, RotationalDamping};
 use crate::integrators::Stop;
 
 /// The state of a strip.
@@ -162,23 +161,17 @@ impl Strip {
 
     /// The parabola.
     fn in_free_fall(&self, t: f64) -> [f64; 7] {
-        let StripStart {
-            angle,
-            velocity: [vx, vy],
-            omega,
-        } = self.start;
-        let g = self.equations.gravity.unwrap_or(0.0);
+        let (start, g) = (&self.start, self.equations.gravity.unwrap_or(0.0));
+        let [vx, vy] = start.velocity;
         let place = [vx * t, t * (vy - 0.5 * g * t)];
-        self.numbers(place, angle + omega * t, [vx, vy - g * t])
+        self.numbers(place, start.angle + start.omega * t, [vx, vy - g * t])
     }
 
     fn state(&self, y: &[f64; 7]) -> StripState {
         let (sine, cosine) = y[2].sin_cos();
-        let kinetic = self.equations.kinetic_energy(y);
-        let weight = self
-            .equations
-            .gravity
-            .map(|g| self.equations.plate.mass() * g);
+        let equations = &self.equations;
+        let kinetic = equations.kinetic_energy(y);
+        let weight = equations.gravity.map(|g| equations.plate.mass() * g);
         StripState {
             position: [y[0], y[1]],
             angle: y[2],
@@ -196,14 +189,9 @@ impl Flow<7> for Strip {
     type Phase = f64;
 
     fn start(&self) -> Result<(f64, [f64; 7])> {
-        let StripStart {
-            angle,
-            velocity,
-            omega,
-        } = self.start;
-        let y = self.numbers([0.0; 2], angle, velocity);
+        let y = self.numbers([0.0; 2], self.start.angle, self.start.velocity);
         // A strip that does not turn yet is turned by −u w, the only torque on it, or by what that becomes: its rate, or the rate of its rate.
-        let [.., u, w, _, _] = y;
+        let [.., u, w, omega, _] = y;
         let [.., du, dw, _, _] = self.equations.rate_in(1.0, &y);
         let turning = [omega, -u * w, -(du * w + u * dw), -du * dw];
         let first = turning.into_iter().find(|&x| x != 0.0);
@@ -230,12 +218,10 @@ impl Flow<7> for Strip {
         self.equations.rate_in(sense, y)
     }
 
-    fn margin(&self, sense: f64, _: f64, y: &[f64; 7]) -> f64 {
-        sense * y[5]
-    }
-
-    fn may_end(&self, _: f64) -> bool {
-        (self.equations.damping).is_some_and(|damping| damping.quadratic != 0.0)
+    fn margin(&self, sense: f64, _: f64, y: &[f64; 7]) -> Option<f64> {
+        let kink = |damping: RotationalDamping| damping.quadratic != 0.0;
+        let bends = self.equations.damping.is_some_and(kink);
+        bends.then_some(sense * y[5])
     }
 
     fn next(&self, sense: f64, _: Stop, _: f64, y: &mut [f64; 7]) -> Result<f64> {
@@ -290,9 +276,8 @@ impl Scene for Strip {
     fn simulate(&self, request: &Request) -> Result<Motion<StripState>> {
         let plan = self.plan(request)?;
         let known = |t| Ok(self.in_free_fall(t));
-        let Answer { trace, error } = solved((self, &plan, request), 1, known)?;
-        let rows: Vec<[f64; 7]> = trace.samples.iter().map(|(_, y)| *y).collect();
-        let states: Vec<StripState> = rows.iter().map(|y| self.state(y)).collect();
+        let answer = solved((self, &plan, request), 1, known)?;
+        let rows: Vec<[f64; 7]> = answer.trace.samples.iter().map(|(_, y)| *y).collect();
         let (equations, times) = (&self.equations, request.times());
         let [.., speed, _, _, scale] = self.scales();
         let first = self.start()?.1;
@@ -303,22 +288,20 @@ impl Scene for Strip {
         let pulls = times.iter().map(|t| (weight * t).abs());
         let impulse = pulls.fold(scale / speed, f64::max);
         let opening = self.state(&first).energy;
-        let balance = |k: usize| states[k].energy + states[k].heat;
-        let heat = |k: usize| states[k].heat;
-        let across = |k: usize| equations.impulse(&rows[k])[0];
-        let up = |k: usize| equations.impulse(&rows[k])[1] + weight * times[k];
-        let mut accounts = Accounts::of(request);
-        accounts.conserved("energy and heat", energy, opening, balance)?;
+        let across = |k: usize, _: &_| equations.impulse(&rows[k])[0];
+        let up = |k: usize, _: &_| equations.impulse(&rows[k])[1] + weight * times[k];
+        let mut books = answer.told(request, plan, |_, _, y| self.state(y));
+        books.conserved("energy and heat", energy, opening, |_, s| s.energy + s.heat)?;
         if self.brakes() {
-            accounts.keep(("heat", Law::NonDecreasing, energy), 0.0, heat)?;
+            books.keep(("heat", Law::NonDecreasing, energy), 0.0, |_, s| s.heat)?;
         }
         // Without lift and drag only the weight changes the impulse of plate and fluid.
         if equations.lift.is_none() && equations.drag.is_none() {
             let vertical = "vertical impulse and that of the weight";
-            accounts.conserved("horizontal impulse", impulse, px, across)?;
-            accounts.conserved(vertical, impulse, py, up)?;
+            books.conserved("horizontal impulse", impulse, px, across)?;
+            books.conserved(vertical, impulse, py, up)?;
         }
-        Motion::of(request, plan, trace.cost, error, accounts, states)
+        books.closed(request)
     }
 
     fn further(&self) -> Columns<StripState> {

@@ -4,7 +4,7 @@ use super::columns::{Columns, columns};
 use super::effects::Effect;
 use super::engine::{Answer, Flow, OF_CLOSED_FORMS, apart, greater};
 use super::engine::{planned, to_accuracy};
-use super::motion::Accounts;
+use super::motion::Books;
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Result, not_negative, positive};
@@ -168,11 +168,11 @@ impl Scene for Superball {
     fn simulate(&self, request: &Request) -> Result<Motion<Bouncing>> {
         let plan = self.plan(request)?;
         let flight = self.flight()?;
-        let (balls, cost, error) = match plan.solver {
+        let (balls, done) = match plan.solver {
             Solver::Exact => {
                 let balls = request.times().iter().map(|&t| flight.exact(t));
                 let balls: Vec<_> = balls.collect::<Result<_>>()?;
-                (balls, Cost::default(), 2.0 * OF_CLOSED_FORMS)
+                (balls, (Cost::default(), 2.0 * OF_CLOSED_FORMS))
             }
             Solver::Events => self.followed(&flight, request)?,
             _ => {
@@ -180,7 +180,7 @@ impl Scene for Superball {
                 let thrown = Thrown { flight, span };
                 let Answer { trace, error } = to_accuracy(request, plan.solver, |_| Ok(thrown))?;
                 let balls = trace.samples.iter().map(|(ball, y)| flying(ball, y));
-                (balls.collect(), trace.cost, error)
+                (balls.collect(), (trace.cost, error))
             }
         };
         let energy = |ball: &InFlight| self.mass * ball.energy(self.kappa, flight.gravity());
@@ -193,17 +193,15 @@ impl Scene for Superball {
             true => Law::Conserved,
             false => Law::NonIncreasing,
         };
-        let energies = |row: usize| energy(&balls[row]);
-        let depths = |row: usize| depth(&balls[row]);
-        let name = "depth in floor or ceiling";
-        let mut accounts = Accounts::of(request);
-        accounts.keep(("energy", law, first), first, energies)?;
-        accounts.conserved(name, highest, inside, depths)?;
         let states = balls.iter().map(|ball| Bouncing {
             ball: *ball,
             energy: energy(ball),
         });
-        Motion::of(request, plan, cost, error, accounts, states.collect())
+        let mut books = Books::of(request, plan, done, states);
+        books.keep(("energy", law, first), first, |_, s| s.energy)?;
+        let name = "depth in floor or ceiling";
+        books.conserved(name, highest, inside, |_, s| depth(&s.ball))?;
+        books.closed(request)
     }
 
     fn further(&self) -> Columns<Bouncing> {
@@ -231,7 +229,7 @@ impl Superball {
     ///
     /// Twins that differ by [`MOVED`] tell what becomes of rounding, after as many bounces: at a bounce speeds jump, a moment earlier or later. In one
     /// of the two what the changes do may cancel.
-    fn followed(&self, flight: &Flight, request: &Request) -> Result<(Vec<InFlight>, Cost, f64)> {
+    fn followed(&self, flight: &Flight, request: &Request) -> Result<(Vec<InFlight>, (Cost, f64))> {
         let mut times = request.times().to_vec();
         times.sort_by(f64::total_cmp);
         let ordered = flight.followed(&times)?;
@@ -273,7 +271,7 @@ impl Superball {
         let asked = request.times().iter();
         let place = |t: &f64| times.partition_point(|earlier| earlier < t);
         let balls = asked.map(|t| ordered[place(t)]).collect();
-        Ok((balls, cost, error))
+        Ok((balls, (cost, error)))
     }
 }
 
@@ -345,15 +343,12 @@ impl Flow<3> for Thrown {
         [flight.motion.velocity, y[2], -self.flight.gravity()]
     }
 
-    fn margin(&self, flight: InFlight, _: f64, y: &[f64; 3]) -> f64 {
+    fn margin(&self, flight: InFlight, _: f64, y: &[f64; 3]) -> Option<f64> {
+        let room = self.flight.room();
         match flight.climb > 0.0 {
-            true => self.flight.room() - y[1],
-            false => y[1],
+            true => room.is_finite().then_some(room - y[1]),
+            false => Some(y[1]),
         }
-    }
-
-    fn may_end(&self, flight: InFlight) -> bool {
-        flight.climb <= 0.0 || self.flight.room().is_finite()
     }
 
     /// Up and down again in one step would hide a contact, so a flight is cut at its summit.

@@ -4,8 +4,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use super::columns::{Columns, columns, state};
 use super::effects::Effect;
-use super::engine::{Ahead, Answer, Flow, OF_CLOSED_FORMS, greater, planned, solved};
-use super::motion::Accounts;
+use super::engine::{Ahead, Flow, OF_CLOSED_FORMS, greater, planned, solved};
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Error, Result, not_negative, positive};
@@ -352,16 +351,9 @@ impl Playing {
             Phase::Asleep => 0.5 * toy.inertia() * omega * omega,
             _ => toy.kinetic_energy(depth, omega),
         };
-        YoYoState {
-            phase: stage.0,
-            depth,
-            velocity,
-            omega,
-            tension,
-            energy: kinetic - m * g * depth,
-            heat,
-            work,
-        }
+        let energy = kinetic - m * g * depth;
+        let numbers = [depth, velocity, omega, tension, energy, heat, work];
+        YoYoState::of(numbers, stage.0)
     }
 }
 
@@ -417,20 +409,16 @@ impl Flow<6> for Playing {
         [along, spin_up, -heating, heating, 0.0, 0.0]
     }
 
-    fn margin(&self, (phase, end): Stage, _: f64, y: &Numbers) -> f64 {
+    fn margin(&self, (phase, end): Stage, _: f64, y: &Numbers) -> Option<f64> {
         let spin = y[1] / self.greatest().1;
         match phase {
-            Phase::Down => 1.0 - y[0],
+            Phase::Down => Some(1.0 - y[0]),
             // Without energy to spare it is the spin that ends the way up: the depth would graze the hand.
-            Phase::Up if y[ENERGY] > 0.0 => y[0].min(spin),
-            Phase::Up | Phase::Asleep => spin,
-            Phase::Turn => end - y[0],
-            Phase::Hanging | Phase::Caught => 1.0,
+            Phase::Up if y[ENERGY] > 0.0 => Some(y[0].min(spin)),
+            Phase::Up | Phase::Asleep => Some(spin),
+            Phase::Turn => Some(end - y[0]),
+            Phase::Hanging | Phase::Caught => None,
         }
-    }
-
-    fn may_end(&self, (phase, _): Stage) -> bool {
-        !rests(phase)
     }
 
     fn lasts_until(&self, (phase, _): Stage, t: f64) -> f64 {
@@ -534,22 +522,19 @@ impl Scene for Play {
         let plan = self.plan(request)?;
         let playing = Playing::new(*self, plan.solver == Solver::Events)?;
         let start = playing.start()?.1;
-        let Answer { trace, mut error } = solved((&playing, &plan, request), 1, |_| Ok(start))?;
+        let mut answer = solved((&playing, &plan, request), 1, |_| Ok(start))?;
         let (scale, fastest) = playing.greatest();
-        let mut phases = trace.samples.iter().map(|((phase, _), _)| *phase);
-        if playing.closed && phases.any(|phase| phase == Phase::Turn) {
+        let mut stages = answer.trace.samples.iter().map(|(stage, _)| stage);
+        if playing.closed && stages.any(|stage| stage.0 == Phase::Turn) {
             // In the turn the yo-yo is as fast as its spin, and the time itself is rounded.
-            error += fastest * OF_A_TIME * request.furthest;
+            answer.error += fastest * OF_A_TIME * request.furthest;
         }
-        let states = trace.samples.iter();
-        let states: Vec<YoYoState> = states.map(|(stage, y)| playing.state(*stage, y)).collect();
-        let balance = |k: usize| states[k].energy + states[k].heat - states[k].work;
-        let heat = |k: usize| states[k].heat;
+        let mut books = answer.told(request, plan, |_, stage, y| playing.state(*stage, y));
+        let balance = |_: usize, s: &YoYoState| s.energy + s.heat - s.work;
         let name = "energy and heat less the work of the hand";
-        let mut accounts = Accounts::of(request);
-        accounts.conserved(name, scale, playing.energy, balance)?;
-        accounts.keep(("heat", Law::NonDecreasing, scale), 0.0, heat)?;
-        Motion::of(request, plan, trace.cost, error, accounts, states)
+        books.conserved(name, scale, playing.energy, balance)?;
+        books.keep(("heat", Law::NonDecreasing, scale), 0.0, |_, s| s.heat)?;
+        books.closed(request)
     }
 
     fn further(&self) -> Columns<YoYoState> {

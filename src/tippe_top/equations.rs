@@ -14,7 +14,7 @@ pub(crate) const NUMBERS: usize = 12;
 pub(crate) type Numbers = [f64; NUMBERS];
 
 /// A body and what acts at its contact.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Table {
     pub(crate) body: ConvexBody,
     pub(crate) gravity: f64,

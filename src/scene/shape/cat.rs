@@ -13,7 +13,7 @@ use crate::phenomena::{self, Bend, EqualHalves, ShapePlane};
 use crate::scene::columns::{Columns, columns};
 use crate::scene::effects::Effect;
 use crate::scene::engine::{AN_INTEGRAL, Answer, Flow, planned, solved};
-use crate::scene::motion::Accounts;
+use crate::scene::motion::Books;
 use crate::scene::{Motion, Plan, Request, Scene, Solver, Tabulated};
 
 /// A cat of two halves, let go: attitude and angular momentum at the start, a path of shapes, and gravity.
@@ -270,10 +270,9 @@ impl Scene for Cat {
         let moments: f64 = self.body.halves.iter().map(|half| half.transverse).sum();
         let l = self.angular_momentum;
         let scale = (moments * fastest).max(l.norm());
-        let now = |k: usize| states[k].angular_momentum;
-        let mut accounts = Accounts::of(request);
-        accounts.conserved("angular momentum", scale, l, now)?;
-        Motion::of(request, plan, trace.cost, error, accounts, states)
+        let mut books = Books::of(request, plan, (trace.cost, error), states);
+        books.conserved("angular momentum", scale, l, |_, s| s.angular_momentum)?;
+        books.closed(request)
     }
 
     fn further(&self) -> Columns<CatState> {

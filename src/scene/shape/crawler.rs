@@ -2,15 +2,15 @@
 
 use core::f64::consts::TAU;
 
+use super::path::no_more;
 use crate::conservation::Law;
-use crate::error::{Error, Result, not_negative};
+use crate::error::{Result, not_negative};
 use crate::integrators::{Passage, Stop};
 use crate::phenomena::{self, Foot, Gap, Leg};
 use crate::rolling::Coulomb;
 use crate::scene::columns::{Columns, columns, state};
 use crate::scene::effects::Effect;
-use crate::scene::engine::{Ahead, Answer, Flow, planned, solved};
-use crate::scene::motion::Accounts;
+use crate::scene::engine::{Ahead, Flow, planned, solved};
 use crate::scene::{Motion, Plan, Request, Scene};
 
 /// Two feet and a muscle on the ground, at rest at first.
@@ -124,10 +124,7 @@ impl Crawler {
             let [along, acceleration] = self.body.slowing(leg, foot, velocity, rate)?;
             Some(((-along / acceleration).max(0.0), foot))
         };
-        match (stop(0), stop(1)) {
-            (Some(a), Some(b)) => Some(if a.0 <= b.0 { a } else { b }),
-            (a, b) => a.or(b),
-        }
+        (0..2).filter_map(stop).min_by(|a, b| a.0.total_cmp(&b.0))
     }
 }
 
@@ -165,15 +162,11 @@ impl Flow<5> for Crawler {
         ]
     }
 
-    fn margin(&self, (piece, leg): Phase, t: f64, y: &[f64; 5]) -> f64 {
+    fn margin(&self, (piece, leg): Phase, t: f64, y: &[f64; 5]) -> Option<f64> {
         let rate = self.gap(piece, t).rate;
         let along = |foot| self.body.slowing(&leg, foot, y[1], rate);
         let margins = (0..2).filter_map(along).map(|[velocity, _]| velocity);
-        margins.fold(f64::INFINITY, f64::min)
-    }
-
-    fn may_end(&self, (_, leg): Phase) -> bool {
-        (0..2).any(|foot| self.body.slowing(&leg, foot, 0.0, 0.0).is_some())
+        margins.reduce(f64::min)
     }
 
     fn lasts_until(&self, (piece, _): Phase, _: f64) -> f64 {
@@ -237,47 +230,32 @@ impl Scene for Crawler {
     fn simulate(&self, request: &Request) -> Result<Motion<CrawlerState>> {
         let plan = self.plan(request)?;
         let (body, strokes) = (&self.body, self.body.strokes());
-        let cycles = request.times().iter().copied().fold(0.0, f64::max) / strokes.cycle();
-        if cycles.is_nan() || cycles > MOST_CYCLES {
-            return Err(Error::Condition {
-                condition: "a crawler must be asked for no more than 250000 cycles",
-                value: cycles,
-            });
-        }
+        let condition = "a crawler must be asked for no more than 250000 cycles";
+        no_more(request.furthest / strokes.cycle(), MOST_CYCLES, condition)?;
         let gap = |t: f64| strokes.at(strokes.piece_at(t), t);
         // On perfect ice only the muscle's work is to be told: the kinetic energy.
-        let Answer { trace, error } = solved((self, &plan, request), 1, |t| {
+        let answer = solved((self, &plan, request), 1, |t| {
             Ok([0.0, 0.0, 0.0, 0.0, body.energy(0.0, gap(t).rate)])
         })?;
-        let rows = request.times().iter().zip(trace.samples);
-        let rows: Vec<(f64, [f64; 5])> = rows.map(|(&t, (_, y))| (t, y)).collect();
-        let [.., mass_speed, _, energy] = self.scales();
-        let spent = rows.iter().map(|(_, y)| y[3]).fold(0.0, f64::max);
-        let mass: f64 = body.masses().iter().sum();
-        let momentum = |place: usize| mass * rows[place].1[1] - rows[place].1[2];
-        let balance = |place: usize| {
-            let (t, [_, velocity, _, heat, work]) = rows[place];
-            body.energy(velocity, gap(t).rate) + heat - work
-        };
-        let heat = |place: usize| rows[place].1[3];
-        let given = "momentum less the impulse of friction";
-        let left = "energy and heat less the work of the muscle";
-        let mut accounts = Accounts::of(request);
-        accounts.conserved(given, mass_speed, 0.0, momentum)?;
-        accounts.conserved(left, energy + spent, 0.0, balance)?;
-        accounts.keep(("heat", Law::NonDecreasing, spent.max(1.0)), 0.0, heat)?;
-        let states = rows.iter().map(|&(t, [center, velocity, _, heat, work])| {
+        let mut books = answer.told(request, plan, |t, _, &[center, velocity, _, heat, work]| {
             let [rear, front] = body.feet(center, gap(t).gap);
-            CrawlerState {
-                rear,
-                front,
-                center,
-                velocity,
-                work,
-                heat,
-            }
+            CrawlerState::of([rear, front, center, velocity, work, heat])
         });
-        Motion::of(request, plan, trace.cost, error, accounts, states.collect())
+        let [.., mass_speed, _, energy] = self.scales();
+        let spent = books.states().map(|state| state.heat).fold(0.0, f64::max);
+        let mass: f64 = body.masses().iter().sum();
+        let impulse = |place: usize| answer.trace.samples[place].1[2];
+        let momentum = |place: usize, s: &CrawlerState| mass * s.velocity - impulse(place);
+        let balance = |place: usize, s: &CrawlerState| {
+            body.energy(s.velocity, gap(request.times()[place]).rate) + s.heat - s.work
+        };
+        let given = "momentum less the impulse of friction";
+        books.conserved(given, mass_speed, 0.0, momentum)?;
+        let left = "energy and heat less the work of the muscle";
+        books.conserved(left, energy + spent, 0.0, balance)?;
+        let heat = ("heat", Law::NonDecreasing, spent.max(1.0));
+        books.keep(heat, 0.0, |_, s| s.heat)?;
+        books.closed(request)
     }
 
     fn further(&self) -> Columns<CrawlerState> {

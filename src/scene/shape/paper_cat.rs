@@ -8,8 +8,7 @@ use crate::integrators::{Effort, Kept, Leg, Stop};
 use crate::phenomena;
 use crate::scene::columns::{Columns, columns, state};
 use crate::scene::effects::Effect;
-use crate::scene::engine::{Answer, Flow, apart, planned, solved};
-use crate::scene::motion::Accounts;
+use crate::scene::engine::{Flow, apart, planned, solved};
 use crate::scene::{Motion, Plan, Request, Scene, Solver};
 
 /// What the double nearest to π leaves of it.
@@ -231,9 +230,8 @@ impl Scene for PaperCat {
 
     fn simulate(&self, request: &Request) -> Result<Motion<PaperCatState>> {
         let plan = self.plan(request)?;
-        let last = request.times().iter().copied().fold(0.0, f64::max);
-        let run = (&self.falling(last), &plan, request);
-        let Answer { trace, error } = solved(run, 1, |t| {
+        let run = (&self.falling(request.furthest), &plan, request);
+        let answer = solved(run, 1, |t| {
             let [fall, velocity] = self.gravity.map_or([0.0; 2], |g| [0.5 * g * t * t, g * t]);
             Ok([fall, velocity, self.tilt, 0.0, 0.0])
         })?;
@@ -241,30 +239,21 @@ impl Scene for PaperCat {
             Solver::Exact => 0.0,
             _ => self.rest(),
         };
-        let samples = trace.samples.into_iter();
-        let states = samples.map(
-            |((), [fall, velocity, tilt, tilt_rate, lost])| PaperCatState {
-                fall,
-                velocity,
-                tilt: rest + tilt,
-                tilt_rate,
-                lost,
-            },
-        );
-        let states: Vec<PaperCatState> = states.collect();
-        let energy = |place: usize| {
-            let PaperCatState { fall, velocity, .. } = states[place];
-            let kinetic = 0.5 * velocity * velocity;
-            self.gravity.map_or(kinetic, |g| kinetic - g * fall)
+        let mut books = answer.told(request, plan, |_, _, y| {
+            let mut numbers = *y;
+            numbers[2] += rest;
+            PaperCatState::of(numbers)
+        });
+        let energy = |_: usize, state: &PaperCatState| {
+            let kinetic = 0.5 * state.velocity * state.velocity;
+            self.gravity.map_or(kinetic, |g| kinetic - g * state.fall)
         };
-        let balance = |place: usize| energy(place) + states[place].lost;
-        let squares = states.iter().map(|state| state.velocity.powi(2));
+        let squares = books.states().map(|state| state.velocity.powi(2));
         let largest = squares.fold(0.0, f64::max);
-        let (whole, name) = ("energy of fall with what the air took", "energy of fall");
-        let mut accounts = Accounts::of(request);
-        accounts.conserved(whole, largest, 0.0, balance)?;
-        accounts.keep((name, Law::NonIncreasing, largest), 0.0, energy)?;
-        Motion::of(request, plan, trace.cost, error, accounts, states)
+        let name = "energy of fall with what the air took";
+        books.conserved(name, largest, 0.0, |k, s| energy(k, s) + s.lost)?;
+        books.keep(("energy of fall", Law::NonIncreasing, largest), 0.0, energy)?;
+        books.closed(request)
     }
 
     fn further(&self) -> Columns<PaperCatState> {

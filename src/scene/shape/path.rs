@@ -115,30 +115,20 @@ impl FourPhases {
         self.duration / 4.0
     }
 
-    /// Nothing, if a run with steps can pass through all the rounds up to these times.
+    /// Nothing, if a run with steps can pass through all the rounds up to this time.
     ///
     /// # Errors
     /// [`Error::Condition`] if they are too many.
-    pub(super) fn passed_through(&self, times: &[f64]) -> Result<()> {
-        let rounds = times.iter().copied().fold(0.0, f64::max) / self.duration;
-        if rounds <= MOST_ROUNDS {
-            return Ok(());
-        }
-        Err(Error::Condition {
-            condition: "a path of shapes must be asked for no more than 100000 rounds",
-            value: rounds,
-        })
+    pub(super) fn passed_through(&self, time: f64) -> Result<()> {
+        let condition = "a path of shapes must be asked for no more than 100000 rounds";
+        no_more(time / self.duration, MOST_ROUNDS, condition)
     }
 
     /// The next corner after a time, s.
     pub(super) fn corner_after(&self, t: f64) -> f64 {
-        let corner = |number: f64| number * self.part();
-        let number = (t / self.part()).floor() + 1.0;
-        if corner(number) > t {
-            corner(number)
-        } else {
-            corner(number + 1.0)
-        }
+        let passed = (t / self.part()).floor();
+        // At a corner itself the quotient may be rounded to less than its number.
+        next_of(Some([1.0, 2.0].map(|n| (passed + n) * self.part())), t)
     }
 
     /// The least upper moment, kg m², and the fastest twist, rad/s.
@@ -210,13 +200,15 @@ impl Turnover {
     /// The shape at a time, and its rate.
     pub(super) fn bend(&self, t: f64) -> Bend {
         let u = t / self.duration;
+        let forward = |part: f64, rate: f64, direction: f64| Bend {
+            angle: self.forward * part,
+            direction,
+            angle_rate: self.forward * rate * 4.0 / self.duration,
+            direction_rate: 0.0,
+        };
         if u < 0.25 {
             let [part, rate, _] = self.pace.at(4.0 * u);
-            Bend {
-                angle: self.forward * part,
-                angle_rate: self.forward * rate * 4.0 / self.duration,
-                ..Bend::default()
-            }
+            forward(part, rate, 0.0)
         } else if u < 0.75 {
             let [part, rate, _] = self.pace.at(2.0 * u - 0.5);
             let mean = 0.5 * (self.forward + self.back);
@@ -231,12 +223,7 @@ impl Turnover {
             }
         } else {
             let [part, rate, _] = self.pace.at(4.0 * u - 3.0);
-            Bend {
-                angle: self.forward * (1.0 - part),
-                direction: TAU,
-                angle_rate: -self.forward * rate * 4.0 / self.duration,
-                direction_rate: 0.0,
-            }
+            forward(1.0 - part, -rate, TAU)
         }
     }
 
@@ -248,6 +235,17 @@ impl Turnover {
     /// No rate is greater, rad/s.
     pub(super) fn greatest_rate(&self) -> f64 {
         2.0 * TAU * self.pace.greatest_rate() / self.duration
+    }
+}
+
+/// Nothing, if a run can pass through so many.
+///
+/// # Errors
+/// [`Error::Condition`] for more than the most.
+pub(super) fn no_more(value: f64, most: f64, condition: &'static str) -> Result<()> {
+    match value <= most {
+        true => Ok(()),
+        false => Err(Error::Condition { condition, value }),
     }
 }
 

@@ -6,8 +6,7 @@ use crate::phenomena;
 use crate::phenomena::quadrature::integral;
 use crate::scene::columns::{Columns, columns, state};
 use crate::scene::effects::Effect;
-use crate::scene::engine::{AN_INTEGRAL, Answer, Flow, apart, planned, solved};
-use crate::scene::motion::Accounts;
+use crate::scene::engine::{AN_INTEGRAL, Flow, apart, planned, solved};
 use crate::scene::{Motion, Plan, Request, Scene};
 
 /// A skater who spins: a core, two hands, a path for them, and what the ice does.
@@ -102,16 +101,10 @@ impl Skater {
         spin.abs().max(f64::MIN_POSITIVE)
     }
 
-    fn state(&self, t: f64, [angle, spin, work, heat]: [f64; 4]) -> SkaterState {
+    fn state(&self, t: f64, &[angle, spin, work, heat]: &[f64; 4]) -> SkaterState {
         let [reach, rate, _] = self.reach(t);
-        SkaterState {
-            angle,
-            spin,
-            reach,
-            energy: self.body.energy(spin, reach, rate),
-            work,
-            heat,
-        }
+        let energy = self.body.energy(spin, reach, rate);
+        SkaterState::of([angle, spin, reach, energy, work, heat])
     }
 
     /// Ω = L/I, and the integral of it while the hands move.
@@ -190,24 +183,24 @@ impl Scene for Skater {
     fn simulate(&self, request: &Request) -> Result<Motion<SkaterState>> {
         let plan = self.plan(request)?;
         let run = (self, &plan, request);
-        let Answer { trace, error } = solved(run, AN_INTEGRAL, |t| self.known(t))?;
-        let rows = request.times().iter().zip(trace.samples);
-        let states: Vec<SkaterState> = rows.map(|(&t, ((), y))| self.state(t, y)).collect();
+        let answer = solved(run, AN_INTEGRAL, |t| self.known(t))?;
+        let mut books = answer.told(request, plan, |t, _, y| self.state(t, y));
         let l = self.angular_momentum();
-        let start = self.state(0.0, [0.0, self.spin, 0.0, 0.0]);
+        let start = self.state(0.0, &[0.0, self.spin, 0.0, 0.0]);
         // What the hands do with the energy and what the energy does with the rounding: relative to the largest that occurs.
-        let largest = states.iter().map(|s| s.energy).fold(start.energy, f64::max);
-        let momentum = |place: usize| {
-            let state = &states[place];
+        let largest = books
+            .states()
+            .map(|s| s.energy)
+            .fold(start.energy, f64::max);
+        let momentum = |_: usize, state: &SkaterState| {
             let now = self.body.moment(state.reach) * state.spin;
             self.bearing_friction.map_or(now, |c| now + c * state.angle)
         };
-        let balance = |place: usize| states[place].energy + states[place].heat - states[place].work;
-        let (name, left) = ("angular momentum", "energy less the work of the arms");
-        let mut accounts = Accounts::of(request);
-        accounts.conserved(name, l.abs(), l, momentum)?;
-        accounts.conserved(left, largest, start.energy, balance)?;
-        Motion::of(request, plan, trace.cost, error, accounts, states)
+        let balance = |_: usize, state: &SkaterState| state.energy + state.heat - state.work;
+        books.conserved("angular momentum", l.abs(), l, momentum)?;
+        let name = "energy less the work of the arms";
+        books.conserved(name, largest, start.energy, balance)?;
+        books.closed(request)
     }
 
     fn further(&self) -> Columns<SkaterState> {

@@ -6,8 +6,7 @@ use crate::phenomena;
 use crate::phenomena::quadrature::integral;
 use crate::scene::columns::{Columns, columns, state};
 use crate::scene::effects::Effect;
-use crate::scene::engine::{AN_INTEGRAL, Answer, Flow, apart, planned, solved};
-use crate::scene::motion::Accounts;
+use crate::scene::engine::{AN_INTEGRAL, Flow, apart, planned, solved};
 use crate::scene::{Motion, Plan, Request, Scene, Solver};
 
 /// Two parts on one vertical axis, the lower one free to turn on the ice: angular momentum L, a path of shapes, and what the bearing does.
@@ -114,15 +113,10 @@ impl Swivel {
         phenomena::Swivel { lower: self.lower }.rate(l, shape.upper, shape.rate)
     }
 
-    fn state(&self, t: f64, [lower, l]: [f64; 2]) -> SwivelState {
+    fn state(&self, t: f64, &[lower, l]: &[f64; 2]) -> SwivelState {
         let shape = self.shape(t);
-        SwivelState {
-            lower,
-            upper: lower + shape.angle,
-            upper_moment: shape.upper,
-            rate: self.lower_rate(l, &shape),
-            angular_momentum: l,
-        }
+        let (upper, rate) = (lower + shape.angle, self.lower_rate(l, &shape));
+        SwivelState::of([lower, upper, shape.upper, rate, l])
     }
 
     /// The least moment that turns, and no greater rate of the lower part.
@@ -211,32 +205,27 @@ impl Scene for Swivel {
         let (l, exact) = (self.angular_momentum, plan.solver == Solver::Exact);
         let parts = match &self.path {
             Some(path) if exact => self.parts(path)?,
-            Some(path) => path.passed_through(request.times()).map(|()| Vec::new())?,
+            Some(path) => path.passed_through(request.furthest).map(|()| Vec::new())?,
             None => Vec::new(),
         };
         let evaluations = self.path.map_or(1, |_| AN_INTEGRAL);
         let known = |t| Ok([self.turned(&parts, t)?, l]);
-        let Answer { trace, error } = solved((self, &plan, request), evaluations, known)?;
-        let rows = request.times().iter().zip(trace.samples);
-        let states: Vec<SwivelState> = rows.map(|(&t, ((), y))| self.state(t, y)).collect();
+        let answer = solved((self, &plan, request), evaluations, known)?;
+        let mut books = answer.told(request, plan, |t, _, y| self.state(t, y));
+        let upper = |place: usize, state: &SwivelState| {
+            let rate = state.rate + self.shape(request.times()[place]).rate;
+            state.upper_moment * rate
+        };
         // L with what the bearing took of it, summed over the two parts from their rates.
-        let parts = |place: usize| {
-            let state = &states[place];
-            let upper_rate = state.rate + self.shape(request.times()[place]).rate;
-            [state.upper_moment * upper_rate, self.lower * state.rate]
+        let whole = |place: usize, state: &SwivelState| {
+            let both = upper(place, state) + self.lower * state.rate;
+            self.bearing_friction
+                .map_or(both, |c| both + c * state.lower)
         };
-        let whole = |place: usize| {
-            let [upper, lower] = parts(place);
-            match self.bearing_friction {
-                Some(c) => upper + lower + c * states[place].lower,
-                None => upper + lower,
-            }
-        };
-        let largest = (0..states.len()).map(|place| parts(place)[0].abs());
-        let scale = largest.fold(self.angular_momentum.abs(), f64::max);
-        let mut accounts = Accounts::of(request);
-        accounts.conserved("angular momentum", scale, l, whole)?;
-        Motion::of(request, plan, trace.cost, error, accounts, states)
+        let largest = (books.states().enumerate()).map(|(place, state)| upper(place, state).abs());
+        let scale = largest.fold(l.abs(), f64::max);
+        books.conserved("angular momentum", scale, l, whole)?;
+        books.closed(request)
     }
 
     fn further(&self) -> Columns<SwivelState> {

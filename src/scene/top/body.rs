@@ -166,14 +166,6 @@ impl Body {
         self.own.map_or(attitude, |own| attitude * own)
     }
 
-    /// From the principal axes to the body's own, in place.
-    pub(super) fn turn_outward(&self, attitude: &mut Attitude, omega: &mut BodyVector) {
-        if let Some(own) = self.own {
-            *attitude = *attitude * own.inverse();
-            *omega = BodyVector::from_components(own.quaternion() * omega.components());
-        }
-    }
-
     pub(super) const fn axis_moments(&self) -> AxisMoments {
         AxisMoments::of_rods_too(self.moments)
     }

@@ -235,25 +235,3 @@ impl Axes {
 fn exchanged<T: Copy>(components: [T; 3], places: usize) -> [T; 3] {
     core::array::from_fn(|k| components[(k + places) % 3])
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn exchanging_axes_is_the_turn_it_claims_to_be() {
-        let vector = BodyVector::new(1.0, 2.0, 3.0);
-        for axis in 0..3 {
-            let axes = Axes::third_from(axis);
-            let inward = axes.inward(vector);
-            assert_eq!(inward.z(), vector.components()[axis]);
-            let turned = axes.onto * vector.components();
-            assert!((turned - inward.components()).amax() < 1e-15);
-            assert_eq!(axes.outward(inward), vector);
-        }
-        let axes = Axes::third_along(vector);
-        assert!((axes.inward(vector).z() - vector.norm()).abs() < 1e-15);
-        let below = BodyVector::new(0.0, 0.0, -1.0);
-        assert!((Axes::third_along(below).inward(below).z() - 1.0).abs() < 1e-15);
-    }
-}

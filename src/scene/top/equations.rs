@@ -8,7 +8,7 @@ use crate::euler_equations::quaternion_rate;
 use crate::frame::{Attitude, BodyVector};
 use crate::integrators::geometric::Phase;
 use crate::integrators::{Kept, Stop};
-use crate::scene::engine::{Flow, Trace, greater};
+use crate::scene::engine::{Flow, greater};
 
 /// A top as a flow: seven numbers, L and the quaternion, and an eighth, the energy lost, where something resists.
 ///
@@ -105,21 +105,14 @@ impl Turning {
     }
     // ANCHOR_END: resistance
 
-    /// The states of a motion.
-    pub fn states<const N: usize>(
-        &self,
-        trace: &Trace<Spin, N>,
-        conserved: &Conserved,
-    ) -> Vec<State> {
-        let state = |(_, numbers): &(Spin, [f64; N])| {
-            let Phase { l, q } = phase(numbers);
-            let [w, x, y, z] = q;
-            let quaternion = nalgebra::Quaternion::new(w, x, y, z);
-            let omega: [f64; 3] = core::array::from_fn(|k| l[k] / self.moments[k]);
-            let attitude = Attitude::from_unit(quaternion / quaternion.norm());
-            conserved.state(attitude, omega.into())
-        };
-        trace.samples.iter().map(state).collect()
+    /// The state of these numbers.
+    pub fn state<const N: usize>(&self, numbers: &[f64; N], conserved: &Conserved) -> State {
+        let Phase { l, q } = phase(numbers);
+        let [w, x, y, z] = q;
+        let quaternion = nalgebra::Quaternion::new(w, x, y, z);
+        let omega: [f64; 3] = core::array::from_fn(|k| l[k] / self.moments[k]);
+        let attitude = Attitude::from_unit(quaternion / quaternion.norm());
+        conserved.state(attitude, omega.into())
     }
 
     /// Ω̇ along the body's axes, rad/s², at this attitude and Ω, as long as the spin lasts: what dry friction does about axis 3 moves no C on it.
@@ -218,21 +211,14 @@ impl<const N: usize> Flow<N> for Turning {
         })
     }
 
-    fn margin(&self, _: Spin, _: f64, y: &[f64; N]) -> f64 {
-        y[2] * self.start.l[2].signum()
-    }
-
-    fn may_end(&self, spin: Spin) -> bool {
-        self.tip_friction.is_some() && spin == Spin::Spinning
+    fn margin(&self, spin: Spin, _: f64, y: &[f64; N]) -> Option<f64> {
+        let brakes = self.tip_friction.is_some() && spin == Spin::Spinning;
+        brakes.then(|| y[2] * self.start.l[2].signum())
     }
 
     fn next(&self, _: Spin, _: Stop, _: f64, y: &mut [f64; N]) -> Result<Spin> {
         y[2] = 0.0;
         Ok(Spin::Stopped)
-    }
-
-    fn distance(&self, a: &(Spin, [f64; N]), b: &(Spin, [f64; N])) -> f64 {
-        self.furthest_apart(&[*a], &[*b], &[*b])
     }
 
     fn furthest_apart(

@@ -5,8 +5,7 @@ use crate::conservation::Law;
 use crate::error::{Result, finite};
 use crate::euler_equations::{HeavyTop, Integrability, TopState};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
-use crate::scene::Request;
-use crate::scene::motion::Accounts;
+use crate::scene::motion::Books;
 
 /// A top and its start, as the ledger needs them.
 pub(super) struct Conserved {
@@ -49,10 +48,10 @@ impl Conserved {
     }
 
     /// No torque resists: E is kept; L, or of it what gravity leaves; the fourth integral of tops that have one.
-    pub fn lossless(&self, request: &Request, states: &[State]) -> Result<Accounts> {
-        let mut accounts = Accounts::over(request, MOST_READ);
+    pub fn lossless(&self, books: Books<State>) -> Result<Books<State>> {
+        let mut books = books.reading(MOST_READ);
         let (first, scale) = (self.start.energy, self.energy_scale);
-        accounts.conserved("energy", scale, first, |k| states[k].energy)?;
+        books.conserved("energy", scale, first, |_, state| state.energy)?;
         let momentum = |state: &State| {
             state
                 .attitude
@@ -60,35 +59,37 @@ impl Conserved {
         };
         let (first, scale) = (momentum(&self.start), self.momentum_scale);
         if matches!(self.heavy.kind(), Integrability::Euler) {
-            accounts.conserved("angular momentum", scale, first, |k| momentum(&states[k]))?;
-            return Ok(accounts);
+            books.conserved("angular momentum", scale, first, |_, state| momentum(state))?;
+            return Ok(books);
         }
         let name = "angular momentum about the vertical";
-        accounts.conserved(name, scale, first.z(), |k| momentum(&states[k]).z())?;
+        books.conserved(name, scale, first.z(), |_, state| momentum(state).z())?;
         if let Some((name, first, scale)) = self.fourth(&self.start) {
-            let fourth = |k| self.fourth(&states[k]).map_or(first, |(_, value, _)| value);
-            accounts.conserved(name, scale, first, fourth)?;
+            let fourth = |state: &State| self.fourth(state).map_or(first, |(_, value, _)| value);
+            books.conserved(name, scale, first, |_, state| fourth(state))?;
         }
-        Ok(accounts)
+        Ok(books)
     }
 
     /// Something resists: the energy can only fall, and with what was lost it is kept; without gravity |L| can only fall.
-    pub fn lossy(&self, request: &Request, states: &[State], losses: &[f64]) -> Result<Accounts> {
-        let mut accounts = Accounts::of(request);
+    pub fn lossy(
+        &self,
+        mut books: Books<State>,
+        lost: impl Fn(usize) -> f64,
+    ) -> Result<Books<State>> {
         // The motion may be asked for before the start: monotone quantities begin with the earliest row.
-        let earliest = accounts.order.first().map_or(&self.start, |&k| &states[k]);
-        let scale = self.energy_scale;
+        let (earliest, scale) = (*books.earliest(), self.energy_scale);
         let falling = ("energy", Law::NonIncreasing, scale);
-        accounts.keep(falling, earliest.energy, |k| states[k].energy)?;
+        books.keep(falling, earliest.energy, |_, state| state.energy)?;
         let (name, first) = ("energy and what resistance took", self.start.energy);
-        accounts.conserved(name, scale, first, |k| states[k].energy + losses[k])?;
+        books.conserved(name, scale, first, |k, state| state.energy + lost(k))?;
         if matches!(self.heavy.kind(), Integrability::Euler) {
             let size = |state: &State| self.heavy.moments.angular_momentum(state.omega).norm();
             let name = "size of the angular momentum";
             let falling = (name, Law::NonIncreasing, self.momentum_scale);
-            accounts.keep(falling, size(earliest), |k| size(&states[k]))?;
+            books.keep(falling, size(&earliest), |_, state| size(state))?;
         }
-        Ok(accounts)
+        Ok(books)
     }
 
     /// Name, value and scale of the fourth integral: L along the axis of symmetry, or Kovalevskaya's.

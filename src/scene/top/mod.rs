@@ -21,7 +21,8 @@ pub use super::effects::{AirDrag, BearingFriction, Gravity, PivotFriction, TipFr
 
 use super::columns::columns;
 use super::effects::Effect;
-use super::engine::{Answer, Stepper, greater, to_accuracy, vouched};
+use super::engine::{Stepper, greater, to_accuracy, vouched};
+use super::motion::Books;
 use super::{Budget, Choice, Columns, Geometric, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::error::{Error, Result};
 use crate::frame::{Attitude, BodyVector};
@@ -280,12 +281,11 @@ impl Scene for Top {
 
     fn simulate(&self, request: &Request) -> Result<Motion<State>> {
         let mut motion = self.along_principal_axes(request)?;
-        if self.body.own.is_some() {
+        if let Some(own) = self.body.own {
             for (_, state) in &mut motion.rows {
-                let State {
-                    attitude, omega, ..
-                } = state;
-                self.body.turn_outward(attitude, omega);
+                state.attitude = state.attitude * own.inverse();
+                let outward = own.quaternion() * state.omega.components();
+                state.omega = BodyVector::from_components(outward);
             }
         }
         Ok(motion)
@@ -328,14 +328,11 @@ impl Top {
         let angle = self.pace()? * request.furthest.abs();
         let doubted = self.doubted(closed, request)?;
         let told = closed.rounding(request.furthest, angle) + body::DOUBTED * doubted;
+        // A change of the rates grows by the angle.
+        let growth = angle.max(doubted / body::DOUBT[0]);
         let within = |error: f64| match error <= request.accuracy {
             true => Ok(error),
-            false => Err(Error::Amplified {
-                asked: request.accuracy,
-                reached: error,
-                // A change of the rates grows by the angle.
-                growth: angle.max(doubted / body::DOUBT[0]),
-            }),
+            false => Err(request.amplified(error, growth)),
         };
         within(told)?;
         let mut states = Vec::with_capacity(request.times().len());
@@ -345,8 +342,8 @@ impl Top {
             states.push(conserved.state(attitude, omega));
         })?;
         let error = within(told + closed.hardly_moving(self.pace()?, fastest))?;
-        let accounts = conserved.lossless(request, &states)?;
-        Motion::of(request, plan, Cost::default(), error, accounts, states)
+        let books = Books::of(request, plan, (Cost::default(), error), states);
+        conserved.lossless(books)?.closed(request)
     }
 
     /// How far a start that rounding cannot tell from this one gets from it by the last of the times, or by some of the others. Closed forms that take what is
@@ -394,21 +391,19 @@ impl Top {
         let turning = || Turning::new(self, conserved.energy_scale);
         let here = turning()?;
         if self.resisting().next().is_some() {
-            let Answer { trace, error } = to_accuracy::<8, _>(request, plan.solver, |_| turning())?;
-            let states = here.states(&trace, conserved);
-            let losses: Vec<f64> = trace.samples.iter().map(|(_, y)| y[7]).collect();
-            let accounts = conserved.lossy(request, &states, &losses)?;
-            return Motion::of(request, plan, trace.cost, error, accounts, states);
+            let answer = to_accuracy::<8, _>(request, plan.solver, |_| turning())?;
+            let books = answer.told(request, plan, |_, _, y| here.state(y, conserved));
+            let lost = |place: usize| answer.trace.samples[place].1[7];
+            return conserved.lossy(books, lost)?.closed(request);
         }
-        let Answer { trace, error } = match plan.solver {
+        let answer = match plan.solver {
             Solver::Geometric(method) if method != Geometric::DormandPrince8 => {
                 let steps = methods::steps(self, &here, method, request)?;
-                vouched::<7, _>(request, Stepper::Even(&steps), |_| turning())?
+                vouched::<7, _>(request, Stepper::Other(&steps, true), |_| turning())?
             }
             solver => to_accuracy::<7, _>(request, solver, |_| turning())?,
         };
-        let states = here.states(&trace, conserved);
-        let accounts = conserved.lossless(request, &states)?;
-        Motion::of(request, plan, trace.cost, error, accounts, states)
+        let books = answer.told(request, plan, |_, _, y| here.state(y, conserved));
+        conserved.lossless(books)?.closed(request)
     }
 }

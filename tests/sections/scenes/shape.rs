@@ -119,6 +119,18 @@ fn viscous_friction_undoes_the_swivel() {
     assert!(late.abs() < 1e-9, "{late:e}");
 }
 
+/// 3 · 0.35 s over 0.35 s is rounded to less than 3, and yet the corner there has been passed.
+#[test]
+fn a_run_by_steps_gets_past_every_corner() {
+    let path = FourPhases {
+        duration: 1.4,
+        ..PHASES
+    };
+    let swivel = shape::Swivel::new(0.6, 2.0).unwrap().with(path).unwrap();
+    let rubbed = swivel.with(BearingFriction::new(0.1).unwrap()).unwrap();
+    assert!(rubbed.simulate(&Request::at([5.0]).unwrap()).is_ok());
+}
+
 fn grown() -> Skater {
     Skater::new(0.8, 2.5).unwrap()
 }

@@ -1,6 +1,7 @@
 //! The yo-yo. Every effect has a place of its own, so the order of listing cannot matter.
 
 use crate::yo_yo::{thick, toy};
+use spinning_bodies::integrators::Effort;
 use spinning_bodies::scene::effects::{
     AddedMass, AirDrag, AxleFriction, Effect, Gravity, Hand, Sleep, TurnLoss,
 };
@@ -219,6 +220,20 @@ fn what_it_sleeps_off_it_cannot_climb() {
     };
     assert_eq!(highest(5.0), 0.0, "caught");
     assert!(highest(60.0) > 1.0, "spun out: it hangs");
+}
+
+/// At rest there is nothing to compute, however long it hangs.
+#[test]
+fn what_hangs_costs_nothing() {
+    let play = Play::new(toy(), 0.0).unwrap().with(gravity()).unwrap();
+    let airy = play.with(AirDrag::new(1e-8).unwrap()).unwrap();
+    let dead = airy.with(TurnLoss::new(0.0).unwrap()).unwrap();
+    let spent = |t: f64| {
+        let asked = Request::at([t]).unwrap();
+        let motion = dead.simulate(&asked.in_one_run(Effort::Tolerance(1e-9)));
+        motion.unwrap().cost
+    };
+    assert_eq!(spent(10.0), spent(1e6));
 }
 
 #[test]

@@ -7,7 +7,7 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use super::keys::Bound::{From, NotNegative, Positive};
-use super::keys::{Key, KeyRow};
+use super::keys::Key;
 use super::look::Outline;
 use super::reader::{Place, Reader, Section, Table, Value};
 use super::values::{Word, section};
@@ -160,24 +160,18 @@ impl Shape {
     }
 }
 
-/// How one shape is read, and its sizes.
+/// How one shape is read.
 #[derive(Clone, Copy)]
-struct Known {
-    read: fn(&Table<'_>) -> Option<Shape>,
-    rows: fn() -> Vec<KeyRow>,
-}
+struct Known(fn(&Table<'_>) -> Option<Shape>);
 
 macro_rules! shapes {
     ($($name:literal, $sizes:ty, $made:expr;)*) => {
         impl Word for Known {
             fn words() -> Vec<(&'static str, Self)> {
-                vec![$(($name, Self {
-                    read: |table| {
-                        let made: fn(&Reader<'_>, $sizes) -> Option<Shape> = $made;
-                        made(table.reader, <$sizes>::fields(table)?)
-                    },
-                    rows: || <$sizes>::all_rows($name),
-                })),*]
+                vec![$(($name, Self(|table| {
+                    let made: fn(&Reader<'_>, $sizes) -> Option<Shape> = $made;
+                    made(table.reader, <$sizes>::fields(table)?)
+                }))),*]
             }
         }
     };
@@ -211,14 +205,15 @@ impl Value for Shape {
             // What sizes there may be nobody can tell.
             place.table.takes_any();
         }
-        (known?.read)(place.table)
+        known?.0(place.table)
     }
 }
 
-/// The sizes of all shapes: in place of the section, the shape.
-pub(super) fn shape_keys() -> Vec<KeyRow> {
-    let known = Known::words().into_iter();
-    known.flat_map(|(_, known)| (known.rows)()).collect()
+/// Reads the sizes of every shape, each from a table of its name.
+pub(super) fn read_all_shapes(reader: &Reader<'_>) {
+    for (name, shape) in Known::words() {
+        shape.0(&Table::new(reader, name.to_owned(), None));
+    }
 }
 
 section! {
@@ -420,15 +415,11 @@ impl<T: Section> Value for Shapeless<T> {
         None
     }
 
-    fn take(table: &Table<'_>, _: &Key, _: Option<Self>) -> Option<Self> {
+    fn take(table: &Table<'_>, _: &Key, _: Option<(Self, String)>) -> Option<Self> {
         match table.entry("shape") {
             Some(_) => Some(Self(None)),
             None => T::fields(table).map(|keys| Self(Some(keys))),
         }
-    }
-
-    fn rows(section: &str, _: &Key, _: Option<String>) -> Vec<KeyRow> {
-        T::all_rows(section)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Scene files: a TOML text becomes a scene, or a list of all that is wrong with it.
 //!
-//! The kind is read first, then that kind's tables. Each table is declared once, key by key with unit, bound and default, for the reader as for the
-//! page of keys. A file's numbers can be [set], for scans. Nothing here opens a file.
+//! The kind is read first, then that kind's tables. Each table is declared once, key by key with unit, bound and default; the page of keys is what
+//! the reader asks for in a file that says nothing. A file's numbers can be [set], for scans. Nothing here opens a file.
 //!
 //! ```
 //! use spinning_bodies::scene::files::parse;
@@ -49,7 +49,7 @@ use toml::de::{DeTable, DeValue};
 use super::effects::Effect;
 use super::{AnyScene, Request, Scene};
 use keys::Key;
-use reader::{Reader, Section, Table, Value, find, joined};
+use reader::{Reader, Section, Table, find, joined};
 use run::Run;
 use values::Word;
 
@@ -80,7 +80,6 @@ fn with<S>(
 struct Kind {
     name: &'static str,
     read: fn(&Reader<'_>) -> Option<(AnyScene, Request)>,
-    rows: fn() -> Vec<KeyRow>,
 }
 
 macro_rules! kinds {
@@ -89,7 +88,6 @@ macro_rules! kinds {
         const KINDS: &[Kind] = &[$(Kind {
             name: $name,
             read: |file| read(file, $made),
-            rows: || rows($made),
         }),*];
     };
 }
@@ -129,7 +127,7 @@ fn read<B: Section, I: Section, E: Section, S: Scene<State: Send + 'static> + 's
 ) -> Option<(AnyScene, Request)> {
     let file = Table::whole(reader);
     file.value::<Option<String>>(&TITLE, None);
-    file.entry(KIND.name);
+    file.value::<Kind>(&KIND, None);
     let body = file.part("body");
     let initial = file.part("initial");
     let effects = file.part("effects");
@@ -140,15 +138,6 @@ fn read<B: Section, I: Section, E: Section, S: Scene<State: Send + 'static> + 's
     let (run, request) = (run?, request?);
     let scene = AnyScene::scene(Box::new(scene)).looking(look);
     Some((run.told(reader, scene)?, request))
-}
-
-fn rows<B: Section, I: Section, E: Section, S>(_: Made<B, I, E, S>) -> Vec<KeyRow> {
-    [
-        B::all_rows("body"),
-        I::all_rows("initial"),
-        E::all_rows("effects"),
-    ]
-    .concat()
 }
 
 /// The scene and the request that a file's text describes; `name` is what the file is called where something is wrong with it.
@@ -215,15 +204,19 @@ pub fn kinds() -> impl ExactSizeIterator<Item = &'static str> {
 /// assert!(count("run", "accuracy") == Some(1) && count("shapes", "radius") > Some(1));
 /// ```
 pub fn keys(kind: &str) -> Option<Vec<KeyRow>> {
-    let title = <Option<String>>::rows("", &TITLE, None);
+    let reader = Reader::listing(&out_of_reach).ok()?;
+    // Those that all kinds share are read with the first.
+    let known = KINDS
+        .iter()
+        .find(|known| [known.name, "run"].contains(&kind));
     match kind {
-        "run" => Some([title, Kind::rows("", &KIND, None), Run::all_rows("run")].concat()),
-        "shapes" => Some(body::shape_keys()),
-        _ => KINDS
-            .iter()
-            .find(|known| known.name == kind)
-            .map(|kind| (kind.rows)()),
+        "shapes" => body::read_all_shapes(&reader),
+        _ => drop((known?.read)(&reader)),
     }
+    let mut rows = reader.absent.into_inner();
+    let is_shared = |row: &KeyRow| ["", "run"].contains(&row.section.as_str());
+    rows.retain(|row| is_shared(row) == (kind == "run"));
+    Some(rows)
 }
 
 /// The paths of all numbers of a file.

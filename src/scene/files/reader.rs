@@ -23,6 +23,10 @@ pub(super) struct Reader<'a> {
     mistakes: RefCell<Vec<(usize, String)>>,
     /// Reads another file that this one names.
     pub open: &'a Open<'a>,
+    /// Whether it is there only to see which keys are asked for: then tables that may be absent are read as well.
+    lists: bool,
+    /// The keys that were asked for and are not there.
+    pub absent: RefCell<Vec<KeyRow>>,
 }
 
 /// Gives the bytes of a file that a scene file names, or says why not.
@@ -38,6 +42,8 @@ impl<'a> Reader<'a> {
             entries,
             mistakes: RefCell::default(),
             open,
+            lists: false,
+            absent: RefCell::default(),
         };
         match DeTable::parse(text) {
             Ok(entries) => Ok(new(entries.into_inner())),
@@ -48,6 +54,12 @@ impl<'a> Reader<'a> {
                 reader.finish(None)
             }
         }
+    }
+
+    /// Of a file that says nothing: [`absent`](Self::absent) will be all keys that are asked for.
+    pub fn listing(open: &'a Open<'a>) -> Result<Self, Mistakes> {
+        let lists = true;
+        Self::new("", "", open).map(|empty| Self { lists, ..empty })
     }
 
     /// What the file makes, if nothing was wrong with it.
@@ -152,6 +164,9 @@ fn named(keys: &str) -> String {
 
 /// What may stand after a key.
 pub(super) trait Value: Sized {
+    /// Whether it is a table, with keys of its own.
+    const IS_TABLE: bool = false;
+
     /// What is expected, in words.
     fn expected(key: &Key) -> String {
         key.expected("")
@@ -161,23 +176,13 @@ pub(super) trait Value: Sized {
     fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self>;
 
     /// What stands for it where it is absent, and how that is told; nothing where it must be there.
-    fn absent() -> Option<(Self, &'static str)> {
+    fn absent() -> Option<(Self, String)> {
         None
     }
 
     /// From its table: a value that is made of several keys takes them itself.
-    fn take(table: &Table<'_>, key: &Key, default: Option<Self>) -> Option<Self> {
+    fn take(table: &Table<'_>, key: &Key, default: Option<(Self, String)>) -> Option<Self> {
         table.value(key, default)
-    }
-
-    /// The rows of the page of keys.
-    fn rows(section: &str, key: &Key, default: Option<String>) -> Vec<KeyRow> {
-        vec![KeyRow {
-            section: section.to_owned(),
-            key: key.name,
-            expected: Self::expected(key),
-            absent: default.or_else(|| Self::absent().map(|(_, told)| told.to_owned())),
-        }]
     }
 }
 
@@ -185,9 +190,6 @@ pub(super) trait Value: Sized {
 pub(super) trait Section: Value {
     /// Reads all of them.
     fn fields(table: &Table<'_>) -> Option<Self>;
-
-    /// Lists them.
-    fn all_rows(section: &str) -> Vec<KeyRow>;
 }
 
 /// A table of the file, or the file itself.
@@ -197,8 +199,6 @@ pub(super) struct Table<'r> {
     entries: Option<&'r DeTable<'r>>,
     /// The keys that someone has asked for: those that the table may have.
     known: RefCell<Vec<&'static str>>,
-    /// Those of them that should be there and are not, and what was expected.
-    missing: RefCell<Vec<(&'static str, String)>>,
     /// Whether keys that nobody knows are let pass.
     takes_any: Cell<bool>,
 }
@@ -209,13 +209,12 @@ impl<'r> Table<'r> {
         Self::new(reader, String::new(), Some(&reader.entries))
     }
 
-    fn new(reader: &'r Reader<'r>, path: String, entries: Option<&'r DeTable<'r>>) -> Self {
+    pub fn new(reader: &'r Reader<'r>, path: String, entries: Option<&'r DeTable<'r>>) -> Self {
         Self {
             reader,
             path,
             entries,
             known: RefCell::default(),
-            missing: RefCell::default(),
             takes_any: Cell::default(),
         }
     }
@@ -240,16 +239,23 @@ impl<'r> Table<'r> {
     }
 
     /// The value of a key, or what stands for it where it is absent.
-    pub fn value<T: Value>(&self, key: &Key, default: Option<T>) -> Option<T> {
-        let Some(value) = self.entry(key.name) else {
-            let default = default.or_else(|| T::absent().map(|(value, _)| value));
-            if default.is_none() {
-                let missing = (key.name, T::expected(key));
-                self.missing.borrow_mut().push(missing);
-            }
-            return default;
-        };
-        T::read(&Place { table: self, key }, value)
+    pub fn value<T: Value>(&self, key: &Key, default: Option<(T, String)>) -> Option<T> {
+        let place = Place { table: self, key };
+        if let Some(value) = self.entry(key.name) {
+            return T::read(&place, value);
+        }
+        if T::IS_TABLE && self.reader.lists {
+            let empty = DeValue::Table(DeTable::new());
+            return T::read(&place, &Spanned::new(0..0, empty));
+        }
+        let (value, absent) = default.or_else(T::absent).unzip();
+        self.reader.absent.borrow_mut().push(KeyRow {
+            section: self.path.clone(),
+            key: key.name,
+            expected: T::expected(key),
+            absent,
+        });
+        value
     }
 
     /// One of the large tables, `[body]` say: without keys if it is not there, and its name no slip.
@@ -285,10 +291,12 @@ impl<'r> Table<'r> {
 
     /// Tells which keys are strange, and which are missing; a slip of the pen is told once.
     pub fn done(&self) {
-        for (key, expected) in self.missing.take() {
-            if self.slip(key).is_none() {
-                let told = format!(" is missing: {expected} is expected");
-                self.reader.wrong::<()>(&self.path_of(key), told);
+        let absent = self.reader.absent.borrow();
+        let needed = |row: &&KeyRow| row.section == self.path && row.absent.is_none();
+        for row in absent.iter().filter(needed) {
+            if self.slip(row.key).is_none() {
+                let told = format!(" is missing: {} is expected", row.expected);
+                self.reader.wrong::<()>(&self.path_of(row.key), told);
             }
         }
         let known = self.known.borrow();

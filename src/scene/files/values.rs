@@ -3,7 +3,7 @@
 use toml::Spanned;
 use toml::de::DeValue;
 
-use super::keys::{Key, KeyRow};
+use super::keys::Key;
 use super::reader::{Place, Section, Table, Value, meant};
 
 use crate::error::Number;
@@ -40,40 +40,27 @@ macro_rules! keys {
         const _: () = {
             use toml::Spanned;
             use toml::de::DeValue;
-            use $crate::scene::files::keys::{Key, KeyRow};
             use $crate::scene::files::reader::{Place, Section, Table, Value};
 
             impl Section for $name {
                 #[allow(unused_variables, reason = "a table may have no keys")]
                 fn fields(table: &Table<'_>) -> Option<Self> {
                     $(
-                        let key = Key::new(stringify!($field), $what) $(.within($bound))?;
-                        let $field = <$type as Value>::take(table, &key, None $(.or(Some($default)))?);
+                        let key = $crate::scene::files::keys::Key::new(stringify!($field), $what) $(.within($bound))?;
+                        let $field = <$type as Value>::take(table, &key, None $(.or(Some(($default, format!("{:?}", $default)))))?);
                     )*
                     Some(Self { $($field: $field?,)* })
-                }
-
-                #[allow(unused_variables, reason = "a table may have no keys")]
-                fn all_rows(section: &str) -> Vec<KeyRow> {
-                    let rows: &[Vec<KeyRow>] = &[$(<$type as Value>::rows(
-                        section,
-                        &Key::new(stringify!($field), $what) $(.within($bound))?,
-                        None::<String> $(.or(Some(format!("{:?}", $default))))?,
-                    ),)*];
-                    rows.concat()
                 }
             }
 
             impl Value for $name {
+                const IS_TABLE: bool = true;
+
                 fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
                     match value.get_ref() {
                         DeValue::Table(entries) => place.inner(entries).section(),
                         _ => place.unexpected(value, "a table"),
                     }
-                }
-
-                fn rows(section: &str, key: &Key, _: Option<String>) -> Vec<KeyRow> {
-                    Self::all_rows(&format!("{section}.{}", key.name))
                 }
             }
         };
@@ -82,16 +69,18 @@ macro_rules! keys {
 pub(super) use keys;
 
 impl<T: Value> Value for Option<T> {
+    const IS_TABLE: bool = T::IS_TABLE;
+
+    fn expected(key: &Key) -> String {
+        T::expected(key)
+    }
+
     fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
         T::read(place, value).map(Some)
     }
 
-    fn absent() -> Option<(Self, &'static str)> {
-        Some((None, ""))
-    }
-
-    fn rows(section: &str, key: &Key, _: Option<String>) -> Vec<KeyRow> {
-        T::rows(section, key, Some(String::new()))
+    fn absent() -> Option<(Self, String)> {
+        Some((None, String::new()))
     }
 }
 
@@ -103,12 +92,8 @@ impl<T: Section> Value for Flat<T> {
         None
     }
 
-    fn take(table: &Table<'_>, _: &Key, _: Option<Self>) -> Option<Self> {
+    fn take(table: &Table<'_>, _: &Key, _: Option<(Self, String)>) -> Option<Self> {
         T::fields(table).map(Self)
-    }
-
-    fn rows(section: &str, _: &Key, _: Option<String>) -> Vec<KeyRow> {
-        T::all_rows(section)
     }
 }
 
@@ -206,8 +191,8 @@ impl Value for Attitude {
         place.table.reader.right(&place.path(), attitude)
     }
 
-    fn absent() -> Option<(Self, &'static str)> {
-        Some((Self::identity(), "[1, 0, 0, 0]"))
+    fn absent() -> Option<(Self, String)> {
+        Some((Self::identity(), "[1, 0, 0, 0]".to_owned()))
     }
 }
 
@@ -254,9 +239,9 @@ impl<T: Word> Value for T {
         }
     }
 
-    fn absent() -> Option<(Self, &'static str)> {
+    fn absent() -> Option<(Self, String)> {
         let (name, word) = T::words().into_iter().next()?;
-        Some((word, name))
+        Some((word, name.to_owned()))
     }
 }
 

@@ -9,11 +9,10 @@ use crate::writer::{folder_of, followed};
 use crate::{Error, Result};
 use figures::on_your_table::Paper;
 use mdbook_driver::MDBook;
-use mdbook_driver::book::Chapter;
+use mdbook_driver::book::BookItem;
 use mdbook_driver::config::Config;
 use mdbook_renderer::RenderContext;
 use serde_json::json;
-use std::collections::HashMap;
 use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -81,21 +80,21 @@ pub(crate) fn typeset(
 ) -> Result<MDBook> {
     let book = as_html(settings).and_then(|html| MDBook::load_with_config(root.join("book"), html));
     let mut book = book.map_err(wrong)?;
+    set(&mut book.book.items, typesetter)?;
+    Ok(book)
+}
 
-    // Figures are numbered in the order of reading; what changes chapters comes to a parent after its children.
-    let mut set = HashMap::new();
-    for chapter in book.book.chapters() {
-        if let Some(file) = file_of(chapter) {
-            let page = typesetter.set(&file, &chapter.content)?;
-            set.insert(file, page);
+/// Sets chapters in the order of reading, in which figures are numbered.
+fn set(items: &mut [BookItem], typesetter: &mut Typesetter<'_>) -> Result<()> {
+    for item in items {
+        if let BookItem::Chapter(chapter) = item {
+            if let Some(file) = &chapter.source_path {
+                chapter.content = typesetter.set(&file.to_string_lossy(), &chapter.content)?;
+            }
+            set(&mut chapter.sub_items, typesetter)?;
         }
     }
-    book.book.for_each_chapter_mut(|chapter| {
-        if let Some(page) = file_of(chapter).and_then(|file| set.remove(&file)) {
-            chapter.content = page;
-        }
-    });
-    Ok(book)
+    Ok(())
 }
 
 fn build(settings: Config, root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
@@ -142,12 +141,6 @@ fn as_html(mut settings: Config) -> anyhow::Result<Config> {
 
 pub(crate) fn wrong(error: anyhow::Error) -> Error {
     Error::Input(format!("{error:#}"))
-}
-
-/// The Markdown file of a chapter.
-fn file_of(chapter: &Chapter) -> Option<String> {
-    let path = chapter.source_path.as_ref()?;
-    Some(path.to_string_lossy().into_owned())
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use crate::writer::{folder_of, write_if_changed};
 use crate::{Error, Result};
 use figures::Look;
 use figures::on_your_table::{self, Paper};
-use mdbook_driver::book::{Book, BookItem};
+use mdbook_driver::book::{Book, Chapter};
 use mdbook_driver::builtin_renderers::MarkdownRenderer;
 use mdbook_driver::config::Config;
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd, html::push_html};
@@ -107,7 +107,7 @@ fn packed(drawings: &[Drawing], book: &Book, pieces: &Pieces) -> anyhow::Result<
     };
     add("META-INF/container.xml", CONTAINER)?;
     add("book.css", STYLE)?;
-    add("contents.xhtml", &page("Contents", &contents(&book.items)))?;
+    add("contents.xhtml", &page("Contents", &contents(book)))?;
     let (mut manifest, mut spine) = (String::new(), String::new());
     for chapter in book.chapters() {
         let Some(path) = &chapter.path else { continue };
@@ -220,28 +220,16 @@ fn page(title: &str, body: &str) -> String {
         .replace("BODY", body)
 }
 
-fn contents(items: &[BookItem]) -> String {
-    fn list(items: &[BookItem]) -> String {
-        let entry = |item: &BookItem| match item {
-            BookItem::Chapter(chapter) => {
-                let path = chapter.path.as_ref()?.with_extension("xhtml");
-                let below = list(&chapter.sub_items);
-                let name = chapter.name.replace('&', "&amp;");
-                Some(format!(
-                    "<li><a href=\"{}\">{name}</a>{below}</li>\n",
-                    path.display()
-                ))
-            }
-            _ => None,
-        };
-        let entries: String = items.iter().filter_map(entry).collect();
-        match entries.is_empty() {
-            true => entries,
-            false => format!("<ol>\n{entries}</ol>"),
-        }
-    }
+/// The chapters as a list, those of a chapter below it.
+fn contents(book: &Book) -> String {
+    let line = |chapter: &Chapter| {
+        let path = chapter.path.as_ref()?.display();
+        let indent = "   ".repeat(chapter.parent_names.len());
+        Some(format!("{indent}1. [{}]({path})\n", chapter.name))
+    };
+    let list: String = book.chapters().filter_map(line).collect();
     format!(
         "<nav epub:type=\"toc\"><h1>Contents</h1>\n{}</nav>\n",
-        list(items)
+        xhtml(&list)
     )
 }

@@ -1,7 +1,9 @@
 //! LaTeX to HTML, at build time: no script in the page, no network.
 
 use katex::{KatexContext, Settings};
+use regex::{Captures, Regex};
 use std::collections::HashMap;
+use std::sync::LazyLock;
 
 /// How a formula is set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -46,28 +48,20 @@ fn has_bare_root(latex: &str) -> bool {
     behind.any(|after| !after.trim_start().starts_with(['{', '[']))
 }
 
+/// Attributes as they follow each other in a tag; in text a quote is an entity.
+static ATTRIBUTES: LazyLock<Regex> =
+    LazyLock::new(|| Regex::new(r#"(?: [^ =<>"]+="[^"]*")+"#).expect("it is well formed"));
+
 /// The renderer keeps attributes in a hash map, so that their order changes from run to run; sorted, equal input
 /// gives equal bytes.
 fn sort_attributes(html: &str) -> String {
-    let mut parts = html.split('<');
-    let mut out = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        let (tag, text) = part.split_once('>').unwrap_or((part, ""));
-        out += &format!("<{}>{text}", sorted_tag(tag));
-    }
-    out
-}
-
-/// `span style="…" class="…"` with its attributes in alphabetical order. Values are quoted and hold no `>`.
-fn sorted_tag(tag: &str) -> String {
-    let named = tag.split_once(' ');
-    let Some((name, (attributes, end))) = named.and_then(|(n, a)| Some((n, a.rsplit_once('"')?)))
-    else {
-        return tag.to_owned();
+    let sorted = |found: &Captures<'_>| {
+        let names_and_values: Vec<&str> = found[0].split_inclusive('"').collect();
+        let mut attributes: Vec<&[&str]> = names_and_values.chunks(2).collect();
+        attributes.sort_unstable();
+        attributes.concat().concat()
     };
-    let mut attributes: Vec<&str> = attributes.split("\" ").collect();
-    attributes.sort_unstable_by_key(|attribute| attribute.split_once('='));
-    format!("{name} {}\"{}", attributes.join("\" "), end.trim_end())
+    ATTRIBUTES.replace_all(html, sorted).into_owned()
 }
 
 #[cfg(test)]

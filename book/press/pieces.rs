@@ -7,9 +7,9 @@
 use crate::paths::files_below;
 use crate::{Error, Result};
 use base64::prelude::{BASE64_STANDARD, Engine};
+use indexmap::IndexSet;
 use regex::{Captures, Regex};
 use sha2::{Digest, Sha256};
-use std::collections::HashMap;
 use std::path::Path;
 use std::sync::LazyLock;
 
@@ -22,25 +22,18 @@ static PLACEHOLDER: LazyLock<Regex> = LazyLock::new(|| {
 
 /// The pieces of one book.
 #[derive(Debug, Default)]
-pub struct Pieces {
-    html: Vec<String>,
-    known: HashMap<String, usize>,
-}
+pub struct Pieces(IndexSet<String>);
 
 impl Pieces {
     /// Keeps `html` and returns the placeholder to write in its place. `plain` is what the search index will hold.
     pub fn keep(&mut self, html: String, plain: &str) -> String {
-        let html_len = self.html.len();
-        let number = *self.known.entry(html.clone()).or_insert(html_len);
-        if number == html_len {
-            self.html.push(html);
-        }
+        let (number, _) = self.0.insert_full(html);
         format!("{OPEN}{number}\">{}</span>", inert(plain))
     }
 
     /// Puts the pieces into a page.
     pub fn fill(&self, page: &str) -> Result<String> {
-        let piece = |number: &str| self.html.get(number.parse::<usize>().ok()?);
+        let piece = |number: &str| self.0.get_index(number.parse().ok()?);
         let filled = PLACEHOLDER.replace_all(page, |found: &Captures<'_>| {
             let (_, [number, marks]) = found.extract();
             match piece(number) {

@@ -154,6 +154,22 @@ pub fn can_be_written_into(folder: &Path) -> Result<()> {
     tried.map(drop).map_err(Error::file(folder))
 }
 
+/// The one of these that the name of a file ends with.
+///
+/// # Errors
+/// [`Error::Input`] for a name that ends otherwise; `what` is written.
+pub fn by_ending<T: Copy>(file: &Path, what: &str, known: &[(&str, T)]) -> Result<T> {
+    let ending = file.extension().unwrap_or_default().to_ascii_lowercase();
+    let found = known.iter().find(|(known, _)| ending == *known);
+    found.map(|(_, one)| *one).ok_or_else(|| {
+        let endings = known.iter().map(|(ending, _)| format!("`.{ending}`"));
+        let (file, endings) = (file.display(), endings.collect::<Vec<_>>().join(" or "));
+        Error::Input(format!(
+            "{file}: what is {what}, and its name should end with {endings}"
+        ))
+    })
+}
+
 /// The folder that a path is in.
 pub fn folder_of(path: &Path) -> &Path {
     let folder = path.parent().filter(|folder| *folder != Path::new(""));

@@ -10,7 +10,8 @@ use spinning_bodies::integrators::Cost;
 use spinning_bodies::scene::{Plan, Table};
 
 use super::Motion;
-use crate::{Error, Result};
+use crate::Result;
+use crate::writer::by_ending;
 
 /// How a motion is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -27,27 +28,21 @@ impl Format {
     /// # Errors
     /// [`Error::Input`] for a name that ends as neither does, or as the other one.
     pub fn of(asked: Option<Self>, path: Option<&Path>) -> Result<Self> {
-        let file = path.filter(|path| path.is_file() || !path.exists());
-        let ending = file.and_then(Path::extension).unwrap_or_default();
-        let ending = ending.to_string_lossy().to_ascii_lowercase();
-        let named = match ending.as_str() {
-            "csv" => Some(Self::Csv),
-            "json" => Some(Self::Json),
-            "" | "txt" => Some(asked.unwrap_or(Self::Csv)),
-            _ => None,
+        let (csv, json) = (("csv", Self::Csv), ("json", Self::Json));
+        let (what, known): (_, &[_]) = match asked {
+            None => ("written is CSV or JSON", &[csv, json]),
+            Some(Self::Csv) => ("written is CSV", &[csv]),
+            Some(Self::Json) => ("written is JSON", &[json]),
         };
-        let format = named.filter(|named| asked.is_none_or(|asked| asked == *named));
-        format.ok_or_else(|| {
-            let (wanted, ending) = match asked {
-                Some(Self::Json) => ("JSON", "`.json`"),
-                Some(Self::Csv) => ("CSV", "`.csv`"),
-                None => ("CSV or JSON", "`.csv` or `.json`"),
-            };
-            let name = path.unwrap_or(Path::new("")).display();
-            Error::Input(format!(
-                "{name}: what is written is {wanted}, and its name should end with {ending}"
-            ))
-        })
+        let tells = |file: &&Path| {
+            let ending = file.extension().unwrap_or_default();
+            let is_any = ending.is_empty() || ending.eq_ignore_ascii_case("txt");
+            !is_any && (file.is_file() || !file.exists())
+        };
+        match path.filter(tells) {
+            Some(file) => by_ending(file, what, known),
+            None => Ok(known[0].1),
+        }
     }
 
     /// Runs a scene and writes its rows as they come, however many there are. Nothing is written before the first of them can be.

@@ -9,6 +9,7 @@ use spinning_bodies::scene::Column;
 
 use super::{Motion, stem};
 use crate::pictures::Form;
+use crate::writer::by_ending;
 use crate::{Error, Result};
 
 /// More rows than a picture can show.
@@ -43,18 +44,9 @@ pub fn columns(panels: &[Panel]) -> Vec<&str> {
 /// # Errors
 /// [`Error::Input`] for a name that ends otherwise.
 pub fn form(output: Option<&Path>, forms: &[Form]) -> Result<Form> {
-    let Some(output) = output else {
-        return Ok(forms[0]);
-    };
-    let ending = output.extension().unwrap_or_default().to_ascii_lowercase();
-    let found = forms.iter().find(|form| ending == form.ending());
-    found.copied().ok_or_else(|| {
-        let endings = forms.iter().map(|form| format!("`.{}`", form.ending()));
-        let (output, endings) = (output.display(), endings.collect::<Vec<_>>().join(" or "));
-        Error::Input(format!(
-            "{output}: what is drawn is a picture, and its name should end with {endings}"
-        ))
-    })
+    let known: Vec<_> = forms.iter().map(|form| (form.ending(), *form)).collect();
+    let named = |output| by_ending(output, "drawn is a picture", &known);
+    output.map_or(Ok(forms[0]), named)
 }
 
 /// Runs the scene, which tells the [`columns`] of the panels, and draws them.

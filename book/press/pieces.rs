@@ -14,9 +14,9 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 const OPEN: &str = "<span data-piece=\"";
-/// A placeholder with its number, and the marks that follow it.
+/// A placeholder with its number, and the unit and the marks that follow it.
 static PLACEHOLDER: LazyLock<Regex> = LazyLock::new(|| {
-    let pattern = r#"<span data-piece="(\d+)">[^<]*</span>([.,;:!?)’]*)"#;
+    let pattern = r#"<span data-piece="(\d+)">[^<]*</span>((?: (?:kg|cm|mm|rad|[mgsNJ])\b[^ <.,;:!?)’]*)?[.,;:!?)’]*)"#;
     Regex::new(pattern).expect("it is well formed")
 });
 
@@ -38,11 +38,12 @@ impl Pieces {
             let (_, [number, marks]) = found.extract();
             match piece(number) {
                 None => found[0].to_owned(),
+                Some(piece) if marks.is_empty() => piece.clone(),
                 // A browser breaks a line behind whatever is no text, before a full stop as well.
-                Some(piece) if !marks.is_empty() && piece.matches("katex-base").count() == 1 => {
+                Some(piece) => {
+                    let marks = marks.replace(' ', "\u{a0}");
                     format!("<span class=\"unbroken\">{piece}{marks}</span>")
                 }
-                Some(piece) => format!("{piece}{marks}"),
             }
         });
         match filled.contains(OPEN) {
@@ -90,6 +91,21 @@ fn with_hashes(page: &str) -> String {
     page.replace("'own-scripts'", &hashes.join(" "))
 }
 
+/// Text in which no line ends between a number and its unit, nor within the unit.
+pub fn unbroken(text: &str) -> String {
+    static NUMBER: LazyLock<Regex> = LazyLock::new(|| {
+        let signs = "[ckmµ]?m|[km]?g|[mnµ]?s|m?[JN]|rad";
+        let words =
+            "bits|days|degrees|digits|metres|per cent|periods|radians|seconds|times|turns|years";
+        let pattern = format!(r"(\d) (%|(?:{signs}|{words}|(?:centi|milli)\w+)\b)");
+        Regex::new(&pattern).expect("it is well formed")
+    });
+    let bound = NUMBER.replace_all(text, "$1\u{a0}$2");
+    bound
+        .replace("kg m", "kg\u{a0}m")
+        .replace("N m", "N\u{a0}m")
+}
+
 /// Text in which Markdown finds nothing: everything but letters, digits and spaces is written as an entity.
 pub fn inert(text: &str) -> String {
     let mut out = String::with_capacity(4 * text.len());
@@ -118,8 +134,21 @@ mod tests {
         assert!(!a.contains('*') && !a.contains('_'), "{a}");
         assert_eq!(
             pieces.fill(&format!("<p>{a}, {b}</p>")).unwrap(),
-            "<p><b>1</b>, <b>1</b></p>"
+            "<p><span class=\"unbroken\"><b>1</b>,</span> <b>1</b></p>"
         );
+    }
+
+    #[test]
+    fn a_number_stays_with_its_unit() {
+        for (text, bound) in [
+            ("veselov-10 470 µs", "veselov-10 470_µs"),
+            (
+                "2 kg m² and 40 %, of order 3 at best",
+                "2_kg_m² and 40_%, of order 3 at best",
+            ),
+        ] {
+            assert_eq!(unbroken(text), bound.replace('_', "\u{a0}"));
+        }
     }
 
     #[test]

@@ -5,7 +5,7 @@ use crate::chapters::{COVER, Chapter};
 use crate::drawings::{Drawing, unknown_figure};
 use crate::formulas::{Formulas, Style};
 use crate::ledger::{Ledger, Mark, MarkKind, markdown_options};
-use crate::pieces::{Pieces, inert};
+use crate::pieces::{Pieces, inert, unbroken};
 use crate::{Error, Result, live};
 use pulldown_cmark::{Event, Parser, Tag};
 use std::collections::{HashMap, HashSet};
@@ -120,6 +120,7 @@ impl<'a> Typesetter<'a> {
                 Event::Text(_) if text.contains('$') => {
                     Err("a dollar that neither opens nor closes a formula".into())
                 }
+                Event::Text(_) => Ok(Some(unbroken(text))),
                 Event::Start(Tag::Link { dest_url, .. }) => {
                     let page = dest_url.split('#').next().unwrap_or_default();
                     match page.ends_with(".md") && Chapter::of(page).is_none() {
@@ -270,11 +271,9 @@ impl<'a> Typesetter<'a> {
             let chapter = drawing.entry.chapter;
             let picture = self.picture(drawing, SMALL);
             let claim = self.caption(&drawing.figure.claim)?;
-            let keys = drawing.entry.parameters.iter().map(|one| one.key);
-            let keys = match keys.collect::<Vec<_>>()[..] {
-                [] => String::new(),
-                ref keys => format!(" --set {}=…", keys.join("=… --set ")),
-            };
+            let set = |key| format!(" <span class=\"unbroken\">--set {key}=…</span>");
+            let keys = drawing.entry.parameters.iter().map(|one| set(one.key));
+            let keys: String = keys.collect();
             out += &format!(
                 "<figure id=\"small-{name}\"><a href=\"{chapter}.html#fig-{name}\">{picture}</a><figcaption>{number}. {claim} \
                  <code>cargo run -- figures {name}{keys}</code></figcaption></figure>\n"
@@ -289,7 +288,7 @@ impl<'a> Typesetter<'a> {
         for (i, part) in text.split('$').enumerate() {
             if i % 2 == 0 {
                 // A typewriter's apostrophe is none; mdBook sets those of the chapters.
-                out.push_str(&inert(&part.replace('\'', "’")));
+                out.push_str(&inert(&unbroken(&part.replace('\'', "’"))));
             } else {
                 out.push_str(&self.formula(part, Style::Inline)?);
             }

@@ -1,7 +1,9 @@
 //! The ledger as a page of the book and as a table on the terminal.
 
 use crate::ledger::{Claim, Ledger, TestUse, Verdict};
-use crate::pieces::inert;
+use crate::pieces::{inert, unbroken};
+use regex::{Captures, Regex};
+use std::sync::LazyLock;
 
 /// Titles of the tutorial's sections.
 const SECTIONS: &[(&str, &str)] = &[
@@ -111,9 +113,23 @@ fn row(ledger: &Ledger, claim: &Claim) -> String {
         id = claim.id,
         title = inert(&claim.title),
         class = verdict.replace(", ", "-").replace(' ', "-"),
-        statement = inert(&claim.statement),
+        statement = with_indices(&inert(&unbroken(&claim.statement))),
         places = places.join(" · "),
     )
+}
+
+/// The register is plain text: `L_vert` and `V_{n−1}` have an index, `w^{−1}` a power.
+fn with_indices(html: &str) -> String {
+    static INDEX: LazyLock<Regex> = LazyLock::new(|| {
+        let pattern = r"&#(95|94);(?:&#123;(.+?)&#125;|(\w+))";
+        Regex::new(pattern).expect("it is well formed")
+    });
+    let set = |found: &Captures<'_>| {
+        let tag = if &found[1] == "95" { "sub" } else { "sup" };
+        let letters = found.get(2).or(found.get(3)).map_or("", |one| one.as_str());
+        format!("<{tag}>{letters}</{tag}>")
+    };
+    INDEX.replace_all(html, set).into_owned()
 }
 
 /// The ledger for the terminal: id, verdict, title, chapter and test of every claim.

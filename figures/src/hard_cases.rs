@@ -66,7 +66,7 @@ pub fn tops(_: &Values) -> Result<Figure> {
     let words = words!(
         "The textbook walks uphill, the library on a floor.",
         "Six walks of a top to a place where its formula loses digits: relative error against the distance that is left (for the fast top and the slow \
-         precession, 4 over the spin). Grey the formula as printed, black the library. What reaches the top has not one digit left.",
+         precession, 4 over the spin). Grey: the formula as printed; ink: the library. What reaches the top has not one digit left.",
         "Six small panels with logarithmic axes. In each the line of the textbook climbs from ten to the minus 16 towards 1 as the distance shrinks, least far next to the separatrix, steeply for the sleeping and \
          the fast top; the line of the library stays at ten to the minus 16 throughout."
     );

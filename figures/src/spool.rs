@@ -149,7 +149,7 @@ pub fn dial(values: &Values) -> Result<Figure> {
     let words = words!(
         "The spool comes for every tug lower than {degrees} degrees, runs away from a steeper one, and follows a hand beyond the vertical.",
         "Acceleration of a spool with $r/R = {axle}$, $M = 200$ g, $I = \\frac12MR^2$, tugged gently to the left with {tension} N, and steeper and steeper \
-         until the hand is on the right. Each ray points along the tug and is as long as the acceleration is large. Black: the spool rolls to the left and \
+         until the hand is on the right. Each ray points along the tug and is as long as the acceleration is large. Ink: the spool rolls to the left and \
          winds string up, {most} m/s² at most. Grey: it rolls to the right and pays string out, up to {after} m/s² when the string is pulled back over the axle.",
         "A half dial of rays over a spool, one every five degrees, counted from the left. Black rays on the left shrink from {most} at 0 degrees to nothing at {degrees} \
          degrees; grey rays grow from there over {away} at 90 degrees, where the spool runs away from the hand, to {after} at 180 degrees, where it follows the hand."

@@ -153,7 +153,7 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
     let which = match grip == 1.0 {
         true => "A superball".to_owned(),
         false => format!(
-            "A ball that gets back {} of its contact speed and is",
+            "A ball that gets back {} of its contact speed",
             short(grip, 2)
         ),
     };

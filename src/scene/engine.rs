@@ -626,6 +626,7 @@ fn tolerance_of(effort: Effort, accuracy: f64) -> f64 {
 
 /// The efforts of the two runs that are compared: their steps, s, or their tolerances.
 struct Efforts {
+    kind: fn(f64) -> Effort,
     /// Whether their steps are of one length.
     even: bool,
     worse: f64,
@@ -647,11 +648,12 @@ impl Efforts {
         let even = matches!(stepper, Stepper::Other(_, true));
         let first = FIRST * accuracy / angle.max(2.0);
         let tolerance = first.clamp(LEAST_TOLERANCE * APART, GREATEST_TOLERANCE);
-        let (worse, apart) = match even {
-            true => (longest_step(angle, last), 2.0),
-            false => (tolerance, APART),
+        let (kind, worse, apart): (fn(f64) -> Effort, f64, f64) = match even {
+            true => (Effort::Step, longest_step(angle, last), 2.0),
+            false => (Effort::Tolerance, tolerance, APART),
         };
         Self {
+            kind,
             even,
             worse,
             better: worse / apart,
@@ -660,17 +662,11 @@ impl Efforts {
     }
 
     fn worse(&self) -> Effort {
-        match self.even {
-            true => Effort::Step(self.worse),
-            false => Effort::Tolerance(self.worse),
-        }
+        (self.kind)(self.worse)
     }
 
     fn better(&self) -> Effort {
-        match self.even {
-            true => Effort::Step(self.better),
-            false => Effort::Tolerance(self.better),
-        }
+        (self.kind)(self.better)
     }
 
     /// The share of the distance of both that is taken for the error of the better.

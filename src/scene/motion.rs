@@ -251,7 +251,9 @@ pub struct Motion<S> {
 /// A motion whose books are open: one after the other it is told what it conserves, or may only lose or gain.
 pub(crate) struct Books<S> {
     motion: Motion<S>,
-    /// The rows that are read, in the order of time.
+    /// So many rows are read at most.
+    most: usize,
+    /// Those, in the order of time, once the first is read.
     order: Vec<usize>,
 }
 
@@ -270,18 +272,29 @@ impl<S> Books<S> {
             ledger: Ledger::new(),
             rows: request.times.iter().copied().zip(states).collect(),
         };
-        let order = Vec::new();
-        Self { motion, order }.reading(usize::MAX)
+        Self {
+            motion,
+            most: usize::MAX,
+            order: Vec::new(),
+        }
     }
 
     /// The same of at most so many of its rows, evenly chosen, and the last.
     pub fn reading(mut self, most: usize) -> Self {
-        let rows = &self.motion.rows;
-        let last = rows.len() - 1;
-        let chosen = (0..last).step_by(rows.len().div_ceil(most));
-        self.order = chosen.chain([last]).collect();
-        self.order.sort_by(|&i, &j| rows[i].0.total_cmp(&rows[j].0));
+        self.most = most;
         self
+    }
+
+    fn order(&mut self) -> &[usize] {
+        if self.order.is_empty() {
+            let rows = &self.motion.rows;
+            let last = rows.len() - 1;
+            let chosen = (0..last).step_by(rows.len().div_ceil(self.most));
+            self.order.extend(chosen.chain([last]));
+            let times = |&i: &usize, &j: &usize| rows[i].0.total_cmp(&rows[j].0);
+            self.order.sort_by(times);
+        }
+        &self.order
     }
 
     /// Its states.
@@ -290,8 +303,9 @@ impl<S> Books<S> {
     }
 
     /// The earliest state that is read.
-    pub fn earliest(&self) -> &S {
-        &self.motion.rows[self.order[0]].1
+    pub fn earliest(&mut self) -> &S {
+        let earliest = self.order()[0];
+        &self.motion.rows[earliest].1
     }
 
     /// A quantity by its name and law and the scale of its drift (0: any will do), its value at the start, and that of a state by its place.
@@ -301,6 +315,7 @@ impl<S> Books<S> {
         start: V,
         of: impl Fn(usize, &S) -> V,
     ) -> Result<()> {
+        self.order();
         let Motion { rows, ledger, .. } = &mut self.motion;
         let read = self.order.iter().map(|&place| of(place, &rows[place].1));
         ledger.keep(account, start, read)

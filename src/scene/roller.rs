@@ -357,15 +357,13 @@ impl OnTable<'_> {
         let pull = |m: &Moment| (load.push * m.position).abs() + (load.twist * m.turned).abs();
         let size = scale(&|m| m.energy(kappa) + m.heat + m.work.abs() + pull(m));
         let name = "energy plus heat less work";
-        books.conserved(name, size, balance(&self.start), |row, _| {
-            balance(&moments[row])
-        })?;
+        let balances = |row: usize, _: &S| balance(&moments[row]);
+        books.conserved(name, size, balance(&self.start), balances)?;
         if !self.driven() && self.laws.sheet.is_none() {
             let size = scale(&|m| m.energy(kappa));
             let account = ("kinetic energy", Law::NonIncreasing, size);
-            books.keep(account, kinetic(&self.start), |row, _| {
-                kinetic(&moments[row])
-            })?;
+            let energies = |row: usize, _: &S| kinetic(&moments[row]);
+            books.keep(account, kinetic(&self.start), energies)?;
         }
         Ok(())
     }

@@ -204,9 +204,8 @@ impl Flow<5> for Crawler {
         let (from, y) = ahead.start;
         let gap = self.gap(piece, from);
         let after = |t: f64| Ok(self.body.after(&leg, y, &gap, t - from));
-        let rest = self
-            .rest(&leg, y[1], gap.rate)
-            .map(|(after, _)| from + after);
+        let rest = self.rest(&leg, y[1], gap.rate);
+        let rest = rest.map(|(after, _)| from + after);
         let rest = rest.filter(|&rest| rest < ahead.end);
         (!ahead.stepped).then(|| ahead.in_closed_form(rest, after))
     }

@@ -191,12 +191,10 @@ impl Flow<5> for Falling {
     }
 
     fn rate(&self, (): (), _: f64, y: &[f64; 5]) -> [f64; 5] {
-        let PaperCat {
-            cat, air, gravity, ..
-        } = &self.cat;
+        let (cat, air) = (&self.cat.cat, self.cat.air);
         let [_, velocity, tilt, tilt_rate, _] = *y;
-        let own = gravity.unwrap_or(0.0);
-        match *air {
+        let own = self.cat.gravity.unwrap_or(0.0);
+        match air {
             None => [velocity, own, tilt_rate, 0.0, 0.0],
             Some(air) => {
                 let drag = cat.drag(air, velocity);

@@ -188,10 +188,8 @@ impl Scene for Skater {
         let l = self.angular_momentum();
         let start = self.state(0.0, &[0.0, self.spin, 0.0, 0.0]);
         // What the hands do with the energy and what the energy does with the rounding: relative to the largest that occurs.
-        let largest = books
-            .states()
-            .map(|s| s.energy)
-            .fold(start.energy, f64::max);
+        let energies = books.states().map(|state| state.energy);
+        let largest = energies.fold(start.energy, f64::max);
         let momentum = |_: usize, state: &SkaterState| {
             let now = self.body.moment(state.reach) * state.spin;
             self.bearing_friction.map_or(now, |c| now + c * state.angle)

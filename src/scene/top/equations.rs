@@ -227,37 +227,23 @@ impl<const N: usize> Flow<N> for Turning {
         b: &[(Spin, [f64; N])],
         seen: &[(Spin, [f64; N])],
     ) -> f64 {
-        let fastest = self.fastest(seen.iter().map(|(_, y)| phase(y)));
-        let lost = |a: &[f64; N], b: &[f64; N]| match N {
-            0..8 => 0.0,
-            _ => (a[7] - b[7]).abs() / self.energy,
-        };
-        let apart = a
-            .iter()
-            .zip(b)
-            .map(|((_, a), (_, b))| greater(self.apart(&phase(a), &phase(b), fastest), lost(a, b)));
-        apart.fold(0.0, greater)
-    }
-}
-
-impl Turning {
-    /// The fastest |Ω| of these and of the start, rad/s: the fastest rate of the motion is at least that.
-    fn fastest(&self, seen: impl Iterator<Item = Phase>) -> f64 {
+        // The fastest rate of the motion is at least this, rad/s.
         let start = speed(self.start.l, self.inverse);
-        match seen
-            .map(|phase| speed(phase.l, self.inverse))
-            .fold(start, f64::max)
-        {
+        let speeds = seen.iter().map(|(_, y)| speed(phase(y).l, self.inverse));
+        let fastest = match speeds.fold(start, f64::max) {
             0.0 => self.pace,
             fastest => fastest,
-        }
-    }
-
-    /// Angle between two attitudes (radians), or the difference of the angular velocities over the fastest, whichever is more.
-    fn apart(&self, a: &Phase, b: &Phase, fastest: f64) -> f64 {
-        let turned: f64 = (0..4).map(|k| (a.q[k] - b.q[k]).powi(2)).sum();
-        let between: [f64; 3] = core::array::from_fn(|k| a.l[k] - b.l[k]);
-        (2.0 * turned.sqrt()).max(speed(between, self.inverse) / fastest)
+        };
+        // Angle between two attitudes (radians), difference of the angular velocities over the fastest, or that of what was lost.
+        let apart = |((_, a), (_, b)): (&(Spin, [f64; N]), &(Spin, [f64; N]))| {
+            let between: [f64; N] = core::array::from_fn(|n| a[n] - b[n]);
+            let Phase { l, q } = phase(&between);
+            let turned: f64 = q.iter().map(|part| part.powi(2)).sum();
+            let lost = between.get(7).map_or(0.0, |lost| lost.abs() / self.energy);
+            let turning = (2.0 * turned.sqrt()).max(speed(l, self.inverse) / fastest);
+            greater(turning, lost)
+        };
+        a.iter().zip(b).map(apart).fold(0.0, greater)
     }
 }
 

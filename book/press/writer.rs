@@ -154,11 +154,14 @@ pub fn can_be_written_into(folder: &Path) -> Result<()> {
     tried.map(drop).map_err(Error::file(folder))
 }
 
-/// The one of these that the name of a file ends with.
+/// The one of these that the name of a file ends with; the first if there is no name. That of a device or a pipe tells nothing.
 ///
 /// # Errors
 /// [`Error::Input`] for a name that ends otherwise; `what` is written.
-pub fn by_ending<T: Copy>(file: &Path, what: &str, known: &[(&str, T)]) -> Result<T> {
+pub fn by_ending<T: Copy>(path: Option<&Path>, what: &str, known: &[(&str, T)]) -> Result<T> {
+    let Some(file) = path.filter(|path| path.is_file() || !path.exists()) else {
+        return Ok(known[0].1);
+    };
     let ending = file.extension().unwrap_or_default().to_ascii_lowercase();
     let found = known.iter().find(|(known, _)| ending == *known);
     found.map(|(_, one)| *one).ok_or_else(|| {

@@ -23,7 +23,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// The format asked for, or else the one that a file's name ends with; CSV if nothing tells. The name of a device or a pipe tells nothing.
+    /// The format asked for, or else the one that a file's name ends with; CSV if nothing tells.
     ///
     /// # Errors
     /// [`Error::Input`] for a name that ends as neither does, or as the other one.
@@ -34,15 +34,11 @@ impl Format {
             Some(Self::Csv) => ("written is CSV", &[csv]),
             Some(Self::Json) => ("written is JSON", &[json]),
         };
-        let tells = |file: &&Path| {
-            let ending = file.extension().unwrap_or_default();
-            let is_any = ending.is_empty() || ending.eq_ignore_ascii_case("txt");
-            !is_any && (file.is_file() || !file.exists())
+        let tells = |path: &&Path| {
+            let ending = path.extension().unwrap_or_default();
+            !ending.is_empty() && !ending.eq_ignore_ascii_case("txt")
         };
-        match path.filter(tells) {
-            Some(file) => by_ending(file, what, known),
-            None => Ok(known[0].1),
-        }
+        by_ending(path.filter(tells), what, known)
     }
 
     /// Runs a scene and writes its rows as they come, however many there are. Nothing is written before the first of them can be.

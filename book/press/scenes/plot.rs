@@ -45,8 +45,7 @@ pub fn columns(panels: &[Panel]) -> Vec<&str> {
 /// [`Error::Input`] for a name that ends otherwise.
 pub fn form(output: Option<&Path>, forms: &[Form]) -> Result<Form> {
     let known: Vec<_> = forms.iter().map(|form| (form.ending(), *form)).collect();
-    let named = |output| by_ending(output, "drawn is a picture", &known);
-    output.map_or(Ok(forms[0]), named)
+    by_ending(output, "drawn is a picture", &known)
 }
 
 /// Runs the scene, which tells the [`columns`] of the panels, and draws them.

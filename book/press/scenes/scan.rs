@@ -254,9 +254,8 @@ impl Scan {
         for (path, &value) in self.paths().zip(varied) {
             text = set(&self.name, &text, path, value)?;
         }
-        let mut motion = Motion::of(&self.name, &text)?;
         let names: Vec<&str> = self.columns.iter().map(|column| column.name).collect();
-        motion.scene = motion.scene.telling(&names)?;
+        let motion = Motion::of(&self.name, &text)?.telling("--tell, --plot", &names)?;
         let table = motion.at(motion.request.times())?;
         let row = |(t, row): (f64, Vec<f64>)| [vec![t], row].concat();
         let mut rows: Vec<Vec<f64>> = table.rows().map(row).collect();

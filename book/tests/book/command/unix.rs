@@ -53,6 +53,7 @@ fn the_module_of_the_live_pages_wants_a_compiler_for_browsers() {
 fn pipes_and_devices_stay_what_they_are() {
     let (folder, file) = racket(3);
     let plain = scene(&file, &[]).stdout;
+    let picture = scene(&file, &["--plot", "energy"]).stdout;
     let (pipe, link) = (folder.path().join("pipe"), folder.path().join("link"));
     assert!(shell(&format!("mkfifo {}", quoted(&pipe))).status.success());
     symlink(&pipe, &link).unwrap();
@@ -68,6 +69,8 @@ fn pipes_and_devices_stay_what_they_are() {
     for device in ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"] {
         let output = scene(&file, &["--output", device]);
         assert_eq!(output.stdout, plain, "{device}");
+        let drawn = scene(&file, &["--plot", "energy", "--output", device]);
+        assert_eq!(drawn.stdout, picture, "{device}");
     }
     // A file that the standard output leads to goes on where it was.
     let rows = folder.path().join("rows");

@@ -299,7 +299,7 @@ impl<N: Number> Descent<N> {
 
 #[cfg(test)]
 mod tests {
-    use super::{DoubleDouble, Modulus, Parameter};
+    use super::{DoubleDouble, Modulus, Number, Parameter};
     use crate::elliptic::landen;
 
     const COMPLEMENTS: [f64; 9] = [1.0, 0.9, 0.51, 0.5, 0.49, 0.3, 1e-3, 1e-9, 1e-300];

@@ -30,7 +30,7 @@ use crate::elliptic::turning::Turning;
 use crate::error::Result;
 use crate::frame::{Attitude, BodyVector};
 use crate::precise::quick::{in_quadrant, sine_cosine};
-use crate::precise::{DoubleDouble, RIGHT_ANGLE};
+use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE};
 
 /// A free top at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]

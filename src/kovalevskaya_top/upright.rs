@@ -32,6 +32,7 @@ use super::precession::horizontal;
 use super::separation::Variables;
 use super::solution::{Functions, Quotients, Reconstruction};
 use super::taylor::{Carried, about_third, project, shortest};
+use crate::precise::Number as _;
 
 type Number = Complex<f64>;
 

@@ -21,7 +21,7 @@ use crate::elliptic::turning::Turning;
 use crate::error::{Error, Result, finite, not_negative, positive};
 use crate::frame::{Attitude, BodyVector};
 use crate::precise::quick::sine_cosine;
-use crate::precise::{DoubleDouble, RIGHT_ANGLE, power_of_two_below};
+use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE, power_of_two_below};
 
 /// Lagrange's top at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -51,7 +51,7 @@ pub(crate) fn angle(cosine: DoubleDouble, sine: DoubleDouble) -> DoubleDouble {
 #[cfg(test)]
 mod tests {
     use super::angle;
-    use crate::precise::DoubleDouble;
+    use crate::precise::{DoubleDouble, Number};
 
     #[test]
     fn angles_add_as_rotations_do() {

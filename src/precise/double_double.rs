@@ -55,25 +55,6 @@ impl DoubleDouble {
         Self { high, low }
     }
 
-    /// Quotient to 103 bits, for sizes near 1.
-    #[inline(always)]
-    pub(crate) fn quick_quotient(self, b: Self) -> Self {
-        let inverse = 1.0 / b.high;
-        let leading = self.high * inverse;
-        let (product, error) = quick::exact_product(leading, b.high);
-        let rest = ((self.high - product) - error) + (self.low - leading * b.low);
-        let (high, low) = quick::ordered_sum(leading, rest * inverse);
-        Self { high, low }
-    }
-
-    /// Product to 104 bits, for sizes near 1.
-    #[inline(always)]
-    pub(crate) fn quick_product(self, b: Self) -> Self {
-        let (high, error) = quick::exact_product(self.high, b.high);
-        let (high, low) = quick::ordered_sum(high, error + (self.high * b.low + self.low * b.high));
-        Self { high, low }
-    }
-
     /// The product of two doubles, exactly unless its tail underflows.
     #[inline]
     pub(crate) fn product(a: f64, b: f64) -> Self {
@@ -92,14 +73,6 @@ impl DoubleDouble {
     #[inline]
     pub(crate) fn value(self) -> f64 {
         self.high + self.low
-    }
-
-    /// Multiplied by a power of two, exactly.
-    pub(crate) fn scaled(self, power_of_two: f64) -> Self {
-        Self {
-            high: self.high * power_of_two,
-            low: self.low * power_of_two,
-        }
     }
 
     /// √(1 + x²), also where x² would overflow.

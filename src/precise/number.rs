@@ -44,10 +44,29 @@ pub(crate) trait Number:
         Self::from_double(a).times(b)
     }
 
+    /// Product to 104 bits, where neither it nor its trailing word leaves the range.
+    #[inline(always)]
+    fn quick_product(self, other: Self) -> Self {
+        self * other
+    }
+
+    /// Quotient to 103 bits, where neither it nor its trailing word leaves the range, of what is not zero.
+    #[inline(always)]
+    fn quick_quotient(self, divisor: Self) -> Self {
+        self / divisor
+    }
+
     /// The quick sum, of terms that do not cancel.
     #[inline]
     fn add_alike(self, other: Self) -> Self {
         self + other
+    }
+
+    /// The mean of numbers that are not negative, to the digits of a double.
+    #[inline(always)]
+    fn rough_mean<const K: usize>(numbers: [Self; K]) -> Self {
+        let sum = numbers.into_iter().fold(Self::from_double(0.0), Self::add);
+        sum.times(1.0 / K as f64)
     }
 
     /// The quotient; zero by anything is zero.
@@ -69,6 +88,12 @@ pub(crate) trait Number:
     #[inline]
     fn times(self, factor: f64) -> Self {
         self * Self::from_double(factor)
+    }
+
+    /// Multiplied by a power of two, exactly.
+    #[inline]
+    fn scaled(self, power_of_two: f64) -> Self {
+        self.times(power_of_two)
     }
 
     /// With the opposite sign if `sign` is negative.
@@ -120,10 +145,24 @@ impl Number for DoubleDouble {
         if self.high() == 0.0 {
             return Self::from(0.0);
         }
-        let root = self.high().sqrt();
-        let square = DoubleDouble::product(root, root);
-        let rest = ((self.high() - square.high()) - square.low()) + self.low();
-        Self::ordered_sum(root, rest / (2.0 * root))
+        let (root, rest) = quick::root(self.high(), self.low());
+        Self::ordered_sum(root, rest)
+    }
+
+    #[inline(always)]
+    fn quick_product(self, b: Self) -> Self {
+        let (high, error) = quick::exact_product(self.high(), b.high());
+        let cross = self.high() * b.low() + self.low() * b.high();
+        Self::ordered_sum(high, error + cross)
+    }
+
+    #[inline(always)]
+    fn quick_quotient(self, b: Self) -> Self {
+        let inverse = 1.0 / b.high();
+        let leading = self.high() * inverse;
+        let (product, error) = quick::exact_product(leading, b.high());
+        let rest = ((self.high() - product) - error) + (self.low() - leading * b.low());
+        Self::ordered_sum(leading, rest * inverse)
     }
 
     #[inline]
@@ -158,10 +197,21 @@ impl Number for DoubleDouble {
         Self::ordered_sum(leading.high(), leading.low() + (self.low() + other.low()))
     }
 
+    #[inline(always)]
+    fn rough_mean<const K: usize>(numbers: [Self; K]) -> Self {
+        let sum: f64 = numbers.into_iter().map(Self::high).sum();
+        Self::from(sum * (1.0 / K as f64))
+    }
+
     #[inline]
     fn times(self, factor: f64) -> Self {
         let leading = DoubleDouble::product(self.high(), factor);
         Self::ordered_sum(leading.high(), leading.low() + self.low() * factor)
+    }
+
+    #[inline]
+    fn scaled(self, power_of_two: f64) -> Self {
+        Self::new(self.high() * power_of_two, self.low() * power_of_two)
     }
 
     #[inline]

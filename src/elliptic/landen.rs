@@ -257,7 +257,7 @@ impl Nome {
         let low = 2.0 * y_low + (error + 13.0 * y2_low + rest * y2);
         let (high, carry) = quick::ordered_sum(2.0 * y, square);
         let correction = Dd::new(high, carry + low);
-        logarithm - correction
+        logarithm.add_alike(-correction)
     }
 }
 

@@ -124,6 +124,7 @@ impl Series {
         }
     }
 
+    #[inline(always)]
     pub(super) fn hyperbolic(half: f64, complementary_modulus: f64, rate: f64) -> Self {
         let thetas = if half * half < SMALL {
             few_thetas(half)

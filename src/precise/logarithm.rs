@@ -50,7 +50,8 @@ const LOGARITHMS: [DoubleDouble; 33] = [
 pub(crate) fn logarithm(x: DoubleDouble, exponent: i32) -> DoubleDouble {
     let unit = power_of_two_below(x.high());
     let exponent = f64::from((unit.to_bits() >> 52) as i32 - 1023 + exponent);
-    let x = x.scaled(1.0 / unit);
+    let digits = x.high().to_bits() & ((1 << 52) - 1);
+    let x = DoubleDouble::new(f64::from_bits(digits | 1.0_f64.to_bits()), x.low() / unit);
     let index = (x.high() * 32.0 + 0.5) as usize;
     let (center, entry) = (index as f64 / 32.0, LOGARITHMS[index.clamp(32, 64) - 32]);
     let sum = DoubleDouble::sum(x.high(), center);
@@ -68,15 +69,14 @@ pub(crate) fn logarithm(x: DoubleDouble, exponent: i32) -> DoubleDouble {
     let (high, low) = quick::ordered_sum(THIRD.high(), fifth.high());
     let third = DoubleDouble::new(high, low + (THIRD.low() + fifth.low()));
     let more = DoubleDouble::quick_product(DoubleDouble::quick_product(s, s2), third);
-    let series = DoubleDouble::sum(s.high(), more.high());
-    let series_low = 2.0 * (series.low() + (s.low() + more.low()));
     let (power, error) = quick::exact_product(exponent, LN_2.high());
-    // The greatest first; the sum of the first two is zero or not small against the third.
+    // What is known first is summed first; the sum of two is zero or not small against the third.
     let first = DoubleDouble::sum(power, entry.high());
-    let second = DoubleDouble::sum(first.high(), 2.0 * series.high());
-    let low =
-        (first.low() + second.low()) + (error + exponent * LN_2.low() + entry.low() + series_low);
-    let (high, low) = quick::ordered_sum(second.high(), low);
+    let second = DoubleDouble::sum(first.high(), 2.0 * s.high());
+    let all = DoubleDouble::sum(second.high(), 2.0 * more.high());
+    let known = error + exponent * LN_2.low() + entry.low() + (first.low() + second.low());
+    let low = (known + 2.0 * s.low()) + (all.low() + 2.0 * more.low());
+    let (high, low) = quick::ordered_sum(all.high(), low);
     DoubleDouble::new(high, low)
 }
 

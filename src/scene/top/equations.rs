@@ -235,7 +235,7 @@ impl<const N: usize> Flow<N> for Turning {
             fastest => fastest,
         };
         // Angle between two attitudes (radians), difference of the angular velocities over the fastest, or that of what was lost.
-        let apart = |((_, a), (_, b)): (&(Spin, [f64; N]), &(Spin, [f64; N]))| {
+        let apart = |a: &[f64; N], b: &[f64; N]| {
             let between: [f64; N] = core::array::from_fn(|n| a[n] - b[n]);
             let Phase { l, q } = phase(&between);
             let turned: f64 = q.iter().map(|part| part.powi(2)).sum();
@@ -243,7 +243,8 @@ impl<const N: usize> Flow<N> for Turning {
             let turning = (2.0 * turned.sqrt()).max(speed(l, self.inverse) / fastest);
             greater(turning, lost)
         };
-        a.iter().zip(b).map(apart).fold(0.0, greater)
+        let pairs = a.iter().zip(b);
+        pairs.fold(0.0, |most, ((_, a), (_, b))| greater(most, apart(a, b)))
     }
 }
 

@@ -26,7 +26,7 @@ impl Format {
     /// The format asked for, or else the one that a file's name ends with; CSV if nothing tells.
     ///
     /// # Errors
-    /// [`Error::Input`] for a name that ends as neither does, or as the other one.
+    /// [`Error::Input`](crate::Error::Input) for a name that ends as neither does, or as the other one.
     pub fn of(asked: Option<Self>, path: Option<&Path>) -> Result<Self> {
         let (csv, json) = (("csv", Self::Csv), ("json", Self::Json));
         let (what, known): (_, &[_]) = match asked {

@@ -107,13 +107,14 @@ pub fn diagram(title: &str, panels: &[[Quantity; 2]]) -> Figure {
     };
     let told: Vec<String> = panels.iter().map(told).collect();
     let details = format!("{}.", told.join("; ").replace(" ;", ";").trim_end());
+    let names = names.join(", ");
+    let shown = match panels.len() {
+        1 => format!("A diagram: {names}"),
+        count => format!("{count} panels, below each other: {names}"),
+    };
     let words = Words {
-        claim: format!("{title}: {}.", names.join(", ")),
-        alt: format!(
-            "{} panels, below each other: {}. {details}",
-            panels.len(),
-            names.join(", ")
-        ),
+        claim: format!("{title}: {names}."),
+        alt: format!("{shown}. {details}"),
         details,
     };
     let height = if panels.len() == 1 { 300.0 } else { 190.0 };

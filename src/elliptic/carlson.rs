@@ -9,15 +9,15 @@ use crate::error::{Error, Result, finite, not_negative, positive};
 use crate::precise::quick::polynomial;
 use crate::precise::{DoubleDouble as Dd, Extended, Number};
 
-/// Spread of the arguments below which their series to [`ORDER`] are right to 2·10⁻²².
+/// Spread of the arguments below which their series are right to 2·10⁻²².
 /// A double needs less; principal values, in which two such integrals nearly cancel, need it.
 const SPREAD: f64 = 0.0195;
 
 /// The same for R_F that is rounded to a double: right to 2·10⁻¹⁹.
 const WIDE_SPREAD: f64 = 0.04;
 
-/// The last power of the spread that the series take.
-const ORDER: usize = 11;
+/// The series take powers of the spread below this one.
+const TERMS: usize = 12;
 
 /// Duplications after which any spread between doubles is gone: each halves the exponents of their ratios, and then divides
 /// what is left of the spread by four.
@@ -26,36 +26,10 @@ const ROUNDS: usize = 64;
 /// Up to this R_C(1, 1 + e) has a short series.
 const FLAT: f64 = 0.01;
 
-/// How much of dⱼ Tₙ₋ⱼ each term Tₙ of the series takes, for j from 2 to 5.
-const STEPS: [[f64; 4]; ORDER + 1] = {
-    let mut steps = [[0.0; 4]; ORDER + 1];
-    let mut n = 3;
-    while n <= ORDER {
-        let mut j = 2;
-        while j <= 5 && j <= n {
-            steps[n][j - 2] = 0.5 * j as f64 / n as f64 - 1.0;
-            j += 1;
-        }
-        n += 1;
-    }
-    steps
-};
-
-/// a/(a + n).
-const fn weights(a: f64) -> [f64; ORDER + 1] {
-    let mut weights = [1.0; ORDER + 1];
-    let mut n = 1;
-    while n <= ORDER {
-        weights[n] = a / (a + n as f64);
-        n += 1;
-    }
-    weights
-}
-
 /// Arguments on their way to be alike: three, or five of which two or three are the same. A duplication adds the same to all: what each is off their
 /// mean stays as it was.
 struct Spread<N, const COUNT: usize> {
-    /// The mean at the start to the digits of a double, which will do, for what it is off by counts by its square.
+    /// The mean at the start.
     start: N,
     /// It less each argument, and the greatest of that as a part of it.
     gaps: [N; COUNT],
@@ -64,8 +38,7 @@ struct Spread<N, const COUNT: usize> {
 
 impl<N: Number, const COUNT: usize> Spread<N, COUNT> {
     #[inline(always)]
-    fn new(x: [N; COUNT]) -> Self {
-        let start = N::rough_mean(x);
+    fn new(start: N, x: [N; COUNT]) -> Self {
         let gaps = x.map(|x| start.add_alike(-x));
         let parts = gaps.map(|gap| gap.ratio(start).abs());
         let widest = parts.into_iter().fold(0.0, f64::max);
@@ -109,14 +82,14 @@ impl<N: Number, const COUNT: usize> Spread<N, COUNT> {
         let e4 = (2.0 * xyz + e2 * p + 3.0 * p * p * p) * p;
         let d = [e2, -e3, e4, -xyz * p * p];
         let sums = if COUNT > 3 { 4 } else { 2 };
-        let weights = const { weights(0.5 * COUNT as f64 - 1.0) };
         // The last five terms, the latest first.
         let mut terms = [-0.5 * e2, 0.0, 1.0, 0.0, 0.0];
         let mut rest = 0.0;
-        for n in 3..STEPS.len() {
-            let parts = (0..sums).map(|j| STEPS[n][j] * d[j] * terms[j + 1]);
+        for n in 3..TERMS {
+            let n = n as f64;
+            let parts = (0..sums).map(|j| (0.5 * (j + 2) as f64 / n - 1.0) * d[j] * terms[j + 1]);
             terms = [parts.sum(), terms[0], terms[1], terms[2], terms[3]];
-            rest += weights[n] * terms[0];
+            rest += a / (a + n) * terms[0];
         }
         let one = N::from_double(1.0);
         one.add_alike(N::from_double(rest)).add_alike(first)
@@ -146,7 +119,7 @@ pub(super) fn first<N: Number>(x: [N; 3]) -> N {
 fn first_within<N: Number>(spread: f64, mut x: [N; 3]) -> N {
     let third = N::from_double(1.0).quotient(N::from_double(3.0));
     let mean = |[x, y, z]: [N; 3]| x.add_alike(y).add_alike(z).quick_product(third);
-    let arguments = Spread::new(x);
+    let arguments = Spread::new(mean(x), x);
     let mut scale = 1.0;
     for _ in 0..ROUNDS {
         if arguments.is_within(spread, x[0]) {
@@ -248,7 +221,7 @@ fn duplicated<N: Number>(mut x: [N; 3], mut p: N) -> (N, Alike<N>) {
             .add_alike(p.scaled(2.0))
             .quick_product(fifth)
     };
-    let spread = Spread::new([x[0], x[1], x[2], p, p]);
+    let spread = Spread::new(mean(x, p), [x[0], x[1], x[2], p, p]);
     // What p is more than the others stays, and so does the product of that.
     let beyond = (p - x[0]) * (p - x[1]) * (p - x[2]);
     let mut sum = N::from_double(0.0);
@@ -287,7 +260,7 @@ fn duplicated<N: Number>(mut x: [N; 3], mut p: N) -> (N, Alike<N>) {
 pub(super) fn second<N: Number>(mut x: [N; 3]) -> (N, Alike<N>) {
     let fifth = N::from_double(1.0).quotient(N::from_double(5.0));
     let mean = |[x, y, z]: [N; 3]| x.add_alike(y).add_alike(z.times(3.0)).quick_product(fifth);
-    let spread = Spread::new([x[0], x[1], x[2], x[2], x[2]]);
+    let spread = Spread::new(mean(x), [x[0], x[1], x[2], x[2], x[2]]);
     let mut sum = N::from_double(0.0);
     let mut scale = 1.0;
     for _ in 0..ROUNDS {

@@ -62,13 +62,6 @@ pub(crate) trait Number:
         self + other
     }
 
-    /// The mean of numbers that are not negative, to the digits of a double.
-    #[inline(always)]
-    fn rough_mean<const K: usize>(numbers: [Self; K]) -> Self {
-        let sum = numbers.into_iter().fold(Self::from_double(0.0), Self::add);
-        sum.times(1.0 / K as f64)
-    }
-
     /// The quotient; zero by anything is zero.
     #[inline]
     fn quotient(self, divisor: Self) -> Self {
@@ -195,12 +188,6 @@ impl Number for DoubleDouble {
     fn add_alike(self, other: Self) -> Self {
         let leading = Self::sum(self.high(), other.high());
         Self::ordered_sum(leading.high(), leading.low() + (self.low() + other.low()))
-    }
-
-    #[inline(always)]
-    fn rough_mean<const K: usize>(numbers: [Self; K]) -> Self {
-        let sum: f64 = numbers.into_iter().map(Self::high).sum();
-        Self::from(sum * (1.0 / K as f64))
     }
 
     #[inline]

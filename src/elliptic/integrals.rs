@@ -508,7 +508,7 @@ impl<N: Number> Place<N> {
 /// An m outside 0…1 is given as a [`Characteristic`], with its complement.
 ///
 /// Error 0.46 ε at most of 150 rows: φ from 10⁻³⁰⁰ to 10⁶ and at successive floats next to multiples of π/2, mc to 10⁻³⁰⁰ and 0.
-/// Cost 0.5–0.7 µs. Source: Digital Library of Mathematical Functions, 19.25.5.
+/// Cost 0.3–0.5 µs. Source: Digital Library of Mathematical Functions, 19.25.5.
 ///
 /// ```
 /// use spinning_bodies::elliptic::{Characteristic, incomplete_first};
@@ -528,7 +528,7 @@ pub fn incomplete_first(phi: f64, parameter: impl Into<Characteristic>) -> Resul
 
 /// E(φ) = ∫₀^φ √(1 − m sin²θ) dθ for any m, as [`incomplete_first`]; E(φ + π) = E(φ) + 2E, at m = 1 a staircase of sines.
 ///
-/// Error 0.42 ε at most of 150 rows, as for [`incomplete_first`]. Cost 0.8 µs. Source: Digital Library of Mathematical
+/// Error 0.42 ε at most of 150 rows, as for [`incomplete_first`]. Cost 0.5–0.7 µs. Source: Digital Library of Mathematical
 /// Functions, 19.25.9 to 19.25.11, whichever has terms of one sign.
 ///
 /// # Errors
@@ -579,7 +579,7 @@ pub fn complete_third(
 /// Odd in φ, and for m ≤ 1 at any angle: each π adds 2Π(n), the principal value's period included. For m > 1 as far as it is real,
 /// m sin²φ ≤ 1. Infinite at m = 1 beyond π/2.
 ///
-/// Error 0.47 ε at most of 560 rows, as for [`complete_third`] and with φ as for [`incomplete_first`]. Cost 1.1–1.4 µs within a quarter turn for n < 1; 4–9 µs
+/// Error 0.47 ε at most of 560 rows, as for [`complete_third`] and with φ as for [`incomplete_first`]. Cost 0.7–0.9 µs within a quarter turn for n < 1; 4–9 µs
 /// for principal values.
 /// Source: Digital Library of Mathematical Functions, 19.7, 19.25.14; its sign of n.
 ///

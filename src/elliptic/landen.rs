@@ -142,6 +142,7 @@ pub(super) struct Mean {
 impl Mean {
     /// Two rounds, and the third from its series. Pairs (number, error) are carried without being made canonical:
     /// that shortens the chain of operations, each of which waits for the one before.
+    #[inline(always)]
     pub(super) fn new(x: Dd, complement: Dd) -> Self {
         if complement.high() < SMALL {
             return Self::next_to_one(complement);

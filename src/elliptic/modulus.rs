@@ -24,8 +24,8 @@ pub(crate) enum Side {
 ///
 /// Cost on one core of a server, beside GSL's `gsl_sf_elljac_e` in the same run (`cargo bench -p lab --bench
 /// elliptic`): `new` 80–280 ns; then 27–37 ns for sn, cn, dn of one argument (0.27–0.33 of GSL's time), 37–66 ns with the
-/// amplitude, 8–18 ns in a batch (0.10–0.14). From scratch, [`Parameter::new`] and [`sn_cn_dn`](super::sn_cn_dn), 111–212 ns (1.5–1.9). For tiny
-/// m GSL has little to do, 41 ns; there the four are 0.54, 0.79, 0.18 and 1.8 of it.
+/// amplitude, 8–18 ns in a batch (0.10–0.14). From scratch, [`Parameter::new`] and [`sn_cn_dn`](super::sn_cn_dn), 90–160 ns (1.5–2.0). For tiny
+/// m GSL has little to do, 41 ns; there the four are 0.54, 0.79, 0.18 and 1.6 of it.
 ///
 /// Source: Digital Library of Mathematical Functions, 20.2, 22.2 and 19.8; the range reduction is our own.
 ///

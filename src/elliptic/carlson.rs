@@ -36,9 +36,21 @@ struct Spread<N, const COUNT: usize> {
     widest: f64,
 }
 
+/// The sum of numbers that do not cancel.
+#[inline(always)]
+fn sum<N: Number, const COUNT: usize>(x: [N; COUNT]) -> N {
+    x[1..].iter().fold(x[0], |sum, x| sum.add_alike(*x))
+}
+
+#[inline(always)]
+fn mean<N: Number, const COUNT: usize>(x: [N; COUNT]) -> N {
+    sum(x).quick_product(N::from_double(1.0).quick_quotient(N::from_double(COUNT as f64)))
+}
+
 impl<N: Number, const COUNT: usize> Spread<N, COUNT> {
     #[inline(always)]
-    fn new(start: N, x: [N; COUNT]) -> Self {
+    fn new(x: [N; COUNT]) -> Self {
+        let start = mean(x);
         let gaps = x.map(|x| start.add_alike(-x));
         let parts = gaps.map(|gap| gap.ratio(start).abs());
         let widest = parts.into_iter().fold(0.0, f64::max);
@@ -66,10 +78,7 @@ impl<N: Number, const COUNT: usize> Spread<N, COUNT> {
     fn series(&self, mean: N) -> N {
         let a = const { 0.5 * COUNT as f64 - 1.0 };
         let weight = N::from_double(4.0 * (a + 2.0)).quick_quotient(N::from_double(a));
-        let squares = self.gaps.map(|gap| gap.quick_product(gap));
-        let squares = squares[1..]
-            .iter()
-            .fold(squares[0], |sum, x| sum.add_alike(*x));
+        let squares = sum(self.gaps.map(|gap| gap.quick_product(gap)));
         let first = squares.quick_quotient(mean.quick_product(mean).quick_product(weight));
         let parts = self.gaps.map(|gap| gap.ratio(mean));
         let [x, y, z] = [parts[0], parts[1], parts[2]];
@@ -115,9 +124,7 @@ pub(super) fn first<N: Number>(x: [N; 3]) -> N {
 /// The same by the series for arguments up to this spread.
 #[inline(always)]
 fn first_within<N: Number>(spread: f64, mut x: [N; 3]) -> N {
-    let third = N::from_double(1.0).quotient(N::from_double(3.0));
-    let mean = |[x, y, z]: [N; 3]| x.add_alike(y).add_alike(z).quick_product(third);
-    let arguments = Spread::new(mean(x), x);
+    let arguments = Spread::new(x);
     let mut scale = 1.0;
     for _ in 0..ROUNDS {
         if arguments.is_within(spread, x[0]) {
@@ -212,14 +219,8 @@ fn flat(e: Dd) -> Dd {
 /// R_J by duplication, p > 0.
 fn duplicated<N: Number>(mut x: [N; 3], mut p: N) -> (N, Alike<N>) {
     let one = N::from_double(1.0);
-    let fifth = one.quotient(N::from_double(5.0));
-    let mean = |[x, y, z]: [N; 3], p: N| {
-        x.add_alike(y)
-            .add_alike(z)
-            .add_alike(p.scaled(2.0))
-            .quick_product(fifth)
-    };
-    let spread = Spread::new(mean(x, p), [x[0], x[1], x[2], p, p]);
+    let all = |[x, y, z]: [N; 3], p: N| [x, y, z, p, p];
+    let spread = Spread::new(all(x, p));
     // What p is more than the others stays, and so does the product of that.
     let beyond = (p - x[0]) * (p - x[1]) * (p - x[2]);
     let mut sum = N::from_double(0.0);
@@ -247,7 +248,7 @@ fn duplicated<N: Number>(mut x: [N; 3], mut p: N) -> (N, Alike<N>) {
         sum = sum.add_alike(arc.quick_product(inverse).scaled(scale));
         scale *= 2.0;
     }
-    let mean = mean(x, p);
+    let mean = mean(all(x, p));
     let cube = mean.quick_product(mean.square_root());
     let last = spread.series(mean).quick_quotient(cube);
     let value = sum.times(6.0).add_alike(last.scaled(scale));
@@ -256,9 +257,8 @@ fn duplicated<N: Number>(mut x: [N; 3], mut p: N) -> (N, Alike<N>) {
 
 /// R_D, at most one of x and y zero, z > 0. And what R_F goes on from.
 pub(super) fn second<N: Number>(mut x: [N; 3]) -> (N, Alike<N>) {
-    let fifth = N::from_double(1.0).quotient(N::from_double(5.0));
-    let mean = |[x, y, z]: [N; 3]| x.add_alike(y).add_alike(z.times(3.0)).quick_product(fifth);
-    let spread = Spread::new(mean(x), [x[0], x[1], x[2], x[2], x[2]]);
+    let all = |[x, y, z]: [N; 3]| [x, y, z, z, z];
+    let spread = Spread::new(all(x));
     let mut sum = N::from_double(0.0);
     let mut scale = 1.0;
     for _ in 0..ROUNDS {
@@ -270,7 +270,7 @@ pub(super) fn second<N: Number>(mut x: [N; 3]) -> (N, Alike<N>) {
         sum = sum.add_alike(N::from_double(scale).quick_quotient(root.quick_product(x[2])));
         scale *= 2.0;
     }
-    let mean = mean(x);
+    let mean = mean(all(x));
     let cube = mean.quick_product(mean.square_root());
     let last = spread.series(mean).quick_quotient(cube);
     let value = sum.times(3.0).add_alike(last.scaled(scale));

@@ -117,9 +117,11 @@ fn newton(table: &Table, spin: f64, start: Vector4<f64>) -> Result<Vector4<f64>>
     let mut x = start;
     let mut value = residual(&x);
     for _ in 0..60 {
-        let Ok(jacobian) = jacobian(residual, x, [stride; 4], [1.0; 4]) else {
-            break;
-        };
+        let jacobian = SMatrix::<f64, 4, 4>::from_columns(&core::array::from_fn::<_, 4, _>(|i| {
+            let mut shift = Vector4::zeros();
+            shift[i] = stride;
+            (residual(&(x + shift)) - residual(&(x - shift))) / (2.0 * stride)
+        }));
         let Some(step) = jacobian.lu().solve(&value) else {
             break;
         };

@@ -337,14 +337,12 @@ impl<S> Books<S> {
     /// # Errors
     /// [`Error::Amplified`], [`Error::Ledger`].
     pub fn closed(self, request: &Request) -> Result<Motion<S>> {
-        let (asked, reached) = (request.accuracy, self.motion.error_estimate);
+        let mut motion = self.motion;
+        let reached = motion.error_estimate;
         // An error that is not a number must not pass for a small one.
-        if reached <= asked {
-            let ledger = balanced(self.motion.ledger, asked)?;
-            return Ok(Motion {
-                ledger,
-                ..self.motion
-            });
+        if reached <= request.accuracy {
+            motion.ledger = balanced(motion.ledger, request.accuracy)?;
+            return Ok(motion);
         }
         Err(request.amplified(reached, reached / f64::EPSILON))
     }

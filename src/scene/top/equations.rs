@@ -243,8 +243,8 @@ impl<const N: usize> Flow<N> for Turning {
             let turning = (2.0 * turned.sqrt()).max(speed(l, self.inverse) / fastest);
             greater(turning, lost)
         };
-        let pairs = a.iter().zip(b);
-        pairs.fold(0.0, |most, ((_, a), (_, b))| greater(most, apart(a, b)))
+        let apart = a.iter().zip(b).map(|((_, a), (_, b))| apart(a, b));
+        apart.fold(0.0, greater)
     }
 }
 

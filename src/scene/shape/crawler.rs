@@ -62,7 +62,7 @@ impl Crawler {
     /// One without the other does nothing.
     ///
     /// # Errors
-    /// [`Error::Effect`] for any other; [`Error::Negative`] for a gravity that lifts.
+    /// [`Error::Effect`](crate::Error::Effect) for any other; [`Error::Negative`](crate::Error::Negative) for a gravity that lifts.
     ///
     /// ```
     /// use spinning_bodies::{phenomena::{self, Strokes}, scene::{Request, Scene, effects::Coulomb, shape::Crawler}};

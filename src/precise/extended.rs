@@ -6,7 +6,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use super::{DoubleDouble, Number, power_of_two_below};
 
 /// `digits · 2^exponent`: squares of tilts down to 1e-300 stay numbers.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Extended {
     pub(crate) digits: DoubleDouble,
     pub(crate) exponent: i32,
@@ -31,7 +31,7 @@ pub(crate) fn sum_of_products<const N: usize>(products: &[[f64; N]]) -> Extended
         let mut settled = true;
         for k in 1..words.len() {
             let [low, high] = exact_sum(words[k - 1], words[k]);
-            settled &= low.value_is(words[k - 1]) && high.value_is(words[k]);
+            settled &= low == words[k - 1] && high == words[k];
             (words[k - 1], words[k]) = (low, high);
         }
         if settled {
@@ -70,10 +70,6 @@ impl Extended {
             }
             number
         })
-    }
-
-    fn value_is(self, other: Self) -> bool {
-        self.exponent == other.exponent && self.digits == other.digits
     }
 
     /// Zero, with an exponent that never shifts a sum.

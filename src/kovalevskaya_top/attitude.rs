@@ -99,7 +99,6 @@ impl<'a> Walk<'a> {
 
     fn to(&mut self, t: f64) -> Result<State> {
         let top = self.top;
-        let far = || top.inward_time(t, LONGEST);
         let carried = match &top.motion {
             _ if t == 0.0 => top.start,
             Motion::Free(free) => {
@@ -109,9 +108,10 @@ impl<'a> Walk<'a> {
                 let [p, q, r]: [f64; 3] = state.omega.components().into();
                 ([p, q, r, up.x(), up.y(), up.z()], attitude)
             }
-            Motion::Upright(upright) => upright.carried(&top.constants, far()?),
-            Motion::Pendulum(pendulum) => pendulum.carried(far()?)?,
-            Motion::Separated(separated) => separated.carried(&top.constants, far()?),
+            Motion::Pendulum(pendulum) => pendulum.carried(top.inward_time(t, LONGEST)?)?,
+            Motion::Separated(separated) => {
+                separated.carried(&top.constants, top.inward_time(t, LONGEST)?)
+            }
             Motion::Stepped(_) => {
                 let target = top.inward_time(t, LONGEST_WALK)?;
                 while self.time != target {

@@ -25,6 +25,8 @@ pub(super) struct Constants {
     pub k: Wide,
     /// d = c² − k².
     pub d: Wide,
+    /// Whether z was along axis 3 at the start, exactly: 3l₁ − k = 2l² then, by algebra, and e₅ is a root of the cubic.
+    pub upright: bool,
 }
 
 fn wide(x: f64) -> Wide {
@@ -46,6 +48,7 @@ impl Constants {
             l: vertical.scaled(0.5),
             k: k_squared.square_root(),
             d: square(c) - k_squared,
+            upright: [z1, z2].map(Wide::high) == [0.0; 2],
         }
     }
 
@@ -81,6 +84,9 @@ impl Constants {
     /// method from outside, and the others from s² + e₁s + e₁² − g₂/4: their distance √(g₂ − 3e₁²) is never a difference
     /// of rounded roots.
     pub fn roots(&self) -> [Root; 5] {
+        if self.upright {
+            return self.beside(self.fifth());
+        }
         let [g2, g3] = self.invariants();
         let (quarter, rest) = (g2.scaled(0.25), g3.scaled(0.25));
         let value = |s: Wide| (s * s - quarter) * s - rest;
@@ -118,24 +124,27 @@ impl Constants {
             [middle + half, middle - half].map(Root::on_axis)
         };
         let fourth = (self.l1 + self.k).scaled(0.5);
-        [
+        let mut roots = [
             Root::on_axis(first),
             second,
             third,
             Root::on_axis(fourth),
             Root::on_axis(self.fifth()),
-        ]
+        ];
+        let cubic = &mut roots[..3];
+        if second.is_real() {
+            cubic.sort_by(|x, y| y.real.high().total_cmp(&x.real.high()));
+            // The greatest in size is on the other side of zero.
+            let shift = usize::from(cubic[1].real.high() > 0.0);
+            cubic.rotate_right(shift);
+        }
+        roots
     }
     // ANCHOR_END: roots
 
     /// e₅.
     fn fifth(&self) -> Wide {
         (self.l1 - self.k).scaled(0.5)
-    }
-
-    /// The five roots where e₅ is known to be one of the cubic's: that one first.
-    pub fn roots_with_fifth(&self) -> [Root; 5] {
-        self.beside(self.fifth())
     }
 }
 

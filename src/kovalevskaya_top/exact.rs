@@ -23,20 +23,22 @@ pub enum Reason {
 pub(super) struct Exact {
     pub separation: Separation,
     pub curve: Curve,
-    torus: Torus,
+    pub torus: Torus,
     quotients: Quotients,
     /// Turns of the phases at time 0, halved.
     origin: [f64; 2],
     /// And a unit of time.
-    advance: [DoubleDouble; 2],
+    pub advance: [DoubleDouble; 2],
+    /// Whether a handle of the curve is closed, so that the phases do not return.
+    pub closed: bool,
 }
 
 /// States with attitudes by power series soon after time 0.
 pub(super) type Trial = Vec<(f64, Carried)>;
 
 /// The largest disagreement with which separation is trusted, over c where that is below 1, and whatever c: of 1000 random starts none had more than 1e-14 at the
-/// start.
-const TRUSTED: [f64; 2] = [3e-14, 1e-12];
+/// start; beside double roots more.
+const TRUSTED: [f64; 2] = [3e-13, 1e-12];
 
 /// How long the trial lasts, in units of the motion.
 const TRIAL: f64 = 3.0;
@@ -49,15 +51,25 @@ impl Exact {
         whole: &Carried,
     ) -> Result<(Self, Trial), Reason> {
         let exact = Self::nearest(constants, wide, &whole.0).ok_or(Reason::DoubleRoot)?;
-        match tried(constants, whole, |t| exact.state(constants, t)) {
-            Ok(trial) => Ok((exact, trial)),
+        let c = constants.c.value();
+        let trusted = (TRUSTED[0] / c.min(1.0)).min(TRUSTED[1]);
+        let mut worst = distance(&exact.state(constants, 0.0), &whole.0);
+        let (mut carried, mut t, mut trial) = (*whole, 0.0, Vec::new());
+        while t < TRIAL && worst <= trusted {
+            let series = Series::<f64, 10>::of(c, &carried);
+            let step = series.reach.min(TRIAL - t);
+            carried = series.carried(step);
+            t += step;
+            worst = worst.max(distance(&exact.state(constants, t), &carried.0));
+            trial.push((t, carried));
+        }
+        if worst <= trusted {
+            Ok((exact, trial))
+        } else if exact.separation.narrowest < 1e-2 * c.min(1.0).powi(2) {
             // Weak gravity brings roots together by itself, to some c².
-            Err(_)
-                if exact.separation.narrowest() < 1e-2 * constants.c.value().min(1.0).powi(2) =>
-            {
-                Err(Reason::DoubleRoot)
-            }
-            Err(worst) => Err(Reason::Cancellation(worst)),
+            Err(Reason::DoubleRoot)
+        } else {
+            Err(Reason::Cancellation(worst))
         }
     }
 
@@ -66,7 +78,7 @@ impl Exact {
         let separation = Separation::prepare(constants, variables.s1)?;
         let curve = Curve::prepare(&separation)?;
         let advance = separation.frequencies().map(|n| n.scaled(0.5));
-        let torus = Torus::prepare(
+        let mut torus = Torus::prepare(
             &curve,
             separation.pinched(),
             advance.map(DoubleDouble::value),
@@ -85,6 +97,10 @@ impl Exact {
             |v| torus.parts(v),
             start,
         );
+        let closed = separation.touching();
+        if closed {
+            torus.at_double_root(origin);
+        }
         Some(Self {
             separation,
             curve,
@@ -92,6 +108,7 @@ impl Exact {
             quotients,
             origin,
             advance,
+            closed,
         })
     }
 
@@ -104,12 +121,15 @@ impl Exact {
         self.at_turns(constants, self.halved(t))
     }
 
-    /// Turns of the two phases, halved, from 0 to 1: a state returns when one of these gains 1.
+    /// Turns of the two phases, halved, from 0 to 1: a state returns when one of these gains 1, or never on a double root.
     pub fn halved(&self, t: f64) -> [f64; 2] {
-        [0, 1].map(|i| {
-            let v = self.advance[i].times(t) + DoubleDouble::from(self.origin[i]);
-            (v - DoubleDouble::from(v.high().floor())).value()
-        })
+        let v = [0, 1].map(|i| self.advance[i].times(t) + DoubleDouble::from(self.origin[i]));
+        let high = v.map(DoubleDouble::high);
+        let whole = match self.torus.pinched() {
+            Some(functions) if self.closed => functions.whole(high),
+            _ => high.map(f64::floor),
+        };
+        [0, 1].map(|i| (v[i] - DoubleDouble::from(whole[i])).value())
     }
 
     /// The state where the phases have turned so far, halved.
@@ -118,30 +138,5 @@ impl Exact {
             constants,
             &self.quotients.state(constants, &self.torus.parts(v)),
         )
-    }
-}
-
-/// States with attitudes by power series soon after time 0, from which the formula for Ω and z does not differ; or by how much it does.
-pub(super) fn tried(
-    constants: &Constants,
-    start: &Carried,
-    state: impl Fn(f64) -> Phase,
-) -> Result<Trial, f64> {
-    let c = constants.c.value();
-    let trusted = (TRUSTED[0] / c.min(1.0)).min(TRUSTED[1]);
-    let mut worst = distance(&state(0.0), &start.0);
-    let (mut carried, mut t, mut trial) = (*start, 0.0, Vec::new());
-    while t < TRIAL && worst <= trusted {
-        let series = Series::<f64, 10>::of(c, &carried);
-        let step = series.reach.min(TRIAL - t);
-        carried = series.carried(step);
-        t += step;
-        worst = worst.max(distance(&state(t), &carried.0));
-        trial.push((t, carried));
-    }
-    if worst <= trusted {
-        Ok(trial)
-    } else {
-        Err(worst)
     }
 }

@@ -2,8 +2,9 @@
 
 use nalgebra::Complex;
 
-use super::constants::{Constants, Root};
+use super::constants::Constants;
 use super::separation::{Place, Separation, in_order};
+use crate::precise::DoubleDouble;
 
 type Number = Complex<f64>;
 
@@ -121,10 +122,9 @@ impl Curve {
     /// Half of the integrals from ∞ to Z, real and imaginary parts, from where s₁ = A and s₂ = C.
     ///
     /// Z lies in a gap between s₂ and s₁.
-    pub fn point(&self, constants: &Constants, separation: &Separation) -> [[f64; 2]; 2] {
+    pub fn point(&self, separation: &Separation) -> [[f64; 2]; 2] {
         let real = in_order(&separation.roots);
-        let s = constants.vertical_point();
-        let over = |root: usize| (s - separation.roots[root].real).value();
+        let over = |root: usize| separation.vertical[root].re;
         // In which of the gaps Z lies.
         let far = real[1] != separation.ends[0];
         let base = if far && over(real[2]) > -over(real[1]) {
@@ -137,8 +137,7 @@ impl Curve {
         let from = separation.apart[real[base + 1]];
         let middle = upper.map_or(0.5 * from[real[base]].re, |upper| from[upper].re);
         let nearer = base + usize::from(-over(real[base + 1]) < middle);
-        let z = separation.roots.map(|root| Root::on_axis(s).from(&root));
-        let inside = across(separation, real[nearer], &(z, 1.0));
+        let inside = across(separation, real[nearer], &(separation.vertical, 1.0));
         let Half { n, m } = self.roots[real[nearer]].plus(self.roots[4]);
         let twist = if self.twisted { 0.5 } else { 0.0 };
         let [n, m] = [n, m].map(|x| x.map(f64::from));
@@ -152,8 +151,8 @@ impl Curve {
     /// α but for whole turns of v: l − ½ of the mean of N/((s₁−s)(s₂−s)), s that of Z.
     ///
     /// A₊′ = 2l − N/((s₁−s)(s₂−s)) − d arg R/dt with a function R of the state, and the mean is one of two integrals of the third kind, one in s₁ and one in s₂.
-    pub fn rate(constants: &Constants, separation: &Separation) -> f64 {
-        constants.l.value() - 0.5 * constants.residue().value() * separation.third_kind()
+    pub fn rate(constants: &Constants, separation: &Separation) -> DoubleDouble {
+        constants.l - (separation.residue * separation.third_kind()).scaled(0.5)
     }
 
     /// Re τx in one component, which is the same in both, from the sum of those of x.
@@ -174,6 +173,9 @@ impl Curve {
 
 /// Twice the normalized integrals from a root to a place.
 fn across(separation: &Separation, from: usize, place: &Place) -> [Number; 2] {
+    if place.0[from].norm() == 0.0 {
+        return [Number::default(); 2];
+    }
     let [a, b, _] = separation.straight(from, place, None);
     let [real, imaginary] = [0, 1].map(|part| {
         separation

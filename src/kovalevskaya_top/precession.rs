@@ -13,7 +13,7 @@
 //!
 //! With z₃ = 1 the same comes out but for a half period added to a. So the azimuth of the third axis, the phase of ξ₃, is αt − arg G₊G₋.
 
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::PI;
 use std::sync::Arc;
 
 use nalgebra::{Complex, Quaternion};
@@ -22,7 +22,8 @@ use super::constants::{Constants, Phase, WidePhase};
 use super::exact::{Exact, Reason, Trial};
 use super::periods::{Curve, Half, MEASURES};
 use super::taylor::{Carried, about_third, shortest};
-use super::theta::{Sums, Theta, join, unit};
+use super::theta::{Pinched, Theta, join, unit};
+use crate::precise::{DoubleDouble, Number as _};
 
 type Number = Complex<f64>;
 
@@ -49,7 +50,7 @@ impl Precession {
         let products = products(constants, &exact).ok_or(Reason::DoubleRoot)?;
         let known = Curve::rate(constants, &exact.separation);
         let rates = products.each_ref().map(|product| {
-            let known = settled(known, product.rate, exact.advance());
+            let known = settled(known, product.rate, exact.advance);
             // Beside a double root the integrals may lose digits, and the states know better.
             if (known - product.rate).abs() <= 16.0 * product.scatter {
                 known
@@ -102,9 +103,10 @@ impl Precession {
         &[p, q, _, z1, z2, _]: &Phase,
         attitude: Quaternion<f64>,
     ) -> Sight {
-        let z = self.exact.halved(t).map(unit);
+        let v = self.exact.halved(t);
+        let place = (v, v.map(unit));
         let products = self.products.each_ref().map(|Product { factors, .. }| {
-            let product = factors[0].value(z) * factors[1].value(z);
+            let product = factors[0].value(&place) * factors[1].value(&place);
             product / product.norm()
         });
         let c = constants.c.value();
@@ -146,17 +148,18 @@ impl Precession {
     }
 }
 
-/// The rate that is nearest to a rough one among those that whole turns of v set apart.
-fn settled(known: f64, rough: f64, advance: [f64; 2]) -> f64 {
-    const MOST: i32 = 4;
-    let all = (-MOST..=MOST).flat_map(|i| (-MOST..=MOST).map(move |j| (i, j)));
-    all.map(|(i, j)| known + TAU * (f64::from(i) * advance[0] + f64::from(j) * advance[1]))
+/// The rate that is nearest to a rough one among those that half turns of v set apart.
+fn settled(known: DoubleDouble, rough: f64, advance: [DoubleDouble; 2]) -> f64 {
+    const MOST: i32 = 8;
+    let turns = advance.map(|x| x.times(PI));
+    let all = (-MOST..=MOST).flat_map(|i| (-MOST..=MOST).map(move |j| [i, j].map(f64::from)));
+    all.map(|[i, j]| (known + turns[0].times(i) + turns[1].times(j)).value())
         .min_by(|x, y| (x - rough).abs().total_cmp(&(y - rough).abs()))
         .unwrap_or(rough)
 }
 
 /// ξ₃, η₁² and η₂² as they follow from an attitude: the horizontal parts of the body's axes.
-pub(super) fn horizontal(q: Quaternion<f64>) -> [Number; 3] {
+fn horizontal(q: Quaternion<f64>) -> [Number; 3] {
     let third = 2.0 * Number::new(q.i * q.k + q.w * q.j, q.j * q.k - q.w * q.i);
     let axis1 = Number::new(
         1.0 - 2.0 * (q.j * q.j + q.k * q.k),
@@ -181,16 +184,31 @@ struct Sight {
 /// θ(v − a) for one a.
 #[derive(Debug, Clone, PartialEq)]
 struct Factor {
-    theta: Arc<Theta>,
-    /// e^{−2πi Re a}, but for a half period along the real directions.
-    turn: [Number; 2],
-    half: [u8; 2],
-    twisted: bool,
+    function: Arc<Function>,
+    half: Half,
 }
 
-/// e^{2πiv} at a state, and what tells a fit.
+/// That without half periods along the real directions, and after the modular transformation without any.
+#[derive(Debug, Clone, PartialEq)]
+enum Function {
+    Plain {
+        theta: Theta,
+        /// e^{−2πi Re a}.
+        turn: [Number; 2],
+        twisted: bool,
+    },
+    Pinched {
+        functions: Pinched,
+        a: [Number; 2],
+    },
+}
+
+/// v and e^{2πiv}.
+type Place = ([f64; 2], [Number; 2]);
+
+/// What tells a fit at a state.
 struct Witness {
-    z: [Number; 2],
+    place: Place,
     /// A₊′/2 and A₋′/2.
     rates: [f64; 2],
     /// 1 + z₃ and 1 − z₃.
@@ -213,10 +231,44 @@ struct Product {
 }
 
 impl Factor {
-    /// At e^{2πiv}.
-    fn value(&self, [z1, z2]: [Number; 2]) -> Number {
-        let sums = self.theta.at([self.turn[0] * z1, self.turn[1] * z2]);
-        join(&sums, self.half, self.twisted)
+    fn value(&self, (v, z): &Place) -> Number {
+        match &*self.function {
+            Function::Plain {
+                theta,
+                turn,
+                twisted,
+            } => {
+                let sums = theta.at([turn[0] * z[0], turn[1] * z[1]]);
+                join(&sums, self.half.n, *twisted)
+            }
+            Function::Pinched { functions, a } => {
+                let ([[one, _], [other, _]], _) = functions.parts(self.half, *v, 1.0, *a, [0.0; 2]);
+                one + other
+            }
+        }
+    }
+}
+
+impl Function {
+    /// d arg θ/dt for each of four half periods n if v changes at these rates.
+    fn turning(&self, m: [u8; 2], (v, z): &Place, rates: [f64; 2]) -> [f64; 4] {
+        match self {
+            Self::Plain {
+                theta,
+                turn,
+                twisted,
+            } => {
+                let sums = theta.with_rates([turn[0] * z[0], turn[1] * z[1]], rates);
+                MEASURES.map(|n| {
+                    let [value, rate] = sums.each_ref().map(|sums| join(sums, n, *twisted));
+                    (rate / value).im
+                })
+            }
+            Self::Pinched { functions, a } => MEASURES.map(|n| {
+                let ([one, other], _) = functions.parts(Half { n, m }, *v, 1.0, *a, rates);
+                ((one[1] + other[1]) / (one[0] + other[0])).im
+            }),
+        }
     }
 }
 
@@ -228,12 +280,16 @@ impl Witness {
             .filter_map(|n| {
                 // Multiples of the plastic number's powers spread most evenly.
                 let part = |x: f64| (0.1 + f64::from(n) * x).fract();
-                let v = [part(0.754_877_666_246_692_7), part(0.569_840_290_998_053_2)];
+                let v = if exact.closed {
+                    exact.halved(f64::from(n) - 2.5)
+                } else {
+                    [part(0.754_877_666_246_692_7), part(0.569_840_290_998_053_2)]
+                };
                 let [_, _, r, .., z3]: Phase = exact.at_turns(constants, v);
                 let heights = [1.0 + z3, 1.0 - z3];
                 let rates = [(l + 0.5 * r) / heights[0], (l - 0.5 * r) / heights[1]];
                 rates.iter().all(|x| x.is_finite()).then_some(Self {
-                    z: v.map(unit),
+                    place: (v, v.map(unit)),
                     rates,
                     heights,
                 })
@@ -248,38 +304,45 @@ impl Witness {
 /// Which of the eight it is depends on the signs of the roots with which the start was found; the one that fits is told by A′/2 + 2 d arg G/dt being the same α everywhere.
 fn products(constants: &Constants, exact: &Exact) -> Option<[Product; 2]> {
     let (curve, advance) = (&exact.curve, exact.advance());
-    let sheet = -(1_f64.copysign(constants.residue().high()));
+    let sheet = -(1_f64.copysign(exact.separation.residue.high()));
     let [real, imaginary] = curve
-        .point(constants, &exact.separation)
+        .point(&exact.separation)
         .map(|part| part.map(|x| sheet * x));
     let witnesses = Witness::some(constants, exact);
     let mut factors = Vec::with_capacity(16);
     for m in MEASURES {
-        let moved = m.map(|x| 0.5 * f64::from(x));
-        let (imaginary, whole) = curve.reduced(
-            [0, 1].map(|i| imaginary[i] + curve.y[i][0] * moved[0] + curve.y[i][1] * moved[1]),
-        );
-        let theta = Arc::new(Theta::prepare(curve.y, imaginary)?);
-        // Re τ(m/2 − whole), the same in both components.
-        let twist = curve.twist(moved[0] + moved[1] - whole[0] - whole[1]);
-        let turn = real.map(|x| unit(-x - twist));
-        let sums: Vec<[Sums; 2]> = witnesses
-            .iter()
-            .map(|Witness { z, .. }| theta.with_rates([turn[0] * z[0], turn[1] * z[1]], advance))
-            .collect();
-        for n in MEASURES {
-            // d arg θ/dt at every witness.
-            let turning = sums.iter().map(|sums| {
-                let [value, rate] = sums.each_ref().map(|sums| join(sums, n, curve.twisted));
-                (rate / value).im
-            });
-            let factor = Factor {
-                theta: theta.clone(),
-                turn,
-                half: n,
+        let function = Arc::new(if let Some(functions) = exact.torus.pinched() {
+            let (imaginary, whole) = curve.reduced(imaginary);
+            let twist = curve.twist(-whole[0] - whole[1]);
+            Function::Pinched {
+                functions: functions.clone(),
+                a: [0, 1].map(|i| Number::new(real[i] + twist, imaginary[i])),
+            }
+        } else {
+            let moved = m.map(|x| 0.5 * f64::from(x));
+            let (imaginary, whole) = curve.reduced(
+                [0, 1].map(|i| imaginary[i] + curve.y[i][0] * moved[0] + curve.y[i][1] * moved[1]),
+            );
+            // Re τ(m/2 − whole), the same in both components.
+            let twist = curve.twist(moved[0] + moved[1] - whole[0] - whole[1]);
+            Function::Plain {
+                theta: Theta::prepare(curve.y, imaginary)?,
+                turn: real.map(|x| unit(-x - twist)),
                 twisted: curve.twisted,
+            }
+        });
+        let turning: Vec<[f64; 4]> = witnesses
+            .iter()
+            .map(|witness| function.turning(m, &witness.place, advance))
+            .collect();
+        for (i, n) in MEASURES.into_iter().enumerate() {
+            let half = Half { n, m };
+            let factor = Factor {
+                function: function.clone(),
+                half,
             };
-            factors.push((Half { n, m }, factor, turning.collect::<Vec<f64>>()));
+            let turning: Vec<f64> = turning.iter().map(|all| all[i]).collect();
+            factors.push((half, factor, turning));
         }
     }
     let product = |side: usize, halves: [Half; 2]| {

@@ -23,8 +23,15 @@ pub(super) struct Separation {
     pub ends: [usize; 3],
     /// The distances e_i − e_j, each rounded once. Where e₄ and e₅ are one, they are taken apart by what no digit of the motion shows.
     pub apart: [[Number; 5]; 5],
+    /// The smallest distance of two roots, as a part of the greatest; e₄ and e₅ may meet at no loss.
+    pub narrowest: f64,
+    widest: f64,
     /// A − σ = σ − C. Integrals of (s − σ)ds/√P grow in s₁ and fall in s₂, so that nothing cancels in the determinant of the four.
     half_way: f64,
+    /// s − e of Z, the point that the vertical belongs to, for each root e.
+    pub vertical: [Number; 5],
+    /// N there, √−P.
+    pub residue: DoubleDouble,
     /// ∫ds/√P, ∫(s−σ)ds/√P and ∫ds/((s−c)√P), c that of Z, from A to B, and from −∞ to C.
     halves: [[DoubleDouble; 3]; 2],
 }
@@ -46,51 +53,80 @@ impl Separation {
         let apart = apart(&roots);
         let c = real[0];
         let half_line = apart[a][c];
+        let widest = apart.iter().flatten();
+        let widest = widest.fold(f64::MIN_POSITIVE, |most, x| most.max(x.norm()));
+        let nearest = pairs().map(|[i, j]| apart[i][j].norm());
+        let nearest = nearest.fold(f64::INFINITY, f64::min);
+        let (vertical, residue) = vertical(constants, &roots, &apart);
         let mut separation = Self {
             roots,
             ends: [a, b, c],
             half_way: 0.5 * half_line.re,
             halves: [[DoubleDouble::from(0.0); 3]; 2],
             apart,
+            narrowest: nearest / widest,
+            widest,
+            vertical,
+            residue,
         };
-        let narrowest = separation.narrowest();
-        // What is not a number is refused as well.
-        if narrowest.is_nan() || narrowest < DOUBLE {
+        let cubic = separation.pinched() == Some([1, 2]);
+        let told = |[i, j]: [usize; 2]| {
+            let distance = apart[i][j].norm();
+            match j {
+                _ if cubic || j < 3 => distance > DOUBLE * widest,
+                _ if constants.upright && distance == TORN => true,
+                _ => {
+                    // A root of the cubic is known the less the nearer another is.
+                    let others = (0..3).filter(|&other| other != i);
+                    let beside = others.map(|other| apart[i][other].norm());
+                    let clear = beside.fold(widest, f64::min) / widest;
+                    !separation.passes([i, j]) || distance * clear > SHARED * widest
+                }
+            }
+        };
+        if !pairs().all(told) {
             return None;
         }
-        let point = Root::on_axis(constants.vertical_point());
-        let over = |root: usize| roots[root].from(&point);
+        let over = |root: usize| -vertical[root];
         let upper = separation.upper().map_or(Number::from(1.0), over);
-        let far_away = ([-half_line; 5], 0.0);
+        let far = Number::from(-widest);
+        let far_away = ([far; 5], 0.0);
         separation.halves = [
             separation.ahead(a, &(apart[b], 1.0), Some([over(a), upper, over(b)])),
-            separation.ahead(c, &far_away, Some([over(c), upper, -half_line])),
+            separation.ahead(c, &far_away, Some([over(c), upper, far])),
         ];
         Some(separation)
     }
 
-    /// The smallest distance of two roots, as a part of the greatest; e₄ and e₅ may meet at no loss.
-    pub fn narrowest(&self) -> f64 {
-        let pairs = (0..3).flat_map(|i| (i + 1..5).map(move |j| self.apart[i][j].norm()));
-        pairs.fold(f64::INFINITY, f64::min) / self.widest()
+    /// Two roots that nearly meet where s₁ or s₂ turns at one of them, the other beyond a gap, or passes between them.
+    pub fn pinched(&self) -> Option<[usize; 2]> {
+        let near = |&[i, j]: &[usize; 2]| self.apart[i][j].norm();
+        let passed = pairs().filter(|&pair| self.passes(pair));
+        let mut passed: Vec<_> = passed
+            .filter(|pair| near(pair) < NEAR * self.widest)
+            .collect();
+        passed.sort_by(|x, y| near(x).total_cmp(&near(y)));
+        let first = *passed.first()?;
+        // Where two of the cubic meet besides, the sums must be told apart there.
+        let cubic = near(&first) != TORN && passed.contains(&[1, 2]);
+        Some(if cubic { [1, 2] } else { first })
     }
 
-    /// Whether e₂ and e₃ are near each other, and s₁ or s₂ turns at one of them or passes between them.
-    pub fn pinched(&self) -> bool {
+    /// Whether two roots between which s₁ or s₂ passes are one.
+    pub fn touching(&self) -> bool {
+        let one = |&[i, j]: &[usize; 2]| self.apart[i][j].norm() == TORN;
+        self.pinched().as_ref().is_some_and(one)
+    }
+
+    fn passes(&self, [i, j]: [usize; 2]) -> bool {
         let [a, b, c] = self.ends;
-        let passed = if self.roots[1].is_real() {
+        if self.roots[i].is_real() && self.roots[j].is_real() {
             let turns = |root: usize| root == a || root == b;
-            turns(1) != turns(2) || c == 1 || c == 2
+            turns(i) != turns(j) || c == i || c == j
         } else {
             let right_of = |end: usize| self.apart[1][end].re > 0.0;
-            !right_of(c) || right_of(a) && !right_of(b)
-        };
-        passed && self.apart[1][2].norm() < NEAR * self.widest()
-    }
-
-    fn widest(&self) -> f64 {
-        let all = self.apart.iter().flatten();
-        all.fold(f64::MIN_POSITIVE, |most, x| most.max(x.norm()))
+            [i, j] == [1, 2] && (!right_of(c) || right_of(a) && !right_of(b))
+        }
     }
 
     /// e₂ − e₃, e₃ − e₁ and e₁ − e₂.
@@ -102,7 +138,8 @@ impl Separation {
     /// ∫ds/√P, ∫(s−σ)ds/√P and, where s − c is given at both, that at the place times ω, ∫ds/((s−c)√P) straight from a root to a place.
     ///
     /// With s = (root + ωg place)/(1 + ωg), g = e^x, every root beyond the ends is at Im x = ±π, however near it is to an end, and one that sees the way at an angle φ at ±(π−φ).
-    /// With x = 3 sinh y besides, the trapezoidal rule takes some forty steps: it errs by e^{−2πd/step} where nothing is nearer to the line than d, and what is left out is e^{−40}.
+    /// With x = 3 sinh y besides, or more than 3 where two roots nearly meet, the trapezoidal rule takes some forty steps, or some hundred: it errs by e^{−2πd/step} where nothing is nearer to the line
+    /// than d, and what is left out is e^{−40}.
     /// Each s − e is a sum of two distances, rounded once.
     pub fn straight(
         &self,
@@ -110,8 +147,9 @@ impl Separation {
         (place, weight): &Place,
         pole: Option<[Number; 2]>,
     ) -> [[DoubleDouble; 2]; 3] {
-        const STRETCH: f64 = 3.0;
         const DIGITS: f64 = 40.0;
+        let depth = -self.narrowest.ln();
+        let stretch = depth.max(3.0);
         let start = &self.apart[from];
         let first = start[self.ends[0]] + self.half_way;
         let length = place[from];
@@ -123,7 +161,7 @@ impl Separation {
             .map(|[u, t]| -u / t)
             // What rounding has put on the way, or at its ends, is not at a distance.
             .filter(|ratio| ratio.is_finite() && (ratio.im != 0.0 || ratio.re < 0.0))
-            .map(|ratio| sine_of_area(ratio.ln() / STRETCH))
+            .map(|ratio| sine_of_area(ratio.ln() / stretch))
             .fold(1.0, f64::min)
             .asin();
         // e^step of few bits, so that its powers are exact, or nearly.
@@ -134,10 +172,10 @@ impl Separation {
         let mut power = DoubleDouble::from(1.0);
         let mut sums = [[DoubleDouble::from(0.0); 2]; 3];
         let mut last = [None; 2];
-        let most = (2.2 * DIGITS / STRETCH).asinh() / step;
+        let most = ((2.2 * DIGITS + depth) / stretch).asinh() / step;
         for n in 0..=most.min(LONGEST) as usize {
             let inverse = DoubleDouble::from(1.0).quick_quotient(power);
-            let x = (power - inverse).times(0.5 * STRETCH);
+            let x = (power - inverse).times(0.5 * stretch);
             let small = (-x.high()).exp() * (1.0 - x.low());
             let cosh = 0.5 * (power + inverse).value();
             // 1 and g, or both over g: only their ratio counts.
@@ -175,7 +213,7 @@ impl Separation {
             }
             power = power.times(1.0 + growth);
         }
-        sums.map(|sum| sum.map(|part| part.times(STRETCH * step)))
+        sums.map(|sum| sum.map(|part| part.times(stretch * step)))
     }
     // ANCHOR_END: straight
 
@@ -185,7 +223,7 @@ impl Separation {
     fn ahead(&self, from: usize, place: &Place, over: Option<[Number; 3]>) -> [DoubleDouble; 3] {
         let on_the_way = self.upper().filter(|&upper| {
             let [here, there] = [self.apart[from][upper].re, place.0[upper].re];
-            here * there < 0.0 && self.pinched()
+            here * there < 0.0 && self.pinched() == Some([1, 2])
         });
         let upward = |ways: [[DoubleDouble; 2]; 3]| {
             let sign = 1.0_f64.copysign(ways[0][0].high());
@@ -277,10 +315,10 @@ impl Separation {
     /// The mean over time of 1/((s₁−c)(s₂−c)), c that of Z, between s₂ and s₁.
     ///
     /// 1/((s₁−c)(s₂−c)) = (1/(s₂−c) − 1/(s₁−c))/(s₁−s₂), and dt/(s₁−s₂) is ds₁/√P as well as −ds₂/√P.
-    pub fn third_kind(&self) -> f64 {
-        let [first, second] = self.halves.map(|[.., half]| half.value().abs());
-        let [turns1, turns2] = self.frequencies().map(DoubleDouble::value);
-        -2.0 * (turns1 * first + turns2 * second)
+    pub fn third_kind(&self) -> DoubleDouble {
+        let [first, second] = self.halves.map(|[.., half]| half.magnitude());
+        let [turns1, turns2] = self.frequencies();
+        (turns1 * first + turns2 * second).scaled(-2.0)
     }
 
     /// Increase of the four integrals in a whole turn of a phase: real periods of the curve w² = P(s).
@@ -291,8 +329,14 @@ impl Separation {
     }
 }
 
-/// Where two roots are as near as this, as a part of the greatest distance, digits are lost: some 1e-16 at 1e-9, and next to 5e-11 several times what is stated.
+/// Pairs of roots, but for e₄ and e₅.
+fn pairs() -> impl Iterator<Item = [usize; 2]> {
+    (0..3).flat_map(|i| (i + 1..5).map(move |j| [i, j]))
+}
+
+/// Where s₁ or s₂ passes between two roots that are as near as this, as a part of the greatest distance, 106 bits do not tell how near: two of the cubic, of whose distance they tell the square, and others.
 const DOUBLE: f64 = 1e-9;
+const SHARED: f64 = 1e-17;
 
 /// Where e₂ and e₃ are nearer, theta functions are taken after the modular transformation. Before it the half periods between theirs lie along the imaginary directions, and
 /// 1e-16 over the distance is lost: here as much as a start may be off by.
@@ -320,11 +364,49 @@ fn root(z: Number) -> Number {
     Number::new(re, im.copysign(z.im))
 }
 
-/// The distances of the roots. Where e₄ and e₅ are one they are taken apart, in the order in which they are counted.
+/// How far two roots are taken apart that are one: what is left of it, the fourth root, shows in no digit.
+const TORN: f64 = 1e-28;
+
+/// s − e of Z for each root, and N; the smallest of them by −P(s) = N², which tells it to all digits.
+///
+/// Where e₅ is a root of the cubic Z is there, too. Nearby N is −2lk(s−e₅), which tells where between the two.
+fn vertical(
+    constants: &Constants,
+    roots: &[Root; 5],
+    apart: &[[Number; 5]; 5],
+) -> ([Number; 5], DoubleDouble) {
+    if !constants.upright {
+        let (point, residue) = (constants.vertical_point(), constants.residue());
+        let mut vertical = roots.map(|root| Root::on_axis(point).from(&root));
+        let real = (0..5).filter(|&i| roots[i].is_real());
+        if let Some(i) = real.min_by(|&i, &j| vertical[i].norm().total_cmp(&vertical[j].norm())) {
+            vertical[i] = Number::from(1.0);
+            let square = (residue * residue).scaled(0.25).value();
+            vertical[i] = square / vertical.iter().product::<Number>();
+        }
+        return (vertical, residue);
+    }
+    let mut vertical = apart[4];
+    let slope = constants.l.value() * constants.k.value();
+    let others = vertical[..4].iter().filter(|x| x.norm() != TORN);
+    let ratio = slope * slope / others.product::<Number>().re;
+    let rest = TORN / (ratio - 1.0);
+    for x in vertical.iter_mut().filter(|x| x.norm() == TORN) {
+        *x = (ratio * rest).into();
+    }
+    vertical[4] = rest.into();
+    (vertical, DoubleDouble::from(-2.0 * slope * rest))
+}
+
+/// The distances of the roots. Two that are one are taken apart, in the order in which they are counted.
 fn apart(roots: &[Root; 5]) -> [[Number; 5]; 5] {
     let mut apart = roots.map(|one| roots.map(|other| one.from(&other)));
-    if apart[3][4].re == 0.0 {
-        [apart[3][4], apart[4][3]] = [-1e-40, 1e-40].map(Number::from);
+    for (i, j) in (0..5).flat_map(|j| (0..j).map(move |i| (i, j))) {
+        if apart[i][j].norm() == 0.0 {
+            // Between e₄ and e₅ nothing passes.
+            let torn = if i == 3 { 1e-40 } else { TORN };
+            [apart[i][j], apart[j][i]] = [-torn, torn].map(Number::from);
+        }
     }
     apart
 }

@@ -7,7 +7,7 @@ use nalgebra::Complex;
 use super::constants::{Constants, Phase, Root};
 use super::periods::{Curve, Half, MEASURES};
 use super::separation::Separation;
-use super::theta::{Pinched, Theta, join, parts, unit};
+use super::theta::{Moving, Pinched, Theta, join, parts, unit};
 
 type Number = Complex<f64>;
 
@@ -145,9 +145,6 @@ impl Reconstruction {
     }
 }
 
-/// A function of time and its derivative.
-pub(super) type Moving = [Number; 2];
-
 /// The functions of the three roots, of their Wronskians, and the one alone that is T∞.
 pub(super) type Functions = [Moving; 7];
 
@@ -195,8 +192,8 @@ pub(super) struct Torus {
     places: [Half; 7],
     /// The half period from e₂ to e₃ if it is one along the real directions.
     between: Option<[u8; 2]>,
-    /// Where e₂ and e₃ are near each other and s₁ or s₂ passes between them.
-    pinched: Option<Pinched>,
+    /// Where two roots are near each other and s₁ or s₂ passes between them, and whether these are e₂ and e₃.
+    pinched: Option<(Pinched, bool)>,
     /// Re τm/2 in both components, a share of m₁ + m₂.
     twisted: bool,
     /// Turns of the phases a unit of time, halved.
@@ -204,26 +201,33 @@ pub(super) struct Torus {
 }
 
 impl Torus {
-    pub fn prepare(curve: &Curve, pinched: bool, advance: [f64; 2]) -> Option<Self> {
+    pub fn prepare(curve: &Curve, pinched: Option<[usize; 2]>, advance: [f64; 2]) -> Option<Self> {
         let one = |j: usize| curve.infinite.plus(curve.roots[j % 3]);
         let places = core::array::from_fn(|i| match i {
             0..3 => one(i),
             3..6 => one(i + 1).plus(curve.roots[(i + 2) % 3]),
             _ => curve.infinite,
         });
-        let between = curve.roots[1].plus(curve.roots[2]);
-        let pinched = if pinched {
-            let measure = match (between.n, between.m) {
+        let between = |[i, j]: [usize; 2]| curve.roots[i].plus(curve.roots[j]);
+        let passed = |pair| {
+            let measure = match (between(pair).n, between(pair).m) {
                 (_, [0, 0]) if curve.y[0][0] < curve.y[1][1] => [1, 0],
                 (_, [0, 0]) => [0, 1],
                 ([0, 0], m) => m,
                 // Another root lies between the two.
                 _ => return None,
             };
-            Some(Pinched::prepare(curve.y, measure, curve.twisted)?)
-        } else {
-            None
+            Pinched::prepare(curve.y, measure, curve.twisted)
+                .map(|functions| (functions, pair == [1, 2]))
         };
+        let pinched = match pinched {
+            Some(pair) => match passed(pair) {
+                None if pair == [1, 2] => return None,
+                found => found.filter(|(functions, _)| functions.narrow()),
+            },
+            None => None,
+        };
+        let between = between([1, 2]);
         let needed =
             |m: &[u8; 2]| pinched.is_none() && places.iter().any(|place: &Half| place.m == *m);
         let tables = MEASURES.into_iter().filter(needed).map(|m| {
@@ -254,21 +258,38 @@ impl Torus {
         found
     }
 
+    /// With a double root where the phases are so far, halved.
+    pub fn at_double_root(&mut self, v: [f64; 2]) {
+        if let Some((functions, _)) = &mut self.pinched {
+            functions.at_double_root(v);
+        }
+    }
+
+    /// Theta functions after the modular transformation, where they are needed.
+    pub fn pinched(&self) -> Option<&Pinched> {
+        self.pinched.as_ref().map(|(functions, _)| functions)
+    }
+
     /// Whether the functions of the second root and the third come as half their sum and half their difference.
     pub fn split(&self) -> bool {
-        self.between.is_some() || self.pinched.is_some()
+        match self.pinched {
+            Some((_, split)) => split,
+            None => self.between.is_some(),
+        }
     }
 
     /// The seven, two pairs of them split.
     pub fn parts(&self, v: [f64; 2]) -> Functions {
         let mut found = Functions::default();
-        if let Some(pinched) = &self.pinched {
-            let [w, rates] = [v, self.advance].map(|x| x.map(|x| 2.0 * x));
+        if let Some((pinched, split)) = &self.pinched {
+            let nowhere = [Number::default(); 2];
+            let [_, size] = pinched.since(v);
             for (i, place) in self.places.iter().enumerate() {
-                let [even, odd] = pinched.parts(place.n, place.m, w, rates);
+                let (parts, greater) = pinched.parts(*place, v, 2.0, nowhere, self.advance);
+                let [even, odd] = parts.map(|part| part.map(|x| x * (greater - size).exp()));
                 match i {
-                    1 | 4 => [found[i], found[i + 1]] = [even, odd],
-                    2 | 5 => {}
+                    1 | 4 if *split => [found[i], found[i + 1]] = [even, odd],
+                    2 | 5 if *split => {}
                     _ => found[i] = [0, 1].map(|k| even[k] + odd[k]),
                 }
             }
@@ -310,7 +331,8 @@ impl Torus {
     /// The constants of the three roots and of their Wronskians, up to signs: which of the fourth roots they are is told by the theta functions where s₁ = A and s₂ = C for a complex root, and
     /// anywhere for a real one.
     pub fn constants(&self, separation: &Separation) -> [[Number; 3]; 2] {
-        let [found, at_ends] = [[0.125; 2], [0.0; 2]].map(|v| self.at(v));
+        // None of the greatest terms vanishes at the first of these.
+        let [found, at_ends] = [[0.11, 0.06], [0.0; 2]].map(|v| self.at(v));
         let alone = found[6][0];
         let roots: [Number; 3] = core::array::from_fn(|j| {
             let real = separation.roots[j].is_real();

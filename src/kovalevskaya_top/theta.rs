@@ -1,8 +1,11 @@
 //! Riemann's theta function of two variables on the real torus (8.2).
 
 use core::f64::consts::{PI, TAU};
+use core::ops::{Add, Mul};
 
 use nalgebra::Complex;
+
+use super::periods::Half;
 
 type Number = Complex<f64>;
 
@@ -18,6 +21,9 @@ pub(super) struct Theta {
 
 /// Terms of one n₁, and n₂ times each: of n₂ = 2j, 2j + 1, −2j − 2 and −2j − 1 for j = 0, 1, ….
 type Row = Vec<[[f64; 4]; 2]>;
+
+/// A function of time and its derivative.
+pub(super) type Moving = [Number; 2];
 
 /// The four partial sums, of even and odd n₁ by even and odd n₂: (0,0), (0,1), (1,0), (1,1).
 pub(super) type Sums = [Number; 4];
@@ -45,9 +51,11 @@ impl Theta {
         }
         // a d₁² + 2b d₁d₂ + c d₂² = (determinant/c) d₁² + c (d₂ + b d₁/c)².
         let least = determinant / c;
+        // Where Y is great the second greatest terms may be all that two functions differ by.
+        let reach = REACH.max(1.5 * a.max(c));
         let row = |n1: i32| -> Option<Row> {
             let d1 = f64::from(n1) - center[0];
-            let rest = REACH - least * d1 * d1;
+            let rest = reach - least * d1 * d1;
             if rest < 0.0 {
                 return None;
             }
@@ -152,12 +160,15 @@ fn along(z: Number, row: &Row) -> [[Number; 2]; 2] {
 pub(super) struct Pinched {
     /// m of the half period ½τm that is small.
     measure: [u8; 2],
+    side: f64,
     /// a, b/a.
     width: f64,
     slope: f64,
-    /// e^{−πn²(c − b²/a)} for n = 0, ½, 1, ….
+    /// ½, and e^{−πn²(c − b²/a)} for n = ½, 1, ….
     terms: Vec<f64>,
     twisted: bool,
+    /// On a double root, the first phase, halved, where terms compete.
+    passage: Option<f64>,
 }
 
 impl Pinched {
@@ -166,40 +177,88 @@ impl Pinched {
         measure: [u8; 2],
         twisted: bool,
     ) -> Option<Self> {
+        // m and −m are alike, and so are [1, 1] and [1, −1]: the one that is small.
+        let side = -1_f64.copysign(b);
         // Y in a basis of which the measure is the first.
         let [width, mixed] = match measure {
             [1, 0] => [a, b],
             [0, 1] => [c, b],
-            _ => [a + 2.0 * b + c, b + c],
+            _ => [a + 2.0 * side * b + c, b + side * c],
         };
         let rest = (a * c - b * b) / width;
         if !(width > 0.0 && rest > 0.0 && REACH / rest < LARGEST) {
             return None;
         }
         let term = |n: i32| (-0.25 * PI * rest * f64::from(n * n)).exp();
+        let terms = (0..4 + (4.0 * REACH / rest).sqrt() as i32).map(term);
         Some(Self {
             measure,
+            side,
             width,
             slope: mixed / width,
-            terms: (0..2 + (4.0 * REACH / rest).sqrt() as i32)
-                .map(term)
-                .collect(),
+            terms: [0.5].into_iter().chain(terms.skip(1)).collect(),
             twisted,
+            passage: None,
         })
     }
 
+    /// Whether fewer terms are left than there were.
+    pub fn narrow(&self) -> bool {
+        self.width < 1.0
+    }
+
     /// Phases in that basis.
-    fn along(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+    fn along<T: Copy + Add<Output = T> + Mul<f64, Output = T>>(&self, [x, y]: [T; 2]) -> [T; 2] {
         match self.measure {
             [1, 0] => [x, y],
             [0, 1] => [y, x],
-            _ => [x + y, y],
+            _ => [x + y * self.side, y],
         }
     }
 
-    /// The two sums of the function with half periods n and m at w, each with its rate if w changes at these rates.
-    pub fn parts(&self, n: [u8; 2], m: [u8; 2], w: [f64; 2], rates: [f64; 2]) -> [[Number; 2]; 2] {
-        let [r1, r2] = self.along(rates);
+    /// How far the k are apart that count: half as far where Re τ tells odd ones apart in this direction.
+    fn spacing(&self) -> f64 {
+        if self.twisted && self.measure != [1, 1] {
+            0.5
+        } else {
+            1.0
+        }
+    }
+
+    /// For a curve with a double root: only the terms that compete where these phases, halved, are. All others belong to times that never come.
+    pub fn at_double_root(&mut self, v: [f64; 2]) {
+        let offset = if self.spacing() < 1.0 { 0.5 } else { 0.0 };
+        let [first, _] = self.along(v);
+        self.passage = Some(0.25 * ((4.0 * first - offset).round() + offset));
+    }
+
+    /// Whole turns that leave the first phase as it is, and less than one of the second.
+    pub fn whole(&self, v: [f64; 2]) -> [f64; 2] {
+        let turns = self.along(v)[1].floor();
+        match self.measure {
+            [1, 0] => [0.0, turns],
+            [0, 1] => [turns, 0.0],
+            _ => [-self.side * turns, turns],
+        }
+    }
+
+    /// How far from the passage through a double root the phases are, halved, and the logarithm of the greatest of the functions there.
+    pub fn since(&self, v: [f64; 2]) -> [f64; 2] {
+        let [first, _] = self.along(v);
+        let since = self.passage.map_or(0.0, |passage| first - passage);
+        [since, TAU * self.spacing() * since.abs() / self.width]
+    }
+
+    /// The two sums of the function with this half period at v times `turns` less a, each with its rate if v changes at these rates; and the logarithm of what they are multiplied by besides.
+    pub fn parts(
+        &self,
+        Half { n, m }: Half,
+        v: [f64; 2],
+        turns: f64,
+        a: [Number; 2],
+        rates: [f64; 2],
+    ) -> ([Moving; 2], f64) {
+        let [r1, r2] = self.along(rates).map(|rate| turns * rate);
         let turn = r2 - self.slope * r1;
         let [signed, odd] = match self.measure {
             [1, 0] => m,
@@ -213,38 +272,65 @@ impl Pinched {
         } else {
             [0.25, -0.25].map(|x| (x, Number::from(0.5_f64.sqrt())))
         };
-        let reach = (REACH * self.width).sqrt() + 1.0;
-        [0, 1].map(|class| {
-            let (shift, weight) = shifts[class];
-            let [w1, w2] = self.along([0, 1].map(|i| w[i] + shift + 0.5 * f64::from(n[i])));
-            let (mut value, mut rate) = (0.0, 0.0);
-            for k in (-w1 - reach).ceil() as i32..=(reach - w1) as i32 {
-                let even = k & 1 == 0;
-                if !self.twisted && even != (class == 0) {
-                    continue;
-                }
+        let since = turns * self.since(v)[0];
+        let reach = match self.passage {
+            Some(_) => 0.6 * self.spacing(),
+            None => (REACH * self.width).sqrt() + 1.0,
+        };
+        let [u1, u2] = self.along(v).map(|u| turns * u);
+        let [a1, a2] = self.along(a);
+        let places = shifts.map(|(shift, _)| {
+            let [h1, h2] = self.along(n.map(|n| shift + 0.5 * f64::from(n)));
+            [u1 - since + h1 - a1, u2 + h2 - self.slope * since - a2]
+        });
+        // e^{−π(d+since)²/a} but for what all have.
+        let terms = |class: usize| {
+            let [w1, _] = places[class];
+            let range = (-w1.re - reach).ceil() as i32..=(reach - w1.re).floor() as i32;
+            let counted = move |k: &i32| self.twisted || (k & 1 == 0) == (class == 0);
+            range.filter(counted).map(move |k| {
                 let d = w1 + f64::from(k);
-                let height = (-PI * d * d / self.width).exp();
-                let height = if even || signed == 0 { height } else { -height };
-                let [single, slope] = self.single(odd, w2 - self.slope * d);
-                value += height * single;
-                rate += height * (turn * slope - TAU * d / self.width * r1 * single);
+                (k, d, d * (d + 2.0 * since) * (-PI / self.width))
+            })
+        };
+        let greatest = match self.passage {
+            Some(_) => {
+                let all = [0, 1].into_iter().flat_map(terms);
+                all.map(|(.., x)| x.re).fold(f64::NEG_INFINITY, f64::max)
             }
-            [value, rate].map(|x| weight * x)
-        })
+            None => 0.0,
+        };
+        let sums = [0, 1].map(|class| {
+            let mut sum = Moving::default();
+            for (k, d, exponent) in terms(class) {
+                let height = (exponent - greatest).exp();
+                let height = if k & 1 == 0 || signed == 0 {
+                    height
+                } else {
+                    -height
+                };
+                let [single, slope] = self.single(odd, places[class][1] - d * self.slope);
+                sum[0] += height * single;
+                sum[1] += height * (slope * turn - d * (TAU / self.width * r1) * single);
+            }
+            sum.map(|x| shifts[class].1 * x)
+        });
+        (sums, greatest)
     }
 
     /// The theta function of one variable, over whole n or over those with a half, and its derivative.
-    fn single(&self, odd: u8, w: f64) -> [f64; 2] {
-        let step = unit(w);
-        let mut power = unit(0.5 * f64::from(odd) * w);
-        let (mut value, mut slope) = (0.0, 0.0);
+    fn single(&self, odd: u8, w: Number) -> Moving {
+        let turned = |w: Number| (w * Number::new(0.0, TAU)).exp();
+        let mut up = turned(w * (0.5 * f64::from(odd)));
+        let step = turned(w);
+        let (mut down, back) = (up.inv(), step.inv());
+        let mut sum = Moving::default();
         for (n, term) in self.terms.iter().enumerate().skip(odd.into()).step_by(2) {
-            value += if n == 0 { *term } else { 2.0 * term * power.re };
-            slope -= TAU * n as f64 * term * power.im;
-            power *= step;
+            sum[0] += (up + down) * term;
+            sum[1] += (up - down) * (PI * n as f64 * term);
+            (up, down) = (up * step, down * back);
         }
-        [value, slope]
+        [sum[0], sum[1] * Number::new(0.0, 1.0)]
     }
 }
 

@@ -3,7 +3,7 @@
 //! q_i′ = p_i, p_i′ = e^{−(q_i−q_{i−1})} − e^{−(q_{i+1}−q_i)}. Flaschka (1974): the symmetric matrix L with b_i = p_i/2 on the diagonal and
 //! a_i = ½e^{−(q_{i+1}−q_i)/2} beside it obeys dL/dt = BL − LB with an antisymmetric B, so that its eigenvalues stay.
 
-use nalgebra::{DMatrix, SymmetricEigen};
+use nalgebra::DMatrix;
 
 use crate::error::{Error, Result, finite};
 
@@ -157,11 +157,7 @@ impl Lattice {
         for entry in matrix.iter() {
             finite("an entry of the Lax matrix", *entry)?;
         }
-        let mut values: Vec<f64> = SymmetricEigen::new(matrix)
-            .eigenvalues
-            .iter()
-            .copied()
-            .collect();
+        let mut values: Vec<f64> = matrix.symmetric_eigenvalues().iter().copied().collect();
         values.sort_by(f64::total_cmp);
         Ok(values)
     }

@@ -9,7 +9,6 @@ use super::pendulum::Pendulum;
 use super::precession::Precession;
 use super::separation::{Separation, Variables};
 use super::taylor::{Carried, about_third, shortest};
-use super::upright::Upright;
 use crate::error::{Error, Result, finite, not_negative, positive};
 use crate::euler_equations::{AxisMoments, HeavyTop, TopState};
 use crate::euler_top::EulerTop;
@@ -23,7 +22,7 @@ pub enum Method {
     /// Kovalevskaya's own road, any time at the same cost: Ω and z are functions of two angles that advance evenly, and so is the azimuth of the third axis, less αt and the
     /// arguments of four theta functions θ(v − a), which is Kötter's quadrature of 1893.
     Separation,
-    /// z along axis 3 at the start, or a pendulum that keeps to its plane, where two roots are one: elliptic functions, any time at the same cost, and an attitude that is algebraic in Ω and z.
+    /// z along axis 3 at the start, or a pendulum that keeps to its plane, where two roots are one: theta functions of one variable, beside exponentials for the former, any time at the same cost.
     Elliptic,
     /// The Euler–Poisson equations by their power series in 106 bits, step by step from time 0, for this reason.
     PowerSeries(Reason),
@@ -78,7 +77,6 @@ pub struct KovalevskayaTop {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Motion {
     Separated(Box<Precession>),
-    Upright(Box<Upright>),
     Pendulum(Box<Pendulum>),
     Stepped(Reason),
     Free(Box<EulerTop>),
@@ -100,7 +98,7 @@ impl KovalevskayaTop {
     /// Domain: I₁ = I₂ = 2I₃ up to 8 eps, which is taken for rounding (the moments used are 2I₃, 2I₃, I₃), and C₃ = 0 exactly; C in any
     /// direction of the plane, also C = O. Moments need not satisfy more: Md² ≤ I₃/2 is what a body needs in addition, and
     /// mass and lever do not come separately. The regime is decided here: [`kind`](Self::kind), [`method`](Self::method).
-    /// Cost: 0.12 ms in the median of random starts; 0.05 ms where z starts along axis 3, 4 µs for a pendulum.
+    /// Cost: 0.12 ms in the median of random starts; 0.4 ms where z starts along axis 3, 4 µs for a pendulum.
     ///
     /// # Errors
     /// [`Error::NotPositive`], [`Error::NotFinite`]; [`Error::Condition`] for other ratios and for C off the plane;
@@ -222,15 +220,9 @@ impl KovalevskayaTop {
         } else if let Some(pendulum) = Pendulum::find(&constants, &wide, &start) {
             Motion::Pendulum(Box::new(pendulum))
         } else {
-            // Exactly: the products that make z are not rounded.
-            let upright = [wide[3], wide[4]].map(DoubleDouble::high) == [0.0; 2];
-            let found = upright.then(|| Upright::find(&constants, &wide, &start));
-            match found.flatten() {
-                Some(upright) => Motion::Upright(Box::new(upright)),
-                None => match Precession::find(&constants, &wide, &start) {
-                    Ok(separated) => Motion::Separated(Box::new(separated)),
-                    Err(reason) => Motion::Stepped(reason),
-                },
+            match Precession::find(&constants, &wide, &start) {
+                Ok(separated) => Motion::Separated(Box::new(separated)),
+                Err(reason) => Motion::Stepped(reason),
             }
         };
         Ok(Self {
@@ -274,8 +266,9 @@ impl KovalevskayaTop {
     /// ```
     pub fn method(&self) -> Method {
         match &self.motion {
+            Motion::Separated(_) if self.constants.upright => Method::Elliptic,
             Motion::Separated(_) => Method::Separation,
-            Motion::Upright(_) | Motion::Pendulum(_) => Method::Elliptic,
+            Motion::Pendulum(_) => Method::Elliptic,
             Motion::Stepped(reason) => Method::PowerSeries(*reason),
             Motion::Free(_) => Method::FreeTop,
         }
@@ -328,10 +321,6 @@ impl KovalevskayaTop {
                 let time = self.inward_time(t, LONGEST)?;
                 Ok(self.outward(&separated.exact.state(&self.constants, time)))
             }
-            Motion::Upright(upright) => {
-                let time = self.inward_time(t, LONGEST)?;
-                Ok(self.outward(&upright.state(&self.constants, time)))
-            }
             _ => {
                 let State { omega, up, .. } = self.at(t)?;
                 Ok(TopState { omega, up })
@@ -356,7 +345,7 @@ impl KovalevskayaTop {
     /// ```
     pub fn stated_error(&self, t: f64) -> f64 {
         let weak = match self.motion {
-            Motion::Separated(_) | Motion::Upright(_) => self.constants.c.value().min(1.0),
+            Motion::Separated(_) => self.constants.c.value().min(1.0),
             _ => 1.0,
         };
         (1e-12 + 1e-13 * (t * self.unit).abs()) / weak
@@ -459,7 +448,9 @@ impl KovalevskayaTop {
 
     fn separation(&self) -> Option<&Separation> {
         match &self.motion {
-            Motion::Separated(separated) => Some(&separated.exact.separation),
+            Motion::Separated(separated) if !self.constants.upright => {
+                Some(&separated.exact.separation)
+            }
             _ => None,
         }
     }

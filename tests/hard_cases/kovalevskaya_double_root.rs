@@ -41,14 +41,15 @@ fn on_a_double_root_and_beside_it() {
         [motion_in_plane, attitude_in_plane],
     ] = worst;
     assert_eq!(seen, [72, 117, 72, 39]);
-    // 42 here; of those next to what is trusted the last bits decide.
-    assert!(separated >= 36, "{separated}");
+    // 66 here; of those next to what is trusted the last bits decide.
+    assert!(separated >= 60, "{separated}");
     observed!(motion_in_plane, 4e-16..=2e-15);
     observed!(attitude_in_plane, 3e-16..=2e-15);
     observed!(motion_passing, 8e-15..=6e-14);
     observed!(attitude_passing, 2e-14..=2e-13);
-    observed!(motion_on_it, 1e-13..=4e-13);
+    observed!(motion_on_it, 2e-14..=4e-13);
     observed!(attitude_on_it, 6e-14..=3e-13);
     observed!(motion, 2e-14..=1e-13);
-    observed!(attitude, 8e-15..=4e-14);
+    // 4e-14 as long as those nearest to the double root were walked, at 0.4 ms a unit of time.
+    observed!(attitude, 2e-14..=1.2e-13);
 }

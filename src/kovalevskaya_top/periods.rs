@@ -4,7 +4,7 @@ use nalgebra::Complex;
 
 use super::constants::Constants;
 use super::separation::{Place, Separation, in_order};
-use crate::precise::DoubleDouble;
+use crate::precise::{DoubleDouble, Number as _};
 
 type Number = Complex<f64>;
 

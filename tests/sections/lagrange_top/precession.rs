@@ -21,34 +21,10 @@ fn leaning(weight: f64, omega: BodyVector) -> LagrangeTop {
     LagrangeTop::new(1.0, AXIAL, weight, omega, attitude).unwrap()
 }
 
-/// Steady precession, exactly: E', L₃, L_vert from w, h, I₁ and Mgl.
-fn steady([i1, weight]: [R; 2], w: R, h: R) -> [R; 3] {
-    let sine2 = ONE - h * h;
-    let l3 = (i1 * h * w * w + weight) / w;
-    let vertical = i1 * w * sine2 + l3 * h;
-    let energy = i1 * w * w * sine2 / TWO + weight * h;
-    [energy, l3, vertical]
-}
-
 // claim: C7.3-1
 #[test]
 fn s7_3_pure_precession_is_a_double_root() {
-    let mut numbers = Uniform(731);
-    let mut checked = 0;
-    while checked < 200 {
-        let [i1, weight] = body(&mut numbers);
-        let (w, h) = (ration(&mut numbers), unit_vector(&mut numbers)[2]);
-        if h * h == ONE {
-            continue;
-        }
-        checked += 1;
-        let [energy, l3, vertical] = steady([i1, weight], w, h);
-        let value = |h: R| cubic([i1, weight], energy, l3, vertical, h);
-        assert_eq!(value(h), ZERO, "f");
-        let slope = exact_slope(|d| value(h + d));
-        assert_eq!(slope, ZERO, "f'");
-    }
-    // In the library: h₁ = h₂, and the tilt does not move.
+    // That f and f' vanish there, the quadratic below says in fractions. In the library h₁ = h₂, and the tilt does not move.
     for (w, l3, weight) in [(5.0, 4.0, 5.0), (5.0, 23.0, 100.0), (5.0, 6.0, 15.0)] {
         let top = exactly(w, l3, weight);
         assert!(is(&top, Nutation::PurePrecession), "{:?}", top.kind());
@@ -107,17 +83,8 @@ fn s7_3_quadratic_for_the_rate() {
 #[test]
 fn s7_3_slow_and_fast() {
     let h = 0.5;
-    // L₃ = 3 at 60°: about 1/3 and 6.
     let first = |l3: f64| [1.0 / l3, l3 / h];
-    assert_eq!(first(3.0), [1.0 / 3.0, 6.0]);
-    // By how much one factor alone is wrong: the orders beyond are in `special.rs`.
-    for l3 in [10.0_f64, 100.0, 1000.0] {
-        let x = h / (l3 * l3);
-        let ([slow, fast], [slow0, fast0]) = (rates(h, l3), first(l3));
-        within(((slow / slow0 - 1.0) / x - 1.0).abs(), 2.1 * x + 1e-15 / x);
-        within(((fast / fast0 - 1.0) / x + 1.0).abs(), 1.1 * x + 1e-15 / x);
-    }
-    // They are motions of the library's tops, and the first approximations are not.
+    // Motions of the library's tops, and the first approximations are not; the orders beyond are in `special.rs`.
     for l3 in [10.0, 100.0] {
         for (w, near) in rates(h, l3).into_iter().zip(first(l3)) {
             let band = |w: f64| band(&spun(FRAC_PI_3, 0.0, w, l3));
@@ -134,8 +101,6 @@ fn s7_3_when_there_is_pure_precession() {
     // L₃² = 4I₁Mgl cos θ at 60°: L₃ = √2, one double rate L₃/(2I₁cos θ) = √2.
     let least = least_axial_angular_momentum(1.0, 1.0, 0.5).unwrap();
     assert_eq!(least, SQRT_2);
-    let off = (rates(0.5, least * (1.0 + 1e-12))[0] - least).abs();
-    observed!(off, 7e-7..=1e-5);
     // One per cent below it no rate at all keeps the tilt; one per cent above it two do.
     let narrowest = |l3: f64| {
         let bands = (0..4000).map(|k| {
@@ -177,12 +142,6 @@ fn s7_3_at_a_right_angle_one_rate() {
         for t in [0.7, 9.0] {
             observed!(at(&top, t).height.abs(), 0.0..=3e-16);
         }
-    }
-    // The fast one is gone to infinity like 1/cos θ.
-    for h in [1e-2, 1e-4, 1e-8] {
-        let [slow, fast] = rates(h, 2.0);
-        within((slow - 0.5).abs(), 0.2 * h);
-        within((fast * h - 2.0).abs(), 0.6 * h);
     }
 }
 

@@ -41,6 +41,7 @@ fn s7_3_rates_of_exact_numbers() {
 }
 
 /// By how much the limits of fast spin are off, above the horizon and below: x = I₁Mgl cos θ/L₃² with its sign.
+// claim: C7.3-3
 #[test]
 fn s7_3_the_first_order_of_fast_spin() {
     for (weight, l3, h) in [(2.0, 40.0, 0.5), (2.0, 40.0, -0.5), (-3.0, -50.0, 0.75)] {
@@ -115,6 +116,7 @@ fn s7_4_the_wheel_keeps_its_digits_at_the_cusp() {
     observed!(off, 0.0..=3e-16);
 }
 
+// claim: C7.5-3
 #[test]
 fn s7_5_threshold_and_kick() {
     // Powers of two are exact, up to the ends of the range.

@@ -50,6 +50,7 @@ const FLIPS: &str = include_str!("../reference/peers/flip_time.csv");
 const BAR: f64 = 2e-15;
 
 /// In a batch of times the states are those of single calls to the last bit.
+// claim: C6.6-9
 #[test]
 fn free_top_against_the_table() {
     let mut rows = 0;

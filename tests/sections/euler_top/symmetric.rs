@@ -98,10 +98,7 @@ fn s6_5_precession_seen_from_space() {
         let off = closed.angle_to(&attitude);
         observed!(off, 3e-15..=1e-13);
     }
-    // Disc, small tilt: the axis circles twice while the body turns once. Nearly round: once.
-    let disc = SymmetricTop::new(1.0, 2.0).unwrap();
-    let ratio = disc.axis_rate_in_space(vector([1e-9, 0.0, 3.0])) / 3.0;
-    observed!(relative(ratio, 2.0), 0.0..=4.5e-16);
+    // Nearly round, small tilt: the axis circles once while the body turns once.
     let round = SymmetricTop::new(1.0, 301.0 / 300.0).unwrap();
     let ratio = round.axis_rate_in_space(vector([1e-9, 0.0, 3.0])) / 3.0;
     observed!(relative(ratio, 301.0 / 300.0), 0.0..=4.5e-16);
@@ -114,38 +111,23 @@ fn s6_5_earth() {
     // One turn a day: the period in days.
     let off = relative(tutorial.wobble_period(TAU), 300.0);
     observed!(off, 0.0..=4.5e-16);
-    // The rounded quotient loses two digits, the two moments none.
-    close!(1.0 / (301.0 / 300.0 - 1.0), 300.0, 3e-14);
     let sidereal = earth::rigid_period(earth::DYNAMICAL_ELLIPTICITY).unwrap();
     let solar = sidereal * earth::SIDEREAL_DAY;
     observed!(relative(sidereal, 304.456), 0.0..=4.5e-16);
     observed!(relative(solar, 303.624_703), 2e-11..=8e-10);
-    // The rigid theory misses by nearly one half, with either pair of figures.
-    observed!((440.0_f64 / 300.0 - 1.4667).abs(), 1e-5..=1e-4);
-    observed!((433.0 / solar - 1.4261).abs(), 9e-7..=3e-5);
     // A whole Earth that yields: too long by 13 days, ocean and core left out.
     let secular = earth::secular_love_number();
     observed!((secular - 0.938).abs(), 1e-4..=1e-3, "{secular}");
     let elastic = earth::elastic_period(solar, 0.30, 0.94).unwrap();
     assert!((elastic - 445.95).abs() < 0.01, "{elastic}");
-    assert!(elastic > 433.0);
-    // No yielding gives back the rigid value, bit for bit.
-    assert_eq!(earth::elastic_period(solar, 0.0, 0.94), Ok(solar));
 }
 
 // claim: C6.5-5
 #[test]
 fn s6_5_limit_of_the_sphere() {
-    let nearly = SymmetricTop::new(1.0, 1.0 + 1e-7).unwrap();
-    observed!(relative(nearly.wobble_rate(2.0), 2e-7), 2e-10..=1e-9);
-    // As far as the double 1 + 1e-7 goes, no digit is lost.
-    assert_eq!(nearly.wobble_rate(2.0), 2.0 * ((1.0 + 1e-7) - 1.0));
     let least = SymmetricTop::new(1.0, 1.0f64.next_up()).unwrap();
     assert_eq!(least.wobble_rate(1.0), f64::EPSILON);
     observed!((least.omega_at(OMEGA0, 1.0) - OMEGA0).norm(), 0.0..=1e-15);
-    let sphere = SymmetricTop::new(1.0, 1.0).unwrap();
-    assert_eq!(sphere.omega_at(OMEGA0, 1e6), OMEGA0);
-    assert_eq!(sphere.wobble_period(2.0), f64::INFINITY);
 }
 
 // claim: C6.5-6

@@ -1,8 +1,6 @@
-//! The skater, and a top of three different moments.
+//! The skater.
 
 use super::*;
-use spinning_bodies::conservation::{Law, Ledger};
-use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::phenomena::Skater;
 use spinning_bodies::scene::effects::Draw;
 
@@ -50,22 +48,4 @@ fn s1_1_the_skater_and_the_work_of_the_arms() {
     let off = relative(after - before, body.work(l, out, close).unwrap());
     observed!(off, 0.0..=1e-15);
     observed!(relative(after / before, 3.5), 0.0..=1e-15);
-}
-
-// claim: C1.4-1
-#[test]
-fn s1_4_a_top_need_not_be_symmetric() {
-    // Three different moments, and a free motion that keeps them apart.
-    let matrix = InertiaMatrix::diagonal(1.0, 2.0, 3.0).unwrap();
-    let axes = matrix.principal_axes().moments;
-    assert_eq!(axes, [1.0, 2.0, 3.0]);
-    let (start, upright) = (vector([0.4, 0.3, 1.0]), Attitude::identity());
-    let top = EulerTop::from_omega(axes, start, upright).unwrap();
-    let mut ledger = Ledger::new();
-    let energy = |t: f64| matrix.rotational_energy(top.at(t).unwrap().omega);
-    let account = ledger.open("energy", Law::Conserved, energy(0.0)).unwrap();
-    for k in 1..20 {
-        ledger.record(account, energy(f64::from(k))).unwrap();
-    }
-    assert!(ledger.is_kept_within(1e-14).unwrap(), "{ledger}");
 }

@@ -25,7 +25,7 @@ fn phases(duration: f64, pace: Pace) -> FourPhases {
     }
 }
 
-// claim: C1.1-3, C1.1-4
+// claim: C1.1-3, C1.1-4, C3.5-3
 #[test]
 fn s1_1_the_swivel_turns_further_than_it_turns_back() {
     let body = waist(3.0, 1.0, 1.0);
@@ -54,6 +54,8 @@ fn s1_1_the_swivel_turns_further_than_it_turns_back() {
     for (waist, twist) in still {
         assert_eq!(waist.swivel_angle(twist).unwrap(), 0.0);
     }
+    let heavy = waist(3.0, 1.0, 1e300).swivel_angle(FRAC_PI_2).unwrap();
+    observed!(heavy.abs(), 0.0..=1e-299);
     for lower in [1e9, 1e-9] {
         let waist = Waist { lower, ..DEFAULT };
         observed!(waist.swivel_angle(1.0).unwrap().abs(), 4e-10..=2e-9);

@@ -174,14 +174,4 @@ fn s5_3_order_and_chaos() {
             chaotic(exponent(i, x, &start));
         }
     }
-    // The ratio 4 is at peace on its one level.
-    regular(exponent([4.0, 4.0, 1.0], x, &on_level_zero()));
-    // A quiet start shows nothing: every top has regular motions.
-    let quiet = TopState {
-        omega: vector([1.0, 0.3, -0.2]),
-        up: vector([-0.6, 0.0, 0.8]),
-    };
-    for i in [[2.0, 1.6, 1.0], [3.0, 3.0, 1.0], [4.0, 4.0, 1.0]] {
-        regular(exponent(i, x, &quiet));
-    }
 }

@@ -83,27 +83,6 @@ fn s5_1_in_the_body_and_in_space_the_same_motion() {
     observed!(off, 5e-13..=6e-12);
 }
 
-// claim: C5.1-4
-#[test]
-fn s5_1_lagranges_equation_for_the_spin_angle() {
-    // d/dt ∂T/∂ψ' − ∂T/∂ψ = N₃ with Ω by Euler's angles (z-x-z) and ∂T/∂ψ' = I₃Ω₃. In ψ the energy is a constant and a
-    // wave of period π, and for such a function f' = f(ψ + π/4) − f(ψ − π/4), exactly.
-    let body = moments(PLATE);
-    let omega = |psi: f64| {
-        let (phi_rate, theta, theta_rate, psi_rate) = (1.3_f64, 0.8_f64, -0.4_f64, 2.1_f64);
-        BodyVector::new(
-            phi_rate * theta.sin() * psi.sin() + theta_rate * psi.cos(),
-            phi_rate * theta.sin() * psi.cos() - theta_rate * psi.sin(),
-            phi_rate * theta.cos() + psi_rate,
-        )
-    };
-    let (psi, torque) = (0.6, vector([0.1, 0.2, 0.5]));
-    let energy = |turn: f64| body.energy(omega(psi + turn));
-    let slope = energy(FRAC_PI_4) - energy(-FRAC_PI_4);
-    let third = rate(&body, omega(psi), torque).z();
-    observed!(relative(4.0 * third, slope + 0.5), 4e-16..=1e-14);
-}
-
 // claim: C5.1-5
 #[test]
 fn s5_1_energy_and_length_are_kept_without_torque() {

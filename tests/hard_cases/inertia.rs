@@ -54,6 +54,7 @@ fn table() -> impl Iterator<Item = (&'static str, Matrix3<f64>, [Dd; 3])> {
     })
 }
 
+// claim: C2.4-2
 #[test]
 fn principal_axes_against_the_table() {
     let mut rows = 0;

@@ -6,7 +6,7 @@ use support::inertia::{ellipsoid, fixed};
 
 #[test]
 fn s2_7_matrix_of_inertia() -> Result<()> {
-    // claim: C2.7-1
+    // claim: C2.7-1, C2.8-2
     // A polynomial identity of degree 2 in x and 1 in Ω, on a grid that determines it.
     let range = [-2, -1, 0, 1, 3];
     for x in range {
@@ -56,12 +56,6 @@ fn s2_7_routh_rule_three() -> Result<()> {
     let across = routh::moment(1.0, Rectangle, [2.0, 3.0])?;
     close!(flat[2], across, 16.0 * EPS);
     assert_inertia(&shapes::rectangle_lamina(1.0, [4.0, 6.0])?, flat);
-    // About a square's diagonal the moment is Ma²/3; the rule with the half-diagonal, √2 a, would say 2Ma²/3.
-    let square = shapes::rectangle_lamina(1.0, [2.0, 2.0])?.inertia();
-    let diagonal = square.moment_about(vector([1.0, 1.0, 0.0]))?;
-    close!(diagonal, 1.0 / 3.0, 2.0 * EPS);
-    let wrong = routh::moment(1.0, Rectangle, [2.0_f64.sqrt(), 0.0])?;
-    close!(wrong, 2.0 / 3.0, 2.0 * EPS);
     Ok(())
 }
 
@@ -113,10 +107,6 @@ fn s2_7_shells() -> Result<()> {
             rational(2, 5) * (ONE + s + s * s + s * s * s + s * s * s * s) / (ONE + s + s * s);
         close!(shell(exact(s))?, exact(expected), 3.0 * EPS);
     }
-    // As printed, at one part in 10⁸: half of the digits are gone.
-    let s = 1.0 - 1e-8_f64;
-    let printed = 0.4 * (1.0 - s.powi(5)) / (1.0 - s.powi(3));
-    assert!((printed / shell(s)? - 1.0).abs() > 1e-10);
     // Mass times radius squared of the ball less that of the cavity: the difference of two balls.
     let (inner, outer) = (0.7_f64, 1.2_f64);
     let difference = 0.4 * (outer.powi(5) - inner.powi(5)) / (outer.powi(3) - inner.powi(3));
@@ -141,9 +131,6 @@ fn s2_7_where_routh_fails() -> Result<()> {
     }
     let cylinder = shapes::cylinder(1.0, 1.0, 2.0)?.inertia().matrix();
     close!(cylinder[(0, 0)], exact(rational(7, 12)), EPS);
-    for denominator in [3, 4, 5] {
-        assert_ne!(rational(7, 12), rational(2, denominator));
-    }
     let about_its_axis = routh::moment(1.0, CylinderAboutItsAxis, [1.0, 1.0])?;
     assert_eq!(about_its_axis, cylinder[(2, 2)]);
     let (radius, height) = (1.25, 3.0);

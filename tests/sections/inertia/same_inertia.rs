@@ -24,14 +24,6 @@ fn six_and_eight() -> [Vec<(f64, [f64; 3])>; 2] {
 fn s2_5_different_bodies_same_inertia() -> Result<()> {
     // claim: C2.5-1
     let [six, eight] = six_and_eight();
-    for (n, expected) in [
-        (0, 2.738_612_787_525_830_6),
-        (2, 2.121_320_343_559_642_6),
-        (4, 1.224_744_871_391_589_1),
-    ] {
-        let distance = six[n].1[n / 2].abs();
-        close!(distance, expected, EPS);
-    }
     for list in [six, eight] {
         let body = particles(&list)?;
         assert_inertia(&body, [2.0, 3.0, 4.0, 0.0, 0.0, 0.0]);

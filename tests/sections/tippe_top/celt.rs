@@ -6,15 +6,8 @@ use spinning_bodies::tippe_top::rolling_growth_rates;
 #[test]
 fn s4_7_celt_ended_tops() {
     // claim: C4.7-14
-    let unit = (G / 0.02).sqrt();
     let first = bodies::celt_ended_top(0.288, [0.351, 0.550, 0.505], 0.745, 0.144).unwrap();
     let second = bodies::celt_ended_top(0.265, [0.261, 0.507, 0.406], 0.845, 0.129).unwrap();
-    for (sense, fastest) in [(1.0, 0), (-1.0, 3)] {
-        // Rolling is reversible: the spectra of the two senses are opposite.
-        let rates = rolling_growth_rates(&first, G, sense * 102.4).unwrap();
-        let extreme = sense * rates[fastest].growth;
-        observed!((extreme / unit - 0.1007).abs(), 1e-5..=1e-4, "{rates:?}");
-    }
     for (body, spin, time, up, down, rest) in [
         (first, 102.4, 0.20, 144.0, 7.8, 0.3),
         (second, 62.6, 1.32, 90.0, 9.4, 0.15),

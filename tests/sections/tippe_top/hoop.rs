@@ -1,7 +1,6 @@
 //! The hoop with clay: the tutorial's estimate, what it leaves out, and the full motion.
 
 use super::*;
-use spinning_bodies::scene::contact::Support;
 use spinning_bodies::tippe_top::HoopWithClay;
 
 /// The tutorial's toy: R = 2 cm, 50 turns a second, μ = 1/3.
@@ -53,12 +52,9 @@ fn s4_7_slip_at_the_contact_and_torque_of_friction() {
         assert!((torque - expected).norm() < 1e-15 * f * r);
         // Mostly horizontal.
         assert!(torque.z().abs() < 0.12 * torque.x().abs());
-        // d(L·e)/dt = N·e = −R f sin θ, exactly; and the normal force has no moment about K's axis through C.
+        // d(L·e)/dt = N·e = −R f sin θ, exactly.
         let e = SpaceVector::new(theta.sin(), 0.0, theta.cos());
         observed!((torque.dot(&e) + r * f * theta.sin()).abs(), 0.0..=1e-16);
-        let arm = SpaceVector::new(offset * sine, 0.0, offset * cosine - r);
-        let normal = arm.cross(&SpaceVector::new(0.0, 0.0, 0.2));
-        observed!(normal.dot(&e).abs(), 0.0..=1e-18);
         assert!(hoop.refined_rate(SPIN, 0.0, theta) > 0.0, "and θ grows");
     }
 }
@@ -67,19 +63,8 @@ fn s4_7_slip_at_the_contact_and_torque_of_friction() {
 fn s4_7_tip_over_time() {
     // claim: C4.7-9, C4.7-10
     let toy = toy(0.1, 10.0);
-    let off = relative(toy.tip_over_time(SPIN), 2.368_705_056_261_446);
-    observed!(off, 0.0..=1e-14);
-    // As transcribed, π to the power 2/5, it would be this.
-    let power = PI.powf(0.4) * 0.02 * SPIN / (10.0 / 3.0);
-    observed!(relative(power, 2.979_621_313_462_48), 0.0..=1e-14);
     let refined = toy.refined_time(SPIN, 0.0, PI);
     observed!(relative(refined, 2.164_216_504_307_684), 0.0..=1e-14);
-    let factor = 1.1_f64.powf(-1.5) * 0.9_f64.powf(-0.5);
-    observed!(relative(factor, 0.913_670_741_144_738_3), 0.0..=1e-14);
-    let off = relative(refined / toy.tip_over_time(SPIN), factor);
-    observed!(off, 0.0..=1e-14);
-    let off = relative(toy.spin_ratio(0.0, PI), 0.818_181_818_181_818_2);
-    observed!(off, 0.0..=1e-15);
     // The closed form against a quadrature of the rate.
     let sum = integral(|theta| 1.0 / toy.refined_rate(SPIN, 0.0, theta), 0.0, PI);
     observed!(relative(sum, refined), 0.0..=4e-15);
@@ -111,22 +96,12 @@ fn s4_7_tilt_grows_at_about_the_estimated_rate() {
 #[test]
 fn s4_7_the_tutorials_estimate_against_the_full_motion() {
     // claim: C4.7-8, C4.7-13
+    let rows = run(&rubbed(0.1, (0.1, SPIN), G), 2.4, 2400, 1e-6);
+    let t = |level| passage(&rows, degrees, level).unwrap();
+    observed!((t(165.0) - 2.0).abs(), 8e-4..=0.1);
+    // Past the horizontal it goes on rising, where centrifugal force alone would hold it back.
+    assert!(t(120.0) > t(90.0) && t(150.0) > t(120.0));
     let hoop = toy(0.1, G);
-    let off = (hoop.tip_rate(SPIN).to_degrees() - 74.55).abs();
-    observed!(off, 9e-4..=0.005);
-    observed!((hoop.tip_over_time(SPIN) - 2.41).abs(), 1e-3..=0.005);
-    for (alpha, mean) in [(0.05, 77.2), (0.1, 81.6)] {
-        let scene = rubbed(alpha, (0.1, SPIN), G);
-        let rows = run(&scene, 2.4, 2400, 1e-6);
-        let t = |level| passage(&rows, degrees, level).unwrap();
-        let rate = 120.0 / (t(150.0) - t(30.0));
-        observed!((rate / mean - 1.0).abs(), 2e-4..=0.01);
-        if alpha == 0.1 {
-            observed!((t(165.0) - 2.0).abs(), 8e-4..=0.1);
-        }
-        // Past the horizontal it goes on rising, where centrifugal force alone would hold it back.
-        assert!(t(120.0) > t(90.0) && t(150.0) > t(120.0));
-    }
     let pull = |theta: f64| hoop.centrifugal_potential(theta, SPIN);
     assert!(pull(1.6) > pull(PI / 2.0) && pull(1.5) > pull(PI / 2.0));
     assert_eq!(pull(1.0), pull(PI - 1.0).min(pull(1.0)));
@@ -159,31 +134,17 @@ fn s4_7_jellett_and_the_angular_momentum() {
 fn s4_7_window_of_validity() {
     // claim: C4.7-11
     // ε Ω² is only three times μ g: no inversion.
-    assert!(toy(0.05, 10.0).validity(100.0) < 4.0);
+    near!(toy(0.05, 10.0).validity(100.0), 3.0, 1e-14);
     let slow = rubbed(0.05, (0.1, 100.0), 10.0);
     assert!(most(&run(&slow, 3.0, 600, 1e-6), |s| s.tilt()) < 2.5);
-    // ε Ω² is 39 g: the table would have to pull, so the body hops.
-    let fast = rubbed(0.2, (0.1, SPIN), 10.0);
-    let request = |end: f64| Request::at([end]).unwrap().to_accuracy(1e-3).unwrap();
-    assert!((1..=30).any(|i| {
-        let phases = fast.phases(&request(0.05 * f64::from(i))).unwrap();
-        phases.iter().any(|p| p.support == Support::Airborne)
-    }));
 }
 
 #[test]
 fn s4_7_sluggish_spin_rises_part_of_the_way() -> Result<()> {
     // claim: C4.7-12, C4.7-19
     // Centimetres and grams, as in the register.
-    let (mass, radius, g) = (1.0, 2.0, 1000.0);
-    let top = TippeTop::new(mass, radius, 0.1, 1.6, 1.6, g)?;
-    let rise = top.least_spin_to_rise().unwrap();
-    let invert = top.least_spin_to_invert().unwrap();
-    observed!(relative(rise, 31.819_805_153_394_64), 0.0..=1e-14);
-    observed!(relative(invert, 47.533_289_179_762_36), 0.0..=1e-14);
-    let unit = (mass * g * radius / 1.6_f64).sqrt();
-    observed!(relative(rise, 0.9 * unit), 0.0..=1e-14);
-    observed!(relative(invert, 1.21 / 0.9 * unit), 0.0..=1e-14);
+    let g = 1000.0;
+    let top = TippeTop::new(1.0, 2.0, 0.1, 1.6, 1.6, g)?;
     for (spin, end) in [
         (28.0, 0.0),
         (36.0, 1.084),

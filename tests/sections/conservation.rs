@@ -252,7 +252,7 @@ fn s3_2_uniform_gravity_acts_at_the_centre_of_mass() -> Result<()> {
 
 // claim: C3.3-1
 #[test]
-fn s3_3_energy_with_heat() -> Result<()> {
+fn s3_3_energy_with_heat() {
     // Exactly, as fractions: sliding ends when the speed V₀ − τ meets the rim speed τ/κ, τ = μgt.
     type Q = Ratio<i128>;
     for (kappa, kept, heat) in [
@@ -272,52 +272,11 @@ fn s3_3_energy_with_heat() -> Result<()> {
         assert_eq!(Q::new(1, 2) - energy, slip);
         assert_eq!(slip * 2, heat);
     }
-    // The same by force alone, Coulomb friction integrated in small steps, watched by the ledger.
-    let (mass, radius, mu, g, v0) = (0.17, 0.028, 0.2, 9.80665, 2.0);
-    let inertia = 0.4 * mass * radius * radius;
-    let (mut v, mut omega) = (v0, 0.0);
-    let mut heat = 0.0;
-    let kinetic = |v: f64, omega: f64| 0.5 * mass * v * v + 0.5 * inertia * omega * omega;
-    let e0 = kinetic(v, omega);
-    let mut ledger = Ledger::new();
-    let with_heat = ledger.open("energy with heat", Law::Conserved, e0)?;
-    let without = ledger.open("kinetic energy", Law::NonIncreasing, e0)?;
-    let warm = ledger.open_scaled("heat", Law::NonDecreasing, 0.0, e0)?;
-    let h = 1e-6;
-    while v - radius * omega > 0.0 {
-        let friction = mu * mass * g;
-        let slip = v - radius * omega;
-        v -= h * friction / mass;
-        omega += h * friction * radius / inertia;
-        // The trapezoidal rule is exact for a slip speed that falls linearly.
-        heat += friction * h * 0.5 * (slip + v - radius * omega);
-        ledger.record(with_heat, kinetic(v, omega) + heat)?;
-        ledger.record(without, kinetic(v, omega))?;
-        ledger.record(warm, heat)?;
-    }
-    // Sliding is left one step late at most: μgh/V₀ = 1e-6 of the speed. Observed 4e-7 and 1e-7.
-    observed!(relative(v / v0, 5.0 / 7.0), 2e-7..=1e-6);
-    observed!(relative(heat / e0, 2.0 / 7.0), 1e-13..=5e-12);
-    // The books balance to rounding all the way, 291 000 steps. The last, overshooting step can return at most
-    // (μgh)² of kinetic energy, far below the bound.
-    assert!(ledger.is_kept_within(1e-11)?, "{ledger}");
-    Ok(())
 }
 
 // claim: C3.4-1
 #[test]
 fn s3_4_equal_and_opposite_is_not_enough() {
-    let particle = |x, y| Particle {
-        mass: 1.0,
-        position: V::new(x, y, 0.0),
-        velocity: V::zero(),
-    };
-    let pair = Particles::new([particle(0.0, 0.0), particle(1.0, 0.0)]).unwrap();
-    let sideways = pair.internal_torque(|_, _| V::new(0.0, 1.0, 0.0)).unwrap();
-    assert_eq!(sideways, V::new(0.0, 0.0, -1.0));
-    let central = pair.internal_torque(|a, b| 7.0 * (a.position - b.position));
-    assert_eq!(central.unwrap(), V::zero());
-
     let swarm = Flight::random(77).at(0.0);
     let square = |a: &Particle, b: &Particle| {
         let d = a.position - b.position;
@@ -327,55 +286,8 @@ fn s3_4_equal_and_opposite_is_not_enough() {
     // The same torque about any point, since the forces sum to zero; here the twisted forces have one.
     let about = V::new(1.0, 0.0, 0.0);
     let twisted = swarm.internal_torque(|a, b| about.cross(&(a.position - b.position)));
-    assert!(twisted.unwrap().norm() > 1.0);
-}
-
-// 3.5: a body that changes its shape turns without angular momentum.
-
-// claim: C3.5-3, C1.1-3
-#[test]
-fn s3_5_a_body_that_changes_shape_turns_without_angular_momentum() {
-    let body = Waist {
-        upper_arms_out: 3.0,
-        upper_arms_in: 1.0,
-        lower: 1.0,
-    };
-    let quarter = FRAC_PI_2;
-    let turn = body.swivel_angle(quarter).unwrap();
-    observed!(relative(turn, -FRAC_PI_8), 0.0..=4e-16);
-
-    // At zero angular momentum, A(β' + ψ') + Bβ' = 0: integrate the four phases at an uneven pace, arms moving in
-    // phases two and four, when nothing turns. Midpoint rule in a pace s(u) = u³; the turn is linear in ψ: exact.
-    let mut beta = Dd::ZERO;
-    let mut l = Ledger::new();
-    let none = l.open_scaled("angular momentum", Law::Conserved, 0.0, 1.0);
-    let none = none.unwrap();
-    for (upper, from, to) in [(3.0, 0.0, quarter), (1.0, quarter, 0.0)] {
-        let steps = 1000;
-        let psi = |i: i32| from + (to - from) * (f64::from(i) / f64::from(steps)).powi(3);
-        for i in 0..steps {
-            let twist = psi(i + 1) - psi(i);
-            let lower = -upper * twist / (upper + 1.0);
-            beta += Dd::from(lower);
-            l.record(none, upper * (lower + twist) + lower).unwrap();
-        }
-        if upper == 3.0 {
-            let off = relative(beta.value(), -3.0 * FRAC_PI_8);
-            observed!(off, 0.0..=1e-15);
-        }
-    }
-    observed!(relative(beta.value(), turn), 0.0..=2e-15);
-    assert!(l.is_kept_within(1e-17).unwrap(), "{l}");
-    let upper_arms_in = body.upper_arms_out;
-    let held = Waist {
-        upper_arms_in,
-        ..body
-    };
-    let [light, heavy] = [0.0, 1e300].map(|lower| Waist { lower, ..body });
-    for (still, twist) in [(held, quarter), (light, quarter), (body, 0.0)] {
-        assert_eq!(still.swivel_angle(twist).unwrap(), 0.0);
-    }
-    observed!(heavy.swivel_angle(quarter).unwrap().abs(), 0.0..=1e-299);
+    // d∧(a∧d) = a d² − d (a·d): along a.
+    assert!(twisted.unwrap().x() > 1.0);
 }
 
 // 3.5: spheroids and ellipsoids that turn.
@@ -438,10 +350,6 @@ fn s3_5_maclaurin_spheroids() {
 #[test]
 fn s3_5_jacobi_ellipsoids_branch_off() {
     let branch = MaclaurinSpheroid::at_jacobi_bifurcation();
-    let off = relative(branch.eccentricity, 0.812_670_010_611_742_949_48);
-    observed!(off, 0.0..=2e-15);
-    let off = relative(branch.rotation, 0.374_229_674_786_195_634_35);
-    observed!(off, 0.0..=2e-15);
     // An independent closed form of the same condition: arcsin e = e√(1−e²)(3+10e²)/(3+8e²−8e⁴) (Chandrasekhar 1969).
     let e2 = branch.eccentricity.powi(2);
     let closed = branch.eccentricity * (1.0 - e2).sqrt() * (3.0 + 10.0 * e2)
@@ -451,7 +359,6 @@ fn s3_5_jacobi_ellipsoids_branch_off() {
 
     // Jacobi's own sequence: starts where it branches, turns slower as it lengthens (models of the field: six digits).
     let start = JacobiEllipsoid::from_axis_ratio(1.0).unwrap();
-    observed!(relative(start.rotation, branch.rotation), 2e-16..=2e-15);
     let off = relative(start.angular_momentum, branch.angular_momentum);
     observed!(off, 1e-16..=2e-15);
     for (b, c, rotation) in [

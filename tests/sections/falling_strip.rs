@@ -3,7 +3,7 @@
 use super::*;
 use rayon::prelude::*;
 use spinning_bodies::falling_strip::{
-    Coefficients, Fall, LongRun, MEASURED_FROUDE, Regime, Sheet, Start, transition,
+    Coefficients, Fall, LongRun, Regime, Sheet, Start, transition,
 };
 
 fn long_run(ratio: f64, coefficients: Coefficients) -> LongRun {
@@ -13,24 +13,7 @@ fn long_run(ratio: f64, coefficients: Coefficients) -> LongRun {
 
 // claim: C4.10-1
 #[test]
-fn s4_10_the_published_panels() {
-    use Regime::{Flutter, Mixed, Tumble};
-    let panels = [
-        (1.1, Flutter, Some(15.95)),
-        (1.4, Tumble, Some(6.42)),
-        (1.45, Tumble, Some(13.36)),
-        (1.6, Mixed, Some(39.12)),
-        (2.2, Mixed, None),
-        (3.0, Flutter, Some(7.65)),
-    ];
-    panels.par_iter().for_each(|&(ratio, regime, period)| {
-        let run = long_run(ratio, Coefficients::PUBLISHED);
-        assert_eq!(run.regime, regime, "{ratio}");
-        match (run.period, period) {
-            (Some(found), Some(period)) => rounded(found, 2, period),
-            (found, period) => assert_eq!(found, period, "{ratio}"),
-        }
-    });
+fn s4_10_a_published_tumbler() {
     let tumbling = long_run(1.4, Coefficients::PUBLISHED);
     rounded(tumbling.rotation.abs(), 4, 0.4892);
     rounded(tumbling.drift.abs(), 4, 0.7559);
@@ -62,13 +45,6 @@ fn s4_10_flutter_ends_where_its_period_grows_without_bound() {
     // The authors give 1.2191. Runs twice as long move the fifth digit.
     rounded(found[0], 4, 1.2191);
     rounded(found[1], 4, 0.5267);
-    // As a Froude number the fit to paper is within the uncertainty of the measurement, the published set is not.
-    let froude = |ratio: f64| (FRAC_PI_4 * ratio).sqrt();
-    let (measured, uncertainty) = MEASURED_FROUDE;
-    rounded(froude(found[1]), 3, 0.643);
-    assert!((froude(found[1]) - measured).abs() < uncertainty);
-    rounded(froude(found[0]), 3, 0.979);
-    assert!((froude(found[0]) - measured).abs() > 5.0 * uncertainty);
 }
 
 /// The ends of its swings, found between the samples, against samples a hundred times as dense.

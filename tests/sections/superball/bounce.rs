@@ -98,12 +98,3 @@ fn s4_6_reflections() {
         }
     }
 }
-
-// claim: C4.6-8
-#[test]
-fn s4_6_energy_is_kept_exactly() {
-    // The squares of 22 bounces are the last that fit into 127 bits.
-    for motion in thrown().take(21) {
-        assert_eq!(motion.energy(rational(2, 5)), ONE);
-    }
-}

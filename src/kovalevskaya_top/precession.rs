@@ -21,7 +21,7 @@ use nalgebra::{Complex, Quaternion};
 use super::constants::{Constants, Phase, WidePhase};
 use super::exact::{Exact, Reason, Trial};
 use super::periods::{Curve, Half, MEASURES};
-use super::taylor::{Carried, about_third, shortest};
+use super::taylor::{Carried, Series, about_third, shortest};
 use super::theta::{Pinched, Theta, join, unit};
 use crate::precise::{DoubleDouble, Number as _};
 
@@ -43,6 +43,9 @@ pub(super) struct Precession {
 
 /// The largest disagreement about the angles at time 0, relative to the sine of the tilt.
 const TRUSTED: f64 = 1e-11;
+
+/// Where the sine of the tilt and K are both as small as this, their directions are rounding, a digit of the attitude.
+const POINTING: f64 = 1e-3;
 
 impl Precession {
     pub fn find(constants: &Constants, wide: &WidePhase, whole: &Carried) -> Result<Self, Reason> {
@@ -92,7 +95,12 @@ impl Precession {
         self.angle = third.arg();
         self.doubled = [first.arg(), second.arg()];
         let mean = third.conj() / third.norm();
-        seen.iter().all(|all| (all[0] * mean).im.abs() < TRUSTED)
+        // The attitude is as uncertain as the azimuth where the axis leans most: next to the vertical all the time it points nowhere.
+        let most = seen
+            .iter()
+            .fold(0.0_f64, |most, all| most.max(all[0].norm()));
+        seen.iter()
+            .all(|all| (all[0] * mean).im.abs() < TRUSTED * most)
     }
 
     /// What keeps pace with the time, seen from an attitude.
@@ -130,21 +138,41 @@ impl Precession {
     /// The state and how it stands, from the exact Ω and z: z upright, and the third axis at its azimuth.
     pub fn carried(&self, constants: &Constants, t: f64) -> Carried {
         let state = self.exact.state(constants, t);
-        let [.., z1, z2, z3] = state;
+        let (attitude, told) = self.turned(constants, t, &state);
+        if told > POINTING {
+            return (state, attitude);
+        }
+        // From a moment ago, when the third axis leaned: what is missing is a turn about the vertical.
+        let series = Series::<f64, 10>::of(constants.c.value(), &(state, attitude));
+        let ago = series.reach.min(1.0);
+        let (before, rough) = series.carried(-ago);
+        let (known, better) = self.turned(constants, t - ago, &before);
+        if better < told {
+            return (state, attitude);
+        }
+        let missing = known * rough.conjugate();
+        let turn = 2.0 * missing.k.atan2(missing.w);
+        (state, about_third(turn) * attitude)
+    }
+
+    /// How a state stands, and how well its azimuth is told.
+    fn turned(&self, constants: &Constants, t: f64, state: &Phase) -> (Quaternion<f64>, f64) {
+        let &[.., z1, z2, z3] = state;
         let upright = shortest([z1, z2, z3]);
-        let sight = self.sight(constants, t, &state, upright);
+        let sight = self.sight(constants, t, state, upright);
         let third = self.angle + 0.5 * (self.rates[0] + self.rates[1]) * t - sight.third.arg();
         // Near the poles the third axis points nowhere; there η₁ or η₂ tells the angle, but for half a turn, unless K is small. Which is better is told by the sine of the
         // tilt and the size of K.
         let side = usize::from(z3 < 0.0);
         let other = sight.doubled[side];
-        let angle = if sight.third.norm() < other.norm() / (1.0 + z3.abs()).powi(2) {
+        let [tilt, size] = [sight.third.norm(), other.norm() / (1.0 + z3.abs()).powi(2)];
+        let angle = if tilt < size {
             let half = 0.5 * (self.doubled[side] - other.arg()) + self.rates[side] * t;
             half + PI * ((third - half) / PI).round()
         } else {
             third
         };
-        (state, about_third(angle) * upright)
+        (about_third(angle) * upright, tilt.max(size))
     }
 }
 

@@ -283,12 +283,18 @@ fn all_keep(starts: impl Iterator<Item = u64>) {
     let (kept, refused, worst, amiss) = judged(starts.collect::<Vec<_>>());
     println!("{kept} kept, {refused} refused, the worst at {worst} of what is stated");
     assert!(amiss.is_empty(), "{}", amiss.join("\n"));
-    assert!(refused < kept / 20, "{refused} of {kept} refused");
+    assert!(20 * refused < kept, "{refused} of {kept} refused");
 }
 
 #[test]
 fn every_answer_keeps_what_is_stated_or_is_refused() {
     all_keep((0..2000).step_by(101));
+}
+
+/// These pass by the vertical, each at one of the times, with so small a K that neither it nor the third axis tells the azimuth.
+#[test]
+fn where_the_third_axis_points_nowhere() {
+    all_keep([1068, 24_068, 39_648].into_iter());
 }
 
 #[test]

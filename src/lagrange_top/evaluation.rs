@@ -277,14 +277,20 @@ impl<const W: usize> Work<W> {
     fn state(&self, i: usize, constants: &Constants, body: &Body, axial_rate: f64) -> State {
         let [sn, cn, _] = self.places.functions(i);
         let [alpha, beta, alpha_rate, beta_rate] = self.pair(i);
-        let size = alpha.norm_sqr() + beta.norm_sqr();
-        let transverse = (alpha.conj() * beta_rate - beta * alpha_rate.conj()) * (2.0 / size);
-        let scale = 1.0 / size.sqrt();
-        let (a, b) = (alpha * scale, beta * scale);
         let (one_less, one_more) = (
             constants.top2 + constants.band * cn * cn,
             constants.bottom1 + constants.band * sn * sn,
         );
+        // How large they are is told by the height, which is nearer than products of theta functions; where one is nothing, by the other.
+        let [a_size, b_size] = [alpha, beta].map(|x| x.norm_sqr());
+        let scale = |part: f64, size: f64| match size > f64::MIN_POSITIVE {
+            true => (0.5 * part / size).sqrt(),
+            false => 1.0 / (a_size + b_size).sqrt(),
+        };
+        let [grown, other] = [scale(one_more, a_size), scale(one_less, b_size)];
+        let transverse =
+            (alpha.conj() * beta_rate - beta * alpha_rate.conj()) * (2.0 * grown * other);
+        let (a, b) = (alpha * grown, beta * other);
         let (a, b, one_less, one_more) = match constants.pull {
             Pull::Down => (a, b, one_less, one_more),
             Pull::Up => (b.conj(), -a.conj(), one_more, one_less),

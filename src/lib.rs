@@ -19,7 +19,7 @@
 //! | 5.2 | [`ideal_fluid`] | the ideal fluid as a top: Zeitlin's truncation, with all its invariants | to rounding, for the truncated model |
 //! | 6 | [`euler_top`] | the free top: exact motion and attitude at any time, Poinsot, stability, the Earth and Toutatis | to the last digits of a double, at any time, on the separatrix too |
 //! | 7 | [`lagrange_top`] | the heavy symmetric top: exact motion and attitude, precession, dip, sleep, the spherical pendulum | to the last digits of a double, at any time, even when the top is asleep or nearly so |
-//! | 8 | [`kovalevskaya_top`] | Kovalevskaya's top by separation of variables; Toda's lattice | the error grows with time, and is stated; at a double root by elliptic functions for starts with axis 3 upright, by power series for others, or refused |
+//! | 8 | [`kovalevskaya_top`] | Kovalevskaya's top by separation of variables; Toda's lattice | the error grows with time, and is stated; next to a double root and on it by the same theta functions as far as 32 digits tell the roots apart, by power series where they do not, or refused |
 //! | 9 | [`pythagoras`] | the gas box on a hinge, with any triangle, polygon and corner | rounding |
 //! |  | [`scene`] | a body, how it is held, its effects; how it will be computed, the motion and what it conserves | within the accuracy asked, or refused; every answer comes with an estimate of its error |
 //! |  | [`integrators`] | methods for equations without a closed form; geometric ones for bodies that turn | to the order of each method; |L| kept to rounding by the geometric ones |

@@ -13,7 +13,7 @@
 //!
 //! With z₃ = 1 the same comes out but for a half period added to a. So the azimuth of the third axis, the phase of ξ₃, is αt − arg G₊G₋.
 
-use core::f64::consts::PI;
+use core::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
 use nalgebra::{Complex, Quaternion};
@@ -23,7 +23,7 @@ use super::exact::{Exact, Reason, Trial};
 use super::periods::{Curve, Half, MEASURES};
 use super::taylor::{Carried, Series, about_third, shortest};
 use super::theta::{Pinched, Theta, join, unit};
-use crate::precise::{DoubleDouble, Number as _};
+use crate::precise::{DoubleDouble, Number as _, RIGHT_ANGLE};
 
 type Number = Complex<f64>;
 
@@ -34,7 +34,7 @@ pub(super) struct Precession {
     /// G₊ and G₋, two factors each.
     products: [Product; 2],
     /// α₊ and α₋; their mean is α.
-    rates: [f64; 2],
+    rates: [DoubleDouble; 2],
     /// arg ξ₃G₊G₋ at time 0.
     angle: f64,
     /// 2 arg η₂²G₊²√K and 2 arg η₁²G₋²/√K at time 0.
@@ -55,10 +55,11 @@ impl Precession {
         let rates = products.each_ref().map(|product| {
             let known = settled(known, product.rate, exact.advance);
             // Beside a double root the integrals may lose digits, and the states know better.
-            if (known - product.rate).abs() <= 16.0 * product.scatter {
+            let off = (known.value() - product.rate).abs();
+            if off <= 16.0 * product.scatter {
                 known
             } else {
-                product.rate
+                DoubleDouble::from(product.rate)
             }
         });
         let mut precession = Self {
@@ -82,7 +83,7 @@ impl Precession {
             .iter()
             .map(|&(t, (state, attitude))| {
                 let sight = self.sight(constants, t, &state, attitude);
-                let [a, b] = self.rates.map(|rate| 2.0 * rate * t);
+                let [a, b] = self.rates.map(|rate| 2.0 * rate.value() * t);
                 [
                     sight.third * Number::cis(-0.25 * (a + b)),
                     sight.doubled[0] * Number::cis(-a),
@@ -160,14 +161,15 @@ impl Precession {
         let &[.., z1, z2, z3] = state;
         let upright = shortest([z1, z2, z3]);
         let sight = self.sight(constants, t, state, upright);
-        let third = self.angle + 0.5 * (self.rates[0] + self.rates[1]) * t - sight.third.arg();
+        let mean = (self.rates[0] + self.rates[1]).scaled(0.5);
+        let third = self.angle + gained(mean, t) - sight.third.arg();
         // Near the poles the third axis points nowhere; there η₁ or η₂ tells the angle, but for half a turn, unless K is small. Which is better is told by the sine of the
         // tilt and the size of K.
         let side = usize::from(z3 < 0.0);
         let other = sight.doubled[side];
         let [tilt, size] = [sight.third.norm(), other.norm() / (1.0 + z3.abs()).powi(2)];
         let angle = if tilt < size {
-            let half = 0.5 * (self.doubled[side] - other.arg()) + self.rates[side] * t;
+            let half = 0.5 * (self.doubled[side] - other.arg()) + gained(self.rates[side], t);
             half + PI * ((third - half) / PI).round()
         } else {
             third
@@ -176,14 +178,22 @@ impl Precession {
     }
 }
 
+/// What an angle gains in a time, but for whole turns.
+fn gained(rate: DoubleDouble, t: f64) -> f64 {
+    let angle = rate * DoubleDouble::from(t);
+    let turns = DoubleDouble::from((angle.value() / TAU).round());
+    (angle - RIGHT_ANGLE.scaled(4.0) * turns).value()
+}
+
 /// The rate that is nearest to a rough one among those that half turns of v set apart.
-fn settled(known: DoubleDouble, rough: f64, advance: [DoubleDouble; 2]) -> f64 {
+fn settled(known: DoubleDouble, rough: f64, advance: [DoubleDouble; 2]) -> DoubleDouble {
     const MOST: i32 = 8;
-    let turns = advance.map(|x| x.times(PI));
+    let turns = advance.map(|x| x * RIGHT_ANGLE.scaled(2.0));
     let all = (-MOST..=MOST).flat_map(|i| (-MOST..=MOST).map(move |j| [i, j].map(f64::from)));
-    all.map(|[i, j]| (known + turns[0].times(i) + turns[1].times(j)).value())
-        .min_by(|x, y| (x - rough).abs().total_cmp(&(y - rough).abs()))
-        .unwrap_or(rough)
+    let off = |x: &DoubleDouble| (x.value() - rough).abs();
+    all.map(|[i, j]| known + turns[0].times(i) + turns[1].times(j))
+        .min_by(|x, y| off(x).total_cmp(&off(y)))
+        .unwrap_or(known)
 }
 
 /// ξ₃, η₁² and η₂² as they follow from an attitude: the horizontal parts of the body's axes.

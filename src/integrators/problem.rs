@@ -40,10 +40,22 @@ pub trait System<const N: usize> {
     fn reached(&self, _time: f64) -> Result<()> {
         Ok(())
     }
+
+    /// The fastest rate of the motion, where it is known: steps of [`order_eight`](super::order_eight()) by a tolerance are no longer than 14 tolerance^(1/8) over it. Next to an equilibrium that
+    /// it leaves a motion is smaller than the tolerance at first, which then says nothing of a step.
+    ///
+    /// ```
+    /// use spinning_bodies::integrators::System;
+    /// let swing = |_: f64, y: &[f64; 2]| [y[1], -y[0]];
+    /// assert_eq!(swing.pace(), 0.0);
+    /// ```
+    fn pace(&self) -> f64 {
+        0.0
+    }
 }
 
-/// Equations by one function, and another that is told of the time after every step.
-pub(crate) struct Watched<F, W>(pub F, pub W);
+/// Equations by one function, another that is told of the time after every step, and their pace.
+pub(crate) struct Watched<F, W>(pub F, pub W, pub f64);
 
 impl<const N: usize, F, W> System<N> for Watched<F, W>
 where
@@ -56,6 +68,10 @@ where
 
     fn reached(&self, time: f64) -> Result<()> {
         self.1(time)
+    }
+
+    fn pace(&self) -> f64 {
+        self.2
     }
 }
 

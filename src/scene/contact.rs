@@ -640,7 +640,7 @@ impl OnTheTable {
             let rates = self.table.rates(&y, &pose, &contact);
             core::array::from_fn(|n| pace * rates.get(n).unwrap_or(&1.0))
         };
-        let slowing = Watched(rate, |_| ahead.budget.reached(now));
+        let slowing = Watched(rate, |_| ahead.budget.reached(now), 0.0);
         let [mut scales, mut z] = [[1.0 / self.turning; NUMBERS + 1], [0.0; NUMBERS + 1]];
         scales[..NUMBERS].copy_from_slice(&self.scales());
         z[..NUMBERS].copy_from_slice(y);

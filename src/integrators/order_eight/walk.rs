@@ -84,7 +84,8 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
             // error^(1/8), as DOP853 has it.
             let growth = SAFETY / error.sqrt().sqrt().sqrt();
             if error <= 1.0 {
-                self.length = cut.abs() * growth.clamp(LEAST_GROWTH, most_growth);
+                let length = cut.abs() * growth.clamp(LEAST_GROWTH, most_growth);
+                self.length = length.min(self.longest(tolerance));
                 return Ok(self.accept(step, cut, cut == left));
             }
             self.cost.evaluations += STAGES - 1;
@@ -163,6 +164,11 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
         core::array::from_fn(|n| state[n] + excess[n])
     }
 
+    /// The longest step that a tolerance allows at the pace of the motion.
+    fn longest(&self, tolerance: f64) -> f64 {
+        LONGEST * tolerance.min(1.0).sqrt().sqrt().sqrt() / self.leg.system.pace()
+    }
+
     /// A first guess at the length of a step: rates and their change over a short Euler step (Hairer, Nørsett, Wanner, II.4).
     pub(super) fn first_length(&mut self, tolerance: f64) -> f64 {
         let (span, state) = (self.left(), &self.state.values);
@@ -181,16 +187,19 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
         let pace = rate.max(bend.sqrt());
         let length = tolerance.min(1.0).sqrt().sqrt().sqrt() * FIRST / pace;
         self.cost.evaluations += 1;
+        let most = span.abs().min(self.longest(tolerance));
         if length.is_finite() && length > 0.0 {
-            length.min(span.abs())
+            length.min(most)
         } else {
-            span.abs()
+            most
         }
     }
 }
 
 /// Length of the first step as a multiple of tolerance^(1/8) over the rate.
 const FIRST: f64 = 4.0;
+/// The longest one likewise: twice what the tolerance would allow a motion of size 1.
+const LONGEST: f64 = 14.0;
 /// Those of DOP853.
 const SAFETY: f64 = 0.9;
 const LEAST_GROWTH: f64 = 0.2;

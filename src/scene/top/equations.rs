@@ -179,6 +179,11 @@ impl<const N: usize> Flow<N> for Turning {
         self.pace
     }
 
+    /// Beside an equilibrium a top moves by less than any tolerance at first.
+    fn steady_pace(&self) -> f64 {
+        self.pace
+    }
+
     /// L′ = L∧Ω + N and q′ = ½qΩ, and the power that the resistance takes.
     fn rate(&self, spin: Spin, _: f64, numbers: &[f64; N]) -> [f64; N] {
         let [a, b, c, w, x, y, z]: [f64; 7] = core::array::from_fn(|n| numbers[n]);

@@ -41,20 +41,20 @@ pub trait System<const N: usize> {
         Ok(())
     }
 
-    /// The fastest rate of the motion, where it is known: steps of [`order_eight`](super::order_eight()) by a tolerance are no longer than 14 tolerance^(1/8) over it. Next to an equilibrium that
-    /// it leaves a motion is smaller than the tolerance at first, which then says nothing of a step.
+    /// The greatest rate at which a small departure from an equilibrium may grow, where it is known, 1/s: steps of [`order_eight`](super::order_eight())
+    /// by a tolerance are no longer than 14 tolerance^(1/8) over it. At first the departure is smaller than the tolerance, which then says nothing of a step.
     ///
     /// ```
     /// use spinning_bodies::integrators::System;
     /// let swing = |_: f64, y: &[f64; 2]| [y[1], -y[0]];
-    /// assert_eq!(swing.pace(), 0.0);
+    /// assert_eq!(swing.growth_rate(), 0.0);
     /// ```
-    fn pace(&self) -> f64 {
+    fn growth_rate(&self) -> f64 {
         0.0
     }
 }
 
-/// Equations by one function, another that is told of the time after every step, and their pace.
+/// Equations by one function, another that is told of the time after every step, and their growth rate.
 pub(crate) struct Watched<F, W>(pub F, pub W, pub f64);
 
 impl<const N: usize, F, W> System<N> for Watched<F, W>
@@ -70,7 +70,7 @@ where
         self.1(time)
     }
 
-    fn pace(&self) -> f64 {
+    fn growth_rate(&self) -> f64 {
         self.2
     }
 }

@@ -36,8 +36,8 @@ pub(crate) trait Flow<const N: usize> {
     /// The fastest rate of the motion, rad/s or 1/s: time is counted in its inverse.
     fn pace(&self) -> f64;
 
-    /// The same where it bounds the steps of a run, or nothing.
-    fn steady_pace(&self) -> f64 {
+    /// The greatest rate at which a departure from an equilibrium may grow, 1/s; 0 if none is known.
+    fn growth_rate(&self) -> f64 {
         0.0
     }
 
@@ -324,7 +324,7 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         let passage = match self.stepper {
             Stepper::OrderEight => {
                 let leg = Leg {
-                    system: &Watched(rate, reached, flow.steady_pace()) as &dyn System<N>,
+                    system: &Watched(rate, reached, flow.growth_rate()) as &dyn System<N>,
                     kept: flow.kept(),
                     start: (now, y),
                     scales: &scales,

@@ -164,9 +164,9 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
         core::array::from_fn(|n| state[n] + excess[n])
     }
 
-    /// The longest step that a tolerance allows at the pace of the motion.
+    /// The longest step that a tolerance allows at the growth rate of the motion.
     fn longest(&self, tolerance: f64) -> f64 {
-        LONGEST * tolerance.min(1.0).sqrt().sqrt().sqrt() / self.leg.system.pace()
+        LONGEST * tolerance.min(1.0).sqrt().sqrt().sqrt() / self.leg.system.growth_rate()
     }
 
     /// A first guess at the length of a step: rates and their change over a short Euler step (Hairer, Nørsett, Wanner, II.4).

@@ -28,6 +28,8 @@ pub(super) struct Turning {
     tip_friction: Option<f64>,
     start: Phase,
     pace: f64,
+    /// The rate at which it falls, if it stands, rad/s.
+    falling: f64,
     energy: f64,
 }
 
@@ -71,6 +73,7 @@ impl Turning {
                 .map(|friction| friction.value().copysign(spin)),
             start,
             pace: top.pace()?,
+            falling: top.falling(),
             energy,
         })
     }
@@ -180,8 +183,8 @@ impl<const N: usize> Flow<N> for Turning {
     }
 
     /// Beside an equilibrium a top moves by less than any tolerance at first.
-    fn steady_pace(&self) -> f64 {
-        self.pace
+    fn growth_rate(&self) -> f64 {
+        self.falling
     }
 
     /// L′ = L∧Ω + N and q′ = ½qΩ, and the power that the resistance takes.

@@ -218,16 +218,20 @@ impl Top {
 
     /// The rate that this top turns at, or would if its weight made it fall, rad/s.
     fn pace(&self) -> Result<f64> {
+        let omega = self.start.omega(self.body.moments)?.norm();
+        Ok(omega.hypot(self.falling()).max(f64::MIN_POSITIVE))
+    }
+
+    /// The rate at which its weight makes it fall, rad/s; 0 without any.
+    fn falling(&self) -> f64 {
         let moments = self.body.moments;
-        let omega = self.start.omega(moments)?.norm();
         let [x, y, z] = self.lever();
         let arms = [y.hypot(z), z.hypot(x), x.hypot(y)];
         let square: f64 = (0..3)
             .filter(|&k| moments[k] > 0.0)
             .map(|k| (arms[k] / moments[k]).powi(2))
             .sum();
-        let falling = (2.0 * square.sqrt()).sqrt();
-        Ok(omega.hypot(falling).max(f64::MIN_POSITIVE))
+        (2.0 * square.sqrt()).sqrt()
     }
 }
 

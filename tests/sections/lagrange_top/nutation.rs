@@ -118,7 +118,7 @@ fn s7_2_azimuth_in_a_nutation() {
         // Followed along the motion.
         let period = top.period();
         let off = (gained_azimuth(&top, period, 60) - expected).abs();
-        observed!(off, 9e-16..=8e-15);
+        observed!(off, 4e-16..=8e-15);
         let turned = wrapped(azimuth(&at(&top, 0.7)) - azimuth(&at(&top, 0.0)));
         observed!((turned - early).abs(), 1e-16..=2e-15);
     }

@@ -13,7 +13,7 @@ use crate::precise::{DoubleDouble, Number};
 /// Equal means equal to 8 eps of the terms compared, the rounding of the start.
 ///
 /// What is answered there: Delaunay's, upright starts and pendulums in closed form at any time. On another shared root or double root of the cubic, given in doubles, mostly so as well, for rounding leaves the two roots apart; where
-/// they are one to 17 digits (9, if both are the cubic's) and s₁ or s₂ comes to them, or another root is as near, the motion is walked in 106 bits, to 1e-15 at time 60, and refused once it is amplified 10¹⁷ times.
+/// they are one to 17 digits (9, if both are the cubic's) and s₁ or s₂ comes to them, or another root is as near, the motion is walked in 106 bits, and refused once it is amplified 10¹⁷ times.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Kind {

@@ -32,7 +32,7 @@
 //! Attitude ([`KovalevskayaTop::at`]), over the same starts: at time 10 half below 1.7e-15 rad, 95 per cent below 4.5e-15, the worst 1.6e-14; at time 50 half below 7.1e-15, the worst 7e-14: in proportion to time, for the frequencies are rounded.
 //! 0.12 ms to prepare in the median, Ω, z and attitude; then 1.6 µs a state.
 //!
-//! z exactly along axis 3 at the start, against a table of 30 digits for 39 starts up to time 60: the worst 9e-14 for Ω and z and 8.5e-14 rad; 0.4 ms to prepare and 3 µs a state.
+//! z exactly along axis 3 at the start, against a table of 30 digits for 39 starts up to time 60: the worst 9e-14 for Ω and z and 8.5e-14 rad; a quarter of a millisecond to prepare and 2.7 µs a state.
 //! Beside Appelrot's second and third class, 74 of a hundred starts that keep 2l² = 3l₁ ± k to the last digit of a double have the theta functions, the worst at time 60 5e-14 and 5e-13 rad; beside the fourth all of a
 //! hundred, 1.4e-13 and 1.7e-13 rad. The others are walked.
 //! In a plane (`pendulum`), 13 starts, next to the separatrix and on it: 9e-16 and 7e-16 rad.

@@ -98,7 +98,7 @@ impl KovalevskayaTop {
     /// Domain: I₁ = I₂ = 2I₃ up to 8 eps, which is taken for rounding (the moments used are 2I₃, 2I₃, I₃), and C₃ = 0 exactly; C in any
     /// direction of the plane, also C = O. Moments need not satisfy more: Md² ≤ I₃/2 is what a body needs in addition, and
     /// mass and lever do not come separately. The regime is decided here: [`kind`](Self::kind), [`method`](Self::method).
-    /// Cost: 0.12 ms in the median of random starts; 0.4 ms where z starts along axis 3, 4 µs for a pendulum.
+    /// Cost: 0.12 ms in the median of random starts; a quarter of a millisecond where z starts along axis 3, 4 µs for a pendulum.
     ///
     /// # Errors
     /// [`Error::NotPositive`], [`Error::NotFinite`]; [`Error::Condition`] for other ratios and for C off the plane;

@@ -41,7 +41,7 @@ fn on_a_double_root_and_beside_it() {
         [motion_in_plane, attitude_in_plane],
     ] = worst;
     assert_eq!(seen, [72, 117, 72, 39]);
-    // 66 here; of those next to what is trusted the last bits decide.
+    // 63 here; of those next to what is trusted the last bits decide.
     assert!(separated >= 60, "{separated}");
     observed!(motion_in_plane, 4e-16..=2e-15);
     observed!(attitude_in_plane, 3e-16..=2e-15);

@@ -49,7 +49,7 @@ pub struct Integral {
     /// Its value; the unit depends on the kind.
     pub value: f64,
     /// Its rate of change by the formula of 5.3, not by differencing: zero, except on [`Integrability::OnLevelZero`],
-    /// where it is −(Mg/4I₃)(C₁Ω₂ − C₂Ω₁)·L_vert.
+    /// where it is −(Mg/4I₃²)(C₁Ω₂ − C₂Ω₁)·L_vert.
     pub rate: f64,
 }
 
@@ -189,7 +189,9 @@ impl HeavyTop {
                 let [c1, c2, _] = turned(self.lever, axis).map(|c| c / moment);
                 Some(Integral {
                     value: o3 * (o1 * o1 + o2 * o2) - (c1 * o1 + c2 * o2) * z3,
-                    rate: -0.25 * (c1 * o2 - c2 * o1) * self.vertical_angular_momentum(state),
+                    rate: -0.25
+                        * (c1 * o2 - c2 * o1)
+                        * (self.vertical_angular_momentum(state) / moment),
                 })
             }
             Integrability::None => None,
@@ -256,7 +258,8 @@ impl HeavyTop {
                 neighbour = core::array::from_fn(|i| y[i] + gap[i] * (APART / distance));
             }
         }
-        Ok(sum / duration)
+        // The time that these steps take, which a duration of no whole number of them is not.
+        Ok(sum / (steps * step))
     }
 }
 

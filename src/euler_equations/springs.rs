@@ -61,7 +61,7 @@ impl SpringBody {
         })
     }
 
-    /// Lets `duration` seconds pass in `steps` steps of the leapfrog method; error O(step²).
+    /// Lets `duration` seconds pass in `steps` steps of the leapfrog method, at least one; error O(step²).
     ///
     /// The springs set the step: below 2/√(12·stiffness/mass) it is stable, a tenth of that is accurate. Cost: fifteen springs a step.
     ///
@@ -79,7 +79,8 @@ impl SpringBody {
     /// ```
     pub fn advance(&mut self, duration: f64, steps: u32) -> Result<()> {
         finite("the duration", duration)?;
-        let h = duration / f64::from(steps.max(1));
+        let steps = steps.max(1);
+        let h = duration / f64::from(steps);
         let mut forces = self.forces();
         for _ in 0..steps {
             self.kick(&forces, 0.5 * h);

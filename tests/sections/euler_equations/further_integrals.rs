@@ -51,7 +51,7 @@ fn s5_3_the_integrals_exactly() {
         // At another ratio it is no integral.
         let three = whole(3);
         assert_ne!(growth([three, three, ONE], lever, kovalevskaya), ZERO);
-        // Goryachev–Chaplygin: the derivative is −(MgC₁/4I₃) Ω₂ L_vert, and so it is kept where L_vert = 0.
+        // Goryachev–Chaplygin: the derivative is −(MgC₁/4I₃²) Ω₂ L_vert, and so it is kept where L_vert = 0; here I₃ = 1.
         let four = whole(4);
         let grown = growth([four, four, ONE], lever, &|o, up| {
             o[2] * (o[0] * o[0] + o[1] * o[1]) - lever[0] * o[0] * up[2]
@@ -122,6 +122,15 @@ fn s5_3_the_integrals_along_the_motion() {
 // claim: C5.3-3
 #[test]
 fn s5_3_goryachev_and_chaplygin_on_one_level() {
+    // Twice as heavy, it moves alike, and so does the integral.
+    let [rate, other] = [1.0, 2.0].map(|twice| {
+        let top = heavy(
+            [4.0, 4.0, 1.0].map(|i| twice * i),
+            [0.6 * twice, 0.8 * twice, 0.0],
+        );
+        top.further_integral(&START).unwrap().rate
+    });
+    assert_eq!(rate, other);
     let top = heavy([4.0, 4.0, 1.0], [0.6, 0.8, 0.0]);
     assert_eq!(top.kind(), Integrability::OnLevelZero(2));
     let of = |s: &TopState| top.further_integral(s).unwrap();
@@ -174,4 +183,13 @@ fn s5_3_order_and_chaos() {
             chaotic(exponent(i, x, &start));
         }
     }
+}
+
+/// What no number of whole steps makes up is not counted as time.
+#[test]
+fn an_exponent_is_a_rate_over_the_steps_taken() -> Result<()> {
+    let top = heavy([2.0, 1.6, 1.0], [1.0, 0.0, 0.0]);
+    let over = |duration| top.lyapunov_exponent(&START, duration, 1.0);
+    assert_eq!(over(1.4)?, over(1.0)?);
+    Ok(())
 }

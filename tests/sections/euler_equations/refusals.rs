@@ -27,3 +27,17 @@ fn s5_what_is_refused() {
     refused!(still.advance(5.0), Condition);
     assert_eq!(still, fluid(3));
 }
+
+/// A time without steps would not pass.
+#[test]
+fn springs_take_one_step_at_least() -> Result<()> {
+    let start = SpringBody::new(moments(PLATE), 4e6, OMEGA)?;
+    let after = |steps| {
+        let mut springs = start.clone();
+        springs.advance(1e-4, steps)?;
+        springs.omega()
+    };
+    assert_eq!(after(0)?, after(1)?);
+    assert_ne!(after(1)?, start.omega()?);
+    Ok(())
+}

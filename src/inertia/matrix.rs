@@ -201,8 +201,9 @@ impl InertiaMatrix {
         Ok(e.dot(&(self.0 * e)))
     }
 
-    /// Angle between L = IΩ and Ω, radians, accurate when small (2.2).
+    /// Angle between L = IΩ and Ω, radians (2.2).
     ///
+    /// From what is left of L across Ω when the moment about Ω is taken off the matrix: of a nearly round body the small angle keeps its digits.
     /// Never more than [`PrincipalMoments::greatest_angle`](super::PrincipalMoments::greatest_angle).
     ///
     /// # Errors
@@ -219,10 +220,12 @@ impl InertiaMatrix {
     /// ```
     pub fn angle_between_l_and_omega(&self, omega: BodyVector) -> Result<f64> {
         let omega = omega.direction("the angular velocity")?;
-        let l = self
-            .angular_momentum(omega)
-            .direction("the angular momentum")?;
-        Ok(omega.cross(&l).norm().atan2(omega.dot(&l)))
+        let l = self.angular_momentum(omega);
+        l.direction("the angular momentum")?;
+        let along = omega.dot(&l);
+        let apart = Self(self.0 - Matrix3::from_diagonal_element(along));
+        let across = omega.cross(&apart.angular_momentum(omega));
+        Ok(across.norm().atan2(along))
     }
 
     /// Parallel axes (2.8): from the centre of mass to a point, I_O = I_C + M(|d|²δ − d dᵀ).

@@ -40,7 +40,8 @@ impl PrincipalMoments {
         for moment in [a, b, c] {
             not_negative("a principal moment", moment)?;
         }
-        let mut sorted = [a, b, c];
+        // A negative zero becomes one: quotients and roots of it would have its sign.
+        let mut sorted = [a, b, c].map(|moment| moment + 0.0);
         sorted.sort_by(f64::total_cmp);
         let [smallest, middle, largest] = sorted;
         // I3 − I2 ≤ I1 rather than I1 + I2 ≥ I3: the sum may overflow, and the difference is exact

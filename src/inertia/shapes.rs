@@ -135,18 +135,18 @@ pub fn spherical_shell(mass: f64, radius: f64) -> Result<MassProperties> {
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn thick_shell(mass: f64, inner: f64, outer: f64) -> Result<MassProperties> {
-    let s = ratio(inner, outer)?;
+    let s = ratio(["the inner radius", "the outer radius"], inner, outer)?;
     let numerator = 1.0 + s * (1.0 + s * (1.0 + s * (1.0 + s)));
     let factor = numerator / (5.0 * (1.0 + s * (1.0 + s)));
     from_means(mass, [(factor, outer); 3])
 }
 
-/// inner/outer, between 0 and 1.
-fn ratio(inner: f64, outer: f64) -> Result<f64> {
-    positive("the outer radius", outer)?;
-    not_negative("the inner radius", inner)?;
-    within("the inner radius", inner, 0.0, outer)?;
-    Ok(inner / outer)
+/// The less over the greater of two radii of these names, between 0 and 1.
+fn ratio([inside, outside]: [&'static str; 2], less: f64, greater: f64) -> Result<f64> {
+    positive(outside, greater)?;
+    not_negative(inside, less)?;
+    within(inside, less, 0.0, greater)?;
+    Ok(less / greater)
 }
 
 /// A solid ellipsoid with these semi-axes: M(b²+c²)/5 about the first, and so on (2.7).
@@ -261,7 +261,7 @@ pub fn cone(mass: f64, radius: f64, height: f64) -> Result<MassProperties> {
 /// A solid ball without the cap above a plane, `cut` over the ball's centre (below it if negative): 2MR²/5 about its axis for half a ball (2.7).
 ///
 /// The origin is the centre of the ball, and the centre of mass below it. With h = R + `cut`, s = h/R and V = πh²(R − h/3): ⟨x²⟩ =
-/// R²s(4/3 − s + s²/5)/(4 − 4s/3); the centre of mass is h(2/3 − s/4)/(1 − s/3) above the lowest point, and the mean square distance from it along the
+/// R²s(4/3 − s + s²/5)/(4 − 4s/3); the centre of mass is ¾R(2 − s)²/(3 − s) below the ball's, and the mean square distance from it along the
 /// axis R²s²(1/18 − s/30 + s²/240)/(1 − s/3)².
 ///
 /// # Errors
@@ -276,8 +276,8 @@ pub fn cone(mass: f64, radius: f64, height: f64) -> Result<MassProperties> {
 /// ```
 pub fn ball_without_cap(mass: f64, radius: f64, cut: f64) -> Result<MassProperties> {
     positive("the radius", radius)?;
-    let s = 1.0 + finite("the height of the cut", cut)? / radius;
-    if !(s > 0.0 && s <= 2.0) {
+    let cut = finite("the height of the cut", cut)?;
+    if !(-radius < cut && cut <= radius) {
         return Err(Error::OutOfRange {
             quantity: "the height of the cut",
             value: cut,
@@ -285,12 +285,15 @@ pub fn ball_without_cap(mass: f64, radius: f64, cut: f64) -> Result<MassProperti
             greatest: radius,
         });
     }
+    // The sum first: of a thin cap all the digits are in it. Halves of the greatest radii can be added.
+    let s = (0.5 * radius + 0.5 * cut) / (0.5 * radius);
     let full = 1.0 - s / 3.0;
     let across = s * (4.0 / 3.0 + s * (s / 5.0 - 1.0)) / (4.0 * full);
     let along = s * s * (1.0 / 18.0 + s * (s / 240.0 - 1.0 / 30.0)) / (full * full);
     let round = (across, radius);
     let body = from_means(mass, [round, round, (along, radius)])?;
-    let center = s * (2.0 / 3.0 - s / 4.0) / full - 1.0;
+    let missing = (0.5 * radius - 0.5 * cut) / (0.5 * radius);
+    let center = -0.75 * missing * missing / (1.0 + missing);
     body.moved(BodyVector::new(0.0, 0.0, center * radius))
 }
 
@@ -339,7 +342,8 @@ pub fn racket(mass: f64, head: f64, handle: f64) -> Result<MassProperties> {
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn torus(mass: f64, ring_radius: f64, tube_radius: f64) -> Result<MassProperties> {
-    let s = ratio(tube_radius, ring_radius)?;
+    let names = ["the radius of the tube", "the radius of the ring"];
+    let s = ratio(names, tube_radius, ring_radius)?;
     let round = (0.5 + 0.375 * s * s, ring_radius);
     from_means(mass, [round, round, (0.25, tube_radius)])
 }

@@ -76,19 +76,17 @@ pub fn mesh_of_stl(bytes: &[u8]) -> Result<Mesh> {
 pub fn mesh_of_obj(text: &str) -> Result<Mesh> {
     let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
     for line in text.lines() {
-        let line = line.trim();
-        if let Some(vertex) = line.strip_prefix("v ") {
-            vertices.push(at_place(
-                vertices.len(),
-                coordinates(vertex.split_whitespace()),
-            )?);
-        } else if let Some(face) = line.strip_prefix("f ") {
+        let mut words = line.split_whitespace();
+        let kind = words.next();
+        if kind == Some("v") {
+            vertices.push(at_place(vertices.len(), coordinates(words))?);
+        } else if kind == Some("f") {
             // Numbers count from 1, or backward from the vertex before.
             let index = |corner: &str| match corner.split('/').next()?.parse::<i64>().ok()? {
                 number if number < 0 => u32::try_from(vertices.len() as i64 + number).ok(),
                 number => u32::try_from(number - 1).ok(),
             };
-            let corners: Option<Vec<u32>> = face.split_whitespace().map(index).collect();
+            let corners: Option<Vec<u32>> = words.map(index).collect();
             let corners = corners
                 .filter(|corners| corners.len() >= 3)
                 .ok_or(Error::Empty {

@@ -244,6 +244,26 @@ fn a_body_is_given_by_what_it_is() {
     assert!((across - expected).abs() < 1e-16, "{across} {expected}");
 }
 
+/// A cap so thin that the difference of radius and cut is all there is of it: nearly a paraboloid of height h on a circle of 2Rh, its moment about
+/// the axis M·2Rh/3, its centre h/3 above the lowest point; and a ball that lacks as little.
+#[test]
+fn a_thin_cap_keeps_its_digits() {
+    use spinning_bodies::inertia::shapes::ball_without_cap;
+    let h = f64::exp2(-40.0);
+    let cap = ball_without_cap(3.0, 1.0, h - 1.0).unwrap();
+    let moment = cap.inertia().matrix()[(2, 2)];
+    // 2Rh/3 (1 − 5h/12 + …).
+    assert!((moment / (2.0 * h) - 1.0 + 5.0 * h / 12.0).abs() < 1e-15);
+    let whole = ball_without_cap(3.0, 1.0, 1.0 - h).unwrap();
+    assert!((whole.center().z() / (-0.75 * h * h) - 1.0).abs() < 2.0 * h);
+    let refused = spinning_bodies::inertia::shapes::torus(1.0, 1.0, 2.0).unwrap_err();
+    assert!(
+        refused
+            .to_string()
+            .starts_with("the radius of the tube must lie between 0 and 1")
+    );
+}
+
 #[test]
 fn a_ball_and_its_cap_are_a_ball() {
     use spinning_bodies::inertia::{MassProperties, shapes::ball_without_cap};
@@ -350,7 +370,7 @@ fn a_mesh_is_read_from_its_file() {
     let mut obj = String::from("# a box\n");
     for k in 0..8 {
         let [x, y, z] = at(k);
-        obj += &format!("v {x} {y} {z}\n");
+        obj += &format!(" v\t{x} {y} {z}\n");
     }
     for [a, b, c, d] in faces {
         obj += &format!("f {}/1 {}//2 {} {}\n", a + 1, b + 1, c + 1, d as i64 - 8);

@@ -141,7 +141,8 @@ pub struct Strike {
     pub meteorite: Meteorite,
     /// The point of impact x, metres from C.
     pub at: BodyVector,
-    impulse: BodyVector,
+    /// Ω' − Ω, rad/s.
+    change: BodyVector,
     /// Velocity V' of the planet's own centre C after the impact, m/s.
     pub velocity_after: BodyVector,
     /// Angular velocity Ω' after the impact, rad/s.
@@ -184,9 +185,7 @@ pub fn strike(planet: &Planet, meteorite: &Meteorite, at: BodyVector) -> Result<
     let ground = planet.velocity + planet.omega.cross(&at);
     let closing = meteorite.velocity - ground;
 
-    let x = at.components();
-    let arm = Matrix3::identity() * x.norm_squared() - x * x.transpose();
-    let together = planet.inertia.matrix() + arm * mu;
+    let together = planet.inertia.matrix() + InertiaMatrix::of_particle(mu, at)?.matrix();
     let change = solve(&together, mu * at.cross(&closing).components())?;
 
     let impulse = mu * (closing - change.cross(&at));
@@ -197,7 +196,7 @@ pub fn strike(planet: &Planet, meteorite: &Meteorite, at: BodyVector) -> Result<
         planet: *planet,
         meteorite: *meteorite,
         at,
-        impulse: finite_vector("the impulse", impulse)?,
+        change,
         velocity_after: finite_vector("the velocity after the impact", velocity_after)?,
         omega_after: finite_vector("the angular velocity after the impact", omega_after)?,
         energy_lost: finite("the energy lost", 0.5 * closing.dot(&impulse))?,
@@ -226,7 +225,7 @@ impl Strike {
 
     /// Angle between Ω and Ω', radians, 0…π: how far the axis of rotation is tilted.
     ///
-    /// From sine and cosine together, so that a tilt of 10⁻¹² rad keeps its digits, as does one near π.
+    /// From sine and cosine together, and the sine from the change of Ω, so that a tilt of 10⁻¹² rad keeps its digits, as does one near π.
     ///
     /// # Errors
     /// [`Error::ZeroVector`] if the planet does not spin before or after.
@@ -245,10 +244,10 @@ impl Strike {
             .planet
             .omega
             .direction("the angular velocity before the impact")?;
-        let after = self
-            .omega_after
+        self.omega_after
             .direction("the angular velocity after the impact")?;
-        Ok(before.cross(&after).norm().atan2(before.dot(&after)))
+        let (sine, cosine) = (before.cross(&self.change), before.dot(&self.omega_after));
+        Ok(sine.norm().atan2(cosine))
     }
 
     /// The tutorial's approximation Ω' ≈ Ω + I⁻¹(x∧mv), rad/s, exactly as printed in 4.2.

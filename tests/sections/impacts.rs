@@ -345,6 +345,13 @@ fn s4_2_tilt_and_uranus() -> Result<()> {
     let planet = Planet::spherical(1.0, 1.0, V::zero(), V::new(0.0, 0.0, 1.0))?;
     let tiny = strike(&planet, &pebble, V::new(1.0, 0.0, 0.0))?.tilt()?;
     observed!(relative(tiny, 1e-9), 1e-13..=1e-11);
+    // Nor does it matter along which axes: Ω = (1, 2, 3), and 5e-15 of it across.
+    let planet = Planet::spherical(1.0, 1.0, V::zero(), V::new(1.0, 2.0, 3.0))?;
+    let pebble = Meteorite::new(1e-14, V::new(2.0, -1.0, 0.0) + V::new(-1.0, 2.0, -1.0))?;
+    let tiny = strike(&planet, &pebble, V::new(1.0, 1.0, 1.0))?.tilt()?;
+    // The closing speed is (2, −1, 0), its moment x∧w = (1, 2, −3), the inertia 1 to 3e-14.
+    let across = V::new(1.0, 2.0, 3.0).cross(&V::new(1.0, 2.0, -3.0)).norm();
+    observed!(relative(tiny, 1e-14 * across / 14.0), 1e-15..=1e-13);
     Ok(())
 }
 

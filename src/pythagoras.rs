@@ -117,7 +117,7 @@ impl GasBox {
     /// The box with sides AR and RB (m) and the angle `gamma` between them at R (radians), A at the origin, R on the x-axis.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::NotPositive`] for a side; [`Error::OutOfRange`] unless 0 < γ < π; otherwise as [`Self::new`].
+    /// [`Error::NotFinite`], [`Error::NotPositive`] for a side; [`Error::OutOfRange`] unless 0 ≤ γ ≤ π; otherwise as [`Self::new`], which γ = 0 does not pass.
     ///
     /// ```
     /// use spinning_bodies::pythagoras::GasBox;
@@ -279,8 +279,10 @@ pub fn opposite_side(ar: f64, rb: f64, gamma: f64) -> Result<f64> {
 pub fn reversal_angle(ar: f64, rb: f64) -> Result<Option<f64>> {
     let ar = positive("the side AR", ar)?;
     let rb = positive("the side RB", rb)?;
-    let ratio = (rb / ar) * 0.5;
-    Ok((ratio <= 1.0).then(|| 2.0 * ((1.0 - ratio) / (1.0 + ratio)).sqrt().atan()))
+    // Of a size that can be doubled and halved; next to γ = 0 the difference of the two is exact.
+    let unit = power_of_two_below(ar.max(rb));
+    let (ar, half) = (ar / unit, 0.5 * (rb / unit));
+    Ok((half <= ar).then(|| 2.0 * ((ar - half) / (ar + half)).sqrt().atan()))
 }
 
 /// Torques of a gas on the sides of any polygon about any hinge, per unit pressure × height, m², anticlockwise positive (9.1).

@@ -175,6 +175,15 @@ fn s9_2_change_of_sense() {
     // A long RB never changes its sense.
     assert_eq!(reversal_angle(1.0, 2.1), Ok(None));
     assert_eq!(reversal_angle(1.0, 2.0), Ok(Some(0.0)));
+    // One unit shorter than twice AR, RB = 2AR(1 − δ): 1 − cos γ = δ, at any size.
+    let delta = f64::exp2(-50.0) / 6.0;
+    for unit in [0.0, -1000.0, 1020.0].map(|exponent| 3.0 * f64::exp2(exponent)) {
+        let flip = reversal_angle(unit, (2.0 * unit).next_down()).unwrap();
+        let expected = 2.0 * (0.5 * delta).sqrt().asin();
+        observed!(relative(flip.unwrap(), expected), 0.0..=5e-16);
+    }
+    let least = reversal_angle(5e-324, 5e-324).unwrap().unwrap();
+    observed!(relative(least, FRAC_PI_3), 0.0..=3e-16);
 }
 
 // claim: C9.2-1, C9.1-6

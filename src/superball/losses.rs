@@ -86,11 +86,19 @@ impl Restitution {
         if self.normal == 0.0 {
             return Ok(Some(1));
         }
-        // Logarithms of the exact difference from one: next to e = 1 nothing is lost.
-        let wanted = (least / speed).ln() / (self.normal - 1.0).ln_1p();
+        let wanted = logarithm_of_ratio(least, speed) / logarithm_of_ratio(self.normal, 1.0);
         Ok(wanted
             .is_finite()
             .then(|| (wanted * (1.0 - 4.0 * f64::EPSILON)).ceil() as u64))
+    }
+}
+
+/// ln(part/whole), next to 1 from their exact difference, and where the quotient is no normal number from two logarithms.
+fn logarithm_of_ratio(part: f64, whole: f64) -> f64 {
+    match part / whole {
+        ratio if ratio > 0.5 => ((part - whole) / whole).ln_1p(),
+        ratio if ratio.is_normal() => ratio.ln(),
+        _ => part.ln() - whole.ln(),
     }
 }
 

@@ -291,9 +291,10 @@ where
 /// ```
 pub fn reach(kappa: f64) -> Result<[f64; 2]> {
     let kappa = positive("the inertia factor", kappa)?;
-    let half_width = 0.5 * (1.0 + kappa.recip()).sqrt();
-    let greatest = finite("the reach", half_width - 0.5)?;
-    Ok([-0.5 - half_width, greatest])
+    let inverse = finite("the reach", kappa.recip())?;
+    let width = (1.0 + inverse).sqrt();
+    // ½(√(1 + 1/κ) − 1) without the difference.
+    Ok([-0.5 - 0.5 * width, 0.5 * inverse / (width + 1.0)])
 }
 
 /// The whole sequence at once (4.6): in the metric of the energy a double bounce is a rotation by 2δ, cos δ = (1−κ)/(1+κ).
@@ -441,7 +442,8 @@ pub struct SpringBounce {
 /// Error: a few units in the last place times (1 + √tuning).
 ///
 /// # Errors
-/// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::NotPositive`](crate::Error::NotPositive) for κ; [`Error::Negative`](crate::Error::Negative) for the tuning.
+/// [`Error::NotFinite`](crate::Error::NotFinite), also for speeds that overflow; [`Error::NotPositive`](crate::Error::NotPositive) for κ;
+/// [`Error::Negative`](crate::Error::Negative) for the tuning.
 ///
 /// ```
 /// use spinning_bodies::superball::{Motion, Surface, spring_bounce};
@@ -465,10 +467,12 @@ pub fn spring_bounce(
     let part = sin * sin;
     let full = bounce(before, surface, kappa);
     let blend = |before: f64, after: f64| (1.0 - part) * before + part * after;
+    let velocity = blend(before.velocity, full.velocity);
+    let rim_speed = blend(before.rim_speed, full.rim_speed);
     Ok(SpringBounce {
         motion: Motion {
-            velocity: blend(before.velocity, full.velocity),
-            rim_speed: blend(before.rim_speed, full.rim_speed),
+            velocity: finite("the velocity after the bounce", velocity)?,
+            rim_speed: finite("the rim speed after the bounce", rim_speed)?,
         },
         kept_by_spring: (2.0 * sin * cos).powi(2),
     })

@@ -213,6 +213,17 @@ fn s4_6_bounces_that_pile_up() {
     close!(done, (2.0_f64 / 9.81).sqrt() * (2.0 - 1e-6) / 1e-6, 1e-10);
     // ln 10⁶/(10⁻⁶ + 10⁻¹²/2 + …) = 13 815 503.65.
     assert_eq!(dull.bounces_down_to(1.0, 1e-6).unwrap(), Some(13_815_504));
+    // A ball that is all but dead, and speeds whose quotient no double holds.
+    let bounces = |e, speed, least| {
+        let ball = Restitution::new(e, 0.6).unwrap();
+        ball.bounces_down_to(speed, least).unwrap()
+    };
+    assert_eq!(bounces(1e-20, 8.0, 1.0), Some(1));
+    assert_eq!(bounces(1e-10, 1.0, 1e-30), Some(3));
+    assert_eq!(bounces(0.5, 1e300, 1e-300), Some(1994)); // 600 ln 10/ln 2 = 1993.2
+    // Two units less than 5 is 3.2 · 2⁻⁵³ of it, and each bounce takes 2⁻⁵³.
+    let least = 5.0_f64.next_down().next_down();
+    assert_eq!(bounces(1.0_f64.next_down(), 5.0, least), Some(4));
     let elastic = Restitution::new(1.0, 0.6).unwrap();
     assert_eq!(elastic.bounces_down_to(1.0, 0.5).unwrap(), None);
     assert_eq!(elastic.path_of_a_drop(1.0).unwrap(), f64::INFINITY);

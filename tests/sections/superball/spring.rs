@@ -49,3 +49,9 @@ fn s4_6_spring_contact() -> Result<()> {
     assert_eq!(floor, moving(ceiling.velocity, -ceiling.rim_speed));
     Ok(())
 }
+
+#[test]
+fn a_spring_has_no_speed_beyond_the_doubles() {
+    let before = moving(1e308, -1e308);
+    refused!(spring_bounce(before, Surface::Floor, 0.4, 1.0), NotFinite);
+}

@@ -85,6 +85,10 @@ fn s4_6_it_comes_back_out() {
     let light = UnderTable::new(start, 1e-12).positions().nth(99).unwrap();
     observed!(relative(light, 100.0), 2e-9..=7e-8);
     assert!(reach(1e-12).unwrap()[1] > 4e5 && reach(0.0).is_err());
+    // On the rim and beyond, ½(√(1 + 1/κ) − 1) is a small difference: ½(√2 − 1), and 1/4κ − 1/16κ² + ….
+    let [hoop, beyond] = [1.0, 1e10].map(|kappa| reach(kappa).unwrap()[1]);
+    observed!(relative(hoop, 0.207_106_781_186_547_52), 0.0..=3e-16);
+    observed!(relative(beyond, 2.5e-11 * (1.0 - 2.5e-11)), 0.0..=3e-16);
 }
 
 // claim: C4.6-12

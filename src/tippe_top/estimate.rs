@@ -137,7 +137,7 @@ impl HoopWithClay {
 
     /// Time from tilt θ₀, where the spin about the vertical is Ω, to tilt θ₁ with [`refined_rate`](Self::refined_rate): s.
     ///
-    /// In closed form; from 0 to π it is [`tip_over_time`](Self::tip_over_time) × (1+α)^(−3/2) (1−α)^(−1/2). Domain: 0 ≤ θ₀, θ₁ ≤ π.
+    /// In closed form, a difference that loses (1−α)^(−3/2) where α is next to 1; from 0 to π it is [`tip_over_time`](Self::tip_over_time) × (1+α)^(−3/2) (1−α)^(−1/2). Domain: 0 ≤ θ₀, θ₁ ≤ π.
     ///
     /// ```
     /// use spinning_bodies::tippe_top::HoopWithClay;

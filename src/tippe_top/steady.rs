@@ -192,7 +192,10 @@ impl TippeTop {
         self.steady_jellett(0.0).map(|jellett| jellett / unit)
     }
 
-    /// Least spin (rad/s) about the upright axis at which it turns over completely, if any.
+    /// Least spin (rad/s) about the upright axis at which it turns over completely, if any: enough to rise, and enough to stand on its head.
+    ///
+    /// Between the two nothing holds it: λ of the [steady states](Self::steady_jellett) is greatest at an end. Mostly the head asks for more; for γ
+    /// little above 1 − α, rising does.
     ///
     /// ```
     /// use spinning_bodies::tippe_top::TippeTop;
@@ -206,7 +209,10 @@ impl TippeTop {
     pub fn least_spin_to_invert(&self) -> Option<f64> {
         let unit = self.jellett_of_spin(1.0, 0.0);
         match self.inversion() {
-            Inversion::Complete => self.steady_jellett(PI).map(|jellett| jellett / unit),
+            Inversion::Complete => {
+                let [rise, stand] = [self.least_spin_to_rise()?, self.steady_jellett(PI)? / unit];
+                Some(rise.max(stand))
+            }
             Inversion::Never | Inversion::Partial => None,
         }
     }

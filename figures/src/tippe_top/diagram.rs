@@ -39,7 +39,9 @@ fn release(values: &Values) -> Point {
 pub fn energies(values: &Values) -> Result<Figure> {
     let top = chosen(values)?;
     let unit = top.jellett_of_spin(1.0, 0.0);
-    let (rise, invert) = (top.least_spin_to_rise(), top.least_spin_to_invert());
+    let (rise, over) = (top.least_spin_to_rise(), top.least_spin_to_invert());
+    // Where the branch of the inverted states begins, which may be below the spin that takes a top there.
+    let invert = over.and(top.steady_jellett(PI)).map(|j| j / unit);
     let spins = [SPINS[0], values.of(&CHOSEN), SPINS[1]];
     let falls = tried(spins, |spin| {
         let rows = run(&tippe_scene(&top, spin, 0.3)?, 14.0, 28, 1e-2)?;

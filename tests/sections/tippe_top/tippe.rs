@@ -54,6 +54,24 @@ fn s4_7_thresholds_and_final_tilts() {
     }
 }
 
+/// Of round tops from one end of complete inversion to the other: less spin leaves them short of their heads, more does not.
+#[test]
+fn the_least_spin_that_inverts_inverts() {
+    for alpha in [0.1, 0.3, 0.6] {
+        for part in [0.01, 0.1, 0.3, 0.9] {
+            let gamma = 1.0 - alpha + 2.0 * alpha * part;
+            let top = TippeTop::new(0.02, 0.02, alpha, MR2 * 0.4 * gamma, MR2 * 0.4, 9.82).unwrap();
+            let spin = top.least_spin_to_invert().unwrap();
+            let ends = |part: f64| top.final_tilt(top.jellett_of_spin(part * spin, 0.0), 0.0);
+            assert!(
+                ends(0.999).unwrap() < PI && ends(1.001).unwrap() == PI,
+                "{alpha} {gamma}"
+            );
+            assert!(spin >= top.least_spin_to_rise().unwrap());
+        }
+    }
+}
+
 #[test]
 fn s4_7_where_the_motion_ends_is_where_the_closed_form_says() {
     // claim: C4.7-12, C4.7-19

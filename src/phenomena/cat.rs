@@ -303,8 +303,9 @@ impl EqualHalves {
         Ok(TAU * self.turn_back(bendable(angle)?))
     }
 
-    /// The bend γ, radians, that turns the cat by exactly half a turn: with c = cos(γ/2) and a = I/J,
-    /// c = a/(√(1 + a(a − 1)) + 1), in J/I, which is at most 2.
+    /// The bend γ, radians, that turns the cat by exactly half a turn: cos(γ/2) = 1/(r + s) with r = J/I, at most 2, and s = √(1 + r(r − 1)).
+    ///
+    /// Formed as tan²(γ/4) = r(r + s)/((1 + s)(1 + r + s)), so that a slender cat's keeps its digits: 3 ulp.
     ///
     /// ```
     /// use spinning_bodies::phenomena::EqualHalves;
@@ -315,8 +316,9 @@ impl EqualHalves {
     /// ```
     pub fn half_turn_bend(&self) -> f64 {
         let ratio = self.axial / self.transverse;
-        // Written so that a = 1 is no exception: there c = 1/2.
-        2.0 * (1.0 / ((1.0 + ratio * (ratio - 1.0)).sqrt() + ratio)).acos()
+        let root = (1.0 + ratio * (ratio - 1.0)).sqrt();
+        let (sum, whole) = (ratio + root, 1.0 + root);
+        4.0 * (ratio * sum / (whole * (1.0 + sum))).sqrt().atan()
     }
 
     /// The turn, radians, when the bend is γ_forward at ψ = 0 and γ_back at ψ = π, and swings as (γ_f + γ_b)/2 + (γ_f − γ_b)/2 cos ψ:

@@ -113,6 +113,10 @@ fn s1_1_the_reconstructed_cat_turns_over() {
         let whole = closed.turn_of_uneven_swing(forward, back).unwrap();
         observed!(relative(TAU - whole, turn), 0.0..=1e-12);
     }
+    // A cat like a needle bends by 2√(J/I) (1 + J/6I + …).
+    let needle = EqualHalves::new(1e-12, 1.0).unwrap();
+    let bend = 2e-6 * (1.0 + 1e-12 / 6.0);
+    observed!(relative(needle.half_turn_bend(), bend), 0.0..=5e-16);
     let reachable = closed.turn_of_uneven_swing(0.5, PI).unwrap() > PI;
     let bend = closed.back_bend_for_half_turn(0.5).unwrap();
     assert_eq!(bend.is_some(), reachable);

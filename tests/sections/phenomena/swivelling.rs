@@ -145,6 +145,15 @@ fn s1_1_the_turn_is_an_area_and_the_pace_does_not_matter() -> Result<()> {
         rate: [s.cos(), s.cos()],
     };
     observed!(turn_along(&plane, line)?.abs(), 0.0..=1e-15);
+    // A rim with 32 waves, or 512, from whose crests alone the circle would seem wider: −∮ (2 + a cos ks)/(…) ds = −2π(1 − 1/√(9 − a²)).
+    for waves in [1.0, 32.0, 512.0] {
+        let rim = |s: f64| Step {
+            shape: [2.0 + 0.5 * (waves * s).cos(), s],
+            rate: [-0.5 * waves * (waves * s).sin(), 1.0],
+        };
+        let truth = -TAU * (1.0 - 1.0 / 8.75_f64.sqrt());
+        observed!(relative(turn_along(&plane, rim)?, truth), 0.0..=2e-15);
+    }
     Ok(())
 }
 

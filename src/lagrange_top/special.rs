@@ -268,13 +268,19 @@ pub fn dip(transverse: f64, weight_moment: f64, l3: f64, tilt: f64) -> Result<Di
     let [less, more] = [one_less, one_more].map(|x| x.narrow().value());
     let lowest_tilt = 2.0 * less.sqrt().atan2(more.sqrt());
     // cos θ₀ − cos θ₁ = 2 sin((θ₁ − θ₀)/2) sin((θ₁ + θ₀)/2).
-    let middle = (0.5 * (tilt + lowest_tilt)).sin();
-    let half = (0.5 * fall.narrow().value() / middle).min(1.0);
+    let middle = s * (0.5 * more).sqrt() + c * (0.5 * less).sqrt();
+    let half = 0.5 * fall.narrow().value() / middle;
+    // Of a deep fall the sine says little, and the difference of the tilts loses nothing: from 60° on both are right to a few units.
+    let depth = if half < 0.5 {
+        2.0 * half.asin()
+    } else {
+        lowest_tilt - tilt
+    };
     let sine = tilt.sin();
     Ok(Dip {
         lowest_height: 0.5 * (more - less),
         lowest_tilt,
-        depth: 2.0 * half.asin(),
+        depth,
         cycloid: Cycloid {
             radius: if square.is_zero() {
                 f64::INFINITY

@@ -94,6 +94,15 @@ fn s7_4_the_dip_is_that_of_the_motion() {
         observed!(off, 0.0..=5e-16);
     }
     assert_eq!(dip(1.0, 1.0, 0.0, 1.0).unwrap().lowest_tilt, PI);
+    // Without spin it falls through the bottom, from next to the top and from next to the bottom; π is 1.2e-16 more than its double.
+    for tilt in [1e-10, 0.01, 2.0, PI - 1e-10] {
+        let fallen = dip(1.0, 1.0, 0.0, tilt).unwrap().depth;
+        observed!(
+            relative(fallen, PI - tilt + 1.2246467991473532e-16),
+            0.0..=4e-16,
+            "{tilt}"
+        );
+    }
 }
 
 #[test]

@@ -102,7 +102,8 @@ impl RoundBody {
 
     /// Slip of the contact point after a level stroke at height H, in units of V': (V' − RΩ')/V' = 1 − (H−R)/(κR) (4.3).
     ///
-    /// Formed as ((1+κ) − H/R)/κ: zero exactly at [`Self::pure_rolling_height`], and within two roundings elsewhere.
+    /// Formed as ((1+κ) − H/R)/κ: zero exactly at [`Self::pure_rolling_height`], and elsewhere within two roundings, of which that of 1+κ is ε/2κ in the slip:
+    /// much for a body of next to no inertia.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::OutOfRange`](crate::Error::OutOfRange) if the cue misses, H outside 0…2R.

@@ -2,7 +2,7 @@
 
 use super::shot::RoundBody;
 use super::{Coulomb, Course, Load, Moment, RollingResistance};
-use crate::error::{Result, not_negative, positive, within};
+use crate::error::{Result, finite, not_negative, positive, within};
 
 /// A spool on a table: discs of the radius of a [`RoundBody`] and a thinner axle between them.
 ///
@@ -199,7 +199,7 @@ impl Spool {
     }
 
     /// The largest tension (N) that friction μ (dimensionless) lets roll without slipping at this angle (rad), with gravity g (m/s²): what "gently"
-    /// means (4.4). |f| ≤ μ(Mg − T sin θ), solved for T. Never more than [`Self::lift_off_tension`].
+    /// means (4.4). |f| ≤ μ(Mg − T sin θ), solved for T. Never more than [`Self::lift_off_tension`], and that where no friction is needed.
     ///
     /// # Errors
     /// As [`Self::way`]; [`Error::Negative`](crate::Error::Negative) for μ; [`Error::NotPositive`](crate::Error::NotPositive) for g.
@@ -214,9 +214,12 @@ impl Spool {
     pub fn largest_gentle_tension(&self, angle: f64, friction: f64, gravity: f64) -> Result<f64> {
         let angle = tug_angle(angle)?;
         let friction = not_negative("the coefficient of friction", friction)?;
-        let weight = self.body.mass() * positive("the acceleration of gravity", gravity)?;
-        let grip = self.needed(angle).abs() + friction * angle.sin();
-        Ok(friction * weight / grip)
+        let weight = self.weight(gravity)?;
+        let needed = self.needed(angle).abs();
+        if needed == 0.0 {
+            return self.lift_off_tension(angle, gravity);
+        }
+        Ok(friction * weight / (needed + friction * angle.sin()))
     }
 
     /// The tension (N) that lifts the spool off the table, Mg/sin θ; infinite for a level tug (4.4).
@@ -232,11 +235,17 @@ impl Spool {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn lift_off_tension(&self, angle: f64, gravity: f64) -> Result<f64> {
-        let weight = self.body.mass() * positive("the acceleration of gravity", gravity)?;
+        let weight = self.weight(gravity)?;
         Ok(weight / tug_angle(angle)?.sin())
     }
 
-    /// Where the line of force meets the table, m in front of the point of contact (+x); infinite for a level tug at R > r (4.4, pictures e–g).
+    fn weight(&self, gravity: f64) -> Result<f64> {
+        let gravity = positive("the acceleration of gravity", gravity)?;
+        finite("the weight", self.body.mass() * gravity)
+    }
+
+    /// Where the line of force meets the table, m in front of the point of contact (+x); infinite for a level tug, but 0 at R = r, when it lies in the table
+    /// (4.4, pictures e–g).
     ///
     /// The string touches the axle at r(sin θ, −cos θ) from the centre.
     ///
@@ -252,6 +261,9 @@ impl Spool {
     /// ```
     pub fn foot_of_the_line(&self, angle: f64) -> Result<f64> {
         let (sin, cos) = tug_angle(angle)?.sin_cos();
+        if self.ratio == cos {
+            return Ok(0.0);
+        }
         Ok(self.body.radius() * (self.ratio - cos) / sin)
     }
 

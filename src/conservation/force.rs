@@ -20,7 +20,7 @@ pub struct ForceAndTorque {
 ///
 /// # Errors
 /// [`Error::NotPositive`](crate::Error::NotPositive) or [`Error::NotFinite`](crate::Error::NotFinite) for the
-/// mass, `NotFinite` for a vector.
+/// mass, `NotFinite` for a vector, or where force or torque overflows.
 ///
 /// ```
 /// use spinning_bodies::{conservation::uniform_gravity, frame::SpaceVector};
@@ -39,10 +39,11 @@ pub fn uniform_gravity(
     finite_vector("the centre of mass", center)?;
     finite_vector("the point that torque is taken about", about)?;
     finite_vector("gravity", gravity)?;
-    let force = mass * gravity;
+    let force = finite_vector("the weight", mass * gravity)?;
+    let torque = (center - about).cross(&force);
     Ok(ForceAndTorque {
         force,
-        torque: (center - about).cross(&force),
+        torque: finite_vector("the torque of the weight", torque)?,
     })
 }
 

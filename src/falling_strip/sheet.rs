@@ -4,7 +4,7 @@ use core::f64::consts::PI;
 
 use super::fall::{Coefficients, Fall, Regime, Start};
 use super::plate::Plate;
-use crate::error::{Error, Result, positive};
+use crate::error::{Error, Result, finite, positive};
 use crate::integrators::halved;
 
 /// Where flutter goes over into tumbling, as a Froude number: measured value and its uncertainty.
@@ -71,8 +71,9 @@ impl Sheet {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn width_for(&self, mass_ratio: f64) -> Result<f64> {
-        Ok(4.0 * self.areal_density
-            / (PI * self.fluid_density * positive("the mass ratio", mass_ratio)?))
+        let ratio = positive("the mass ratio", mass_ratio)?;
+        let width = 4.0 * self.areal_density / (PI * self.fluid_density * ratio);
+        finite("the width of the strip", width)
     }
 
     /// I* = 4σ/(π ρ w): the mass of the strip over that of the air cylinder around it. Dimensionless.

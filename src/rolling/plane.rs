@@ -44,7 +44,7 @@ impl RoundBody {
     /// From sliding in any direction to rolling, under Coulomb's friction. Closed form; κ|u|/((1+κ)μg) seconds of parabola.
     ///
     /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::NotPositive`](crate::Error::NotPositive) for μ or g.
+    /// [`Error::NotFinite`](crate::Error::NotFinite), also for what overflows; [`Error::NotPositive`](crate::Error::NotPositive) for μ or g.
     ///
     /// ```
     /// use spinning_bodies::rolling::{InPlane, RoundBody};
@@ -58,6 +58,7 @@ impl RoundBody {
     pub fn slide_in_plane(&self, start: InPlane, friction: f64, gravity: f64) -> Result<Slide> {
         let strength = positive("the coefficient of friction", friction)?
             * positive("the acceleration of gravity", gravity)?;
+        let strength = finite("the deceleration by friction", strength)?;
         each_finite(
             "a velocity",
             start.velocity.iter().chain(&start.rim_velocity).copied(),
@@ -70,6 +71,10 @@ impl RoundBody {
             [-strength * (x / size), -strength * (y / size)]
         };
         let kappa = self.inertia_factor();
+        let rolling = [0, 1].map(|i| {
+            (start.velocity[i] + kappa * start.rim_velocity[i]) / self.pure_rolling_height()
+        });
+        each_finite("the velocity of rolling", rolling)?;
         Ok(Slide {
             start,
             friction,
@@ -78,9 +83,7 @@ impl RoundBody {
                 kappa / self.pure_rolling_height() * size / strength,
             )?,
             kappa,
-            rolling: [0, 1].map(|i| {
-                (start.velocity[i] + kappa * start.rim_velocity[i]) / self.pure_rolling_height()
-            }),
+            rolling,
         })
     }
 }

@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::body::ConvexBody;
 use super::friction::Regularised;
 use super::growth::{Rate, quasi_steady};
-use crate::error::{Result, positive};
+use crate::error::{Result, finite, positive};
 use crate::frame::{Attitude, BodyVector};
 use crate::inertia::InertiaMatrix;
 
@@ -19,7 +19,7 @@ use crate::inertia::InertiaMatrix;
 /// |I|³.
 ///
 /// # Errors
-/// [`Error::ZeroVector`](crate::Error::ZeroVector), [`Error::NotFinite`](crate::Error::NotFinite) for the axis.
+/// [`Error::ZeroVector`](crate::Error::ZeroVector), [`Error::NotFinite`](crate::Error::NotFinite) for the axis, and where |I|³ overflows.
 ///
 /// ```
 /// use spinning_bodies::{frame::BodyVector, inertia::InertiaMatrix, tippe_top::chirality_index};
@@ -32,7 +32,10 @@ pub fn chirality_index(inertia: &InertiaMatrix, axis: BodyVector) -> Result<f64>
     let k = axis.direction("the axis CK")?.components();
     let matrix = inertia.matrix();
     let image = matrix * k;
-    Ok(k.dot(&image.cross(&(matrix * image))))
+    finite(
+        "the chirality index",
+        k.dot(&image.cross(&(matrix * image))),
+    )
 }
 
 /// The slow swing of small perturbations for spin in both senses, anticlockwise first, at `spin` (rad/s) under gravity g: whether the top

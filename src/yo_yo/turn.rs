@@ -4,7 +4,7 @@ use core::f64::consts::{FRAC_2_PI, FRAC_PI_4};
 
 use super::YoYo;
 use crate::elliptic::{Modulus, Parameter, incomplete_first};
-use crate::error::{Error, Result, not_negative, positive};
+use crate::error::{Error, Result, finite, not_negative, positive};
 
 /// The turn: the string is all out, and the axle swings half round its end.
 ///
@@ -85,8 +85,14 @@ impl Turn {
             omega,
             fastest,
             duration,
-            mean_tension: weight + 2.0 * mass * r * omega / duration,
-            mean_tension_at_constant_spin: weight + FRAC_2_PI * mass * r * omega * omega,
+            mean_tension: finite(
+                "the pull of the string",
+                weight + 2.0 * mass * r * omega / duration,
+            )?,
+            mean_tension_at_constant_spin: finite(
+                "the pull of the string",
+                weight + FRAC_2_PI * mass * r * omega * omega,
+            )?,
             toy,
             gravity,
             pull,

@@ -206,6 +206,15 @@ fn s3_2_angular_momentum_about_any_point() {
     assert_ne!(aside, V::zero());
 }
 
+#[test]
+fn s3_2_a_weight_beyond_the_doubles_is_refused() {
+    let [o, far] = [0.0, 1e200].map(|x| SpaceVector::new(x, 0.0, 0.0));
+    let weigh = |mass: f64, g: f64| uniform_gravity(mass, far, o, SpaceVector::new(0.0, 0.0, -g));
+    refused!(weigh(1e200, 1e200), NotFinite, "the weight");
+    refused!(weigh(1e200, 1.0), NotFinite, "the torque of the weight");
+    assert!(weigh(1.0, 1.0).is_ok());
+}
+
 // claim: C3.2-4, C3.2-5
 #[test]
 fn s3_2_uniform_gravity_acts_at_the_centre_of_mass() -> Result<()> {

@@ -203,3 +203,9 @@ fn what_is_no_strip_is_refused() {
     let bracket = transition(Coefficients::PAPER, 0.6, 0.8, 1e-3, 100.0);
     refused!(bracket, Condition);
 }
+
+#[test]
+fn a_strip_wider_than_any_double_is_refused() {
+    let paper = Sheet::of_paper(0.04).unwrap();
+    refused!(paper.width_for(5e-324), NotFinite, "the width of the strip");
+}

@@ -268,3 +268,13 @@ fn what_is_no_yo_yo_is_refused() {
     let off = (turn.at(FRAC_PI_2).unwrap().angle - FRAC_PI_2).abs();
     observed!(off, 0.0..=1e-15);
 }
+
+#[test]
+fn a_pull_beyond_the_doubles_is_refused() {
+    let heavy = YoYo::new(1e308, 1e308, 1.0, 0.1).unwrap();
+    refused!(
+        Turn::new(heavy, G, 100.0),
+        NotFinite,
+        "the pull of the string"
+    );
+}

@@ -272,3 +272,18 @@ fn the_friction_that_jams_a_sliding_rod() {
     }
     assert_eq!(painleve_friction(1.0, 0.0), Ok(f64::INFINITY));
 }
+
+#[test]
+fn sliding_with_forces_or_speeds_beyond_the_doubles_is_refused() {
+    let body = RoundBody::new(1.0, 1.0, 1.0).unwrap();
+    let start = InPlane {
+        velocity: [1.7e308, 0.0],
+        rim_velocity: [1.7e308, 1.0],
+    };
+    refused!(body.slide_in_plane(start, 0.2, G), NotFinite);
+    let start = InPlane {
+        velocity: [1.0, 0.0],
+        rim_velocity: [0.0; 2],
+    };
+    refused!(body.slide_in_plane(start, 1e200, 1e200), NotFinite);
+}

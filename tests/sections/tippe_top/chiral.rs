@@ -199,3 +199,15 @@ fn s4_7_growth_rates_of_first_and_second_order_in_friction() {
         }
     }
 }
+
+#[test]
+fn a_handedness_beyond_the_doubles_is_refused() {
+    let skew = Matrix3::new(0.48, 0.01, 0.02, 0.01, 0.42, 0.03, 0.02, 0.03, 0.53);
+    let huge = InertiaMatrix::from_matrix(skew * 1e150).unwrap();
+    let axis = BodyVector::new(0.0, 0.0, 1.0);
+    refused!(
+        chirality_index(&huge, axis),
+        NotFinite,
+        "the chirality index"
+    );
+}

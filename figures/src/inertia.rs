@@ -260,16 +260,16 @@ pub fn quiz(_: &Values) -> Result<Figure> {
     let edges = corners + faces - 2;
     let [first, second, third] = [corners, edges, faces].map(|ends| ends / 2);
     let words = words!(
-        "A cube can be spun through two of its corners, two of its edges or two of its faces.",
-        "There are {first} axes of the first kind, {second} of the second and {third} of the third, all through the centre. About which is the cube hardest to turn?",
+        "An axle can go through two corners of a cube, through two edges or through two faces.",
+        "There are {first} axles of the first kind, {second} of the second and {third} of the third, all through the centre. About which is the cube hardest to turn?",
         "Three equal cubes, each on an axle through its centre with a bent arrow round it. The first axle goes through opposite corners, the second through the midpoints of \
          opposite edges, the third through the centres of opposite faces. Nothing tells which cube is hardest to turn."
     );
     Ok(figure("cube-quiz", 236.0, words, |pen| {
         let half = Vector::repeat(0.5);
         let kinds = [
-            ("corners", [-0.5, 0.5, 0.5]),
-            ("edges", [0.0, 0.5, 0.5]),
+            ("corners", [0.5, -0.5, 0.5]),
+            ("edges", [0.5, -0.5, 0.0]),
             ("faces", [0.0, 0.0, 0.5]),
         ];
         for (k, (name, through)) in kinds.into_iter().enumerate() {
@@ -278,7 +278,7 @@ pub fn quiz(_: &Values) -> Result<Figure> {
                 continue;
             };
             let through = Vector::from(through);
-            let end = through + through.normalize() * 0.5;
+            let end = through + through.normalize() * 0.42;
             let line = segment(-end, end, 400);
             let [seen, hidden] = view.split(&line, |p| !box_hides(&half, p, &view.toward));
             pen.lines(hidden, inked(AXIS).dotted());

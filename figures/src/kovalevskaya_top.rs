@@ -279,7 +279,7 @@ pub fn classes(values: &Values) -> Result<Figure> {
     );
 
     let inside = |[e, h]: &Point| (least..=greatest).contains(e) && (0.0..=highest).contains(h);
-    let x = |e: f64| 46.0 + 486.0 * (e - least) / (greatest - least);
+    let x = |e: f64| 46.0 + 446.0 * (e - least) / (greatest - least);
     let y = |h: f64| 262.0 - 236.0 * h / highest;
     motions.retain(inside);
     let made = figure("appelrot-classes", 300.0, words, |pen| {
@@ -294,10 +294,10 @@ pub fn classes(values: &Values) -> Result<Figure> {
         }
         // Each line has its name where it ends.
         let shared = [
-            (diagram.shared_upper(greatest), "*e*_{4}"),
-            (diagram.shared_lower(greatest), "*e*_{5}"),
+            (diagram.shared_upper(greatest), "root = *e*_{4}"),
+            (diagram.shared_lower(greatest), "root = *e*_{5}"),
         ];
-        let own = ends.into_iter().flatten().map(|h| (h, "cubic"));
+        let own = ends.into_iter().flatten().map(|h| (h, "two equal"));
         let named = shared.into_iter().chain(own);
         let named = named.filter(|(h, _)| (0.0..=highest).contains(h));
         let (heights, names): (Vec<f64>, Vec<&str>) = named.map(|(h, name)| (y(h), name)).unzip();

@@ -182,7 +182,7 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
         // Each corner's letter stands away from the middle of the box.
         let middle = between(a, between(r, b, 0.5), 2.0 / 3.0);
         for (corner, name) in corners.into_iter().zip(["*A*", "*R*", "*B*"]) {
-            let out = between(corner, middle, -21.0 / distance(corner, middle));
+            let out = between(corner, middle, -26.0 / distance(corner, middle));
             pen.label(shifted(out, [0.0, 6.0]), Middle, name);
         }
         let sign = |k: usize| match shown[k].strip_prefix('\u{2212}') {

@@ -22,7 +22,7 @@ parameters! {
 const CONTACT: Point = [206.0, 318.0];
 const RADIUS: f64 = 121.0;
 /// Where cues begin, and where the slip is zero, units.
-const BUTT: f64 = 46.0;
+const BUTT: f64 = 54.0;
 const ZERO: f64 = 446.0;
 /// Where the spin is shown, units.
 const DIAL: f64 = 348.0;
@@ -109,7 +109,7 @@ pub fn billiard(values: &Values) -> Result<Figure> {
             };
             pen.arrow([BUTT, y], [touch - 1.0, y], inked(width));
             let name = short(height, 2);
-            pen.text([BUTT - 6.0, y + 5.0], End, &name, lettering);
+            pen.text([BUTT - 14.0, y + 5.0], End, &name, lettering);
 
             let dial = [DIAL, y];
             let hand = FRAC_PI_2 - rim_speed;

@@ -90,20 +90,20 @@ pub fn speeds(values: &Values) -> Result<Figure> {
     let bottom = 352.0;
     let made = figure("withdrawn-sheet", 376.0, words, |pen| {
         let edge = x(leaves);
-        pen.fill(boxed([x(0.0), 14.0], [edge, bottom]), Ink, 0.06);
+        pen.fill(boxed([x(0.0), 20.0], [edge, bottom]), Ink, 0.06);
         // Beside each other if both fit, else one above the other.
         let (on, off) = ("on the sheet", "on the table");
         if edge - x(0.0) > 100.0 {
-            pen.note([x(0.0) + 8.0, 32.0], Start, on);
-            pen.note([edge + 10.0, 32.0], Start, off);
+            pen.note([x(0.0) + 8.0, 38.0], Start, on);
+            pen.note([edge + 10.0, 38.0], Start, off);
         } else {
             let text = format!("grey: {on}; then {off}");
-            pen.note([edge + 10.0, 32.0], Start, &text);
+            pen.note([edge + 10.0, 38.0], Start, &text);
         }
         for y in [upper(0.0), lower(0.0)] {
             pen.line([[x(0.0), y], [x(until), y]], inked(AXIS));
         }
-        pen.line([[x(0.0), 14.0], [x(0.0), bottom]], inked(AXIS));
+        pen.line([[x(0.0), 20.0], [x(0.0), bottom]], inked(AXIS));
         let rule = [[x(stops), upper(0.0) - 20.0], [x(stops), bottom]];
         pen.line(rule, inked(HAIR).dashed());
         for axis in [&high, &low] {
@@ -113,16 +113,16 @@ pub fn speeds(values: &Values) -> Result<Figure> {
                 pen.note([x(0.0) - 8.0, y + 5.0], End, &text);
             }
         }
-        pen.note([8.0, 24.0], Start, "m/s");
+        pen.note([8.0, 12.0], Start, "speed, m/s");
         let milliseconds = Axis::linear([0.0, 1e3 * until], time.ends);
         for (t, text) in milliseconds.ticks(80.0).into_iter().skip(1) {
             let x = milliseconds.at(t);
             pen.line([[x, bottom - 3.0], [x, bottom + 3.0]], inked(AXIS));
-            if x < 535.0 {
+            if x < 500.0 {
                 pen.note([x, bottom + 20.0], Middle, &text);
             }
         }
-        pen.note([x(until), bottom + 20.0], End, "ms");
+        pen.note([x(until), bottom + 20.0], End, "time, ms");
         let moments = || corners.iter().map(|&t| (x(t), course.at(t)));
         let velocity = moments().map(|(x, m)| [x, upper(m.velocity)]);
         let rim = moments().map(|(x, m)| [x, upper(m.rim_speed)]);

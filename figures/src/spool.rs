@@ -151,7 +151,7 @@ pub fn dial(values: &Values) -> Result<Figure> {
         "Acceleration of a spool with $r/R = {axle}$, $M = 200$ g, $I = \\frac12MR^2$, tugged gently to the left with {tension} N, and steeper and steeper \
          until the hand is on the right. Each ray points along the tug and is as long as the acceleration is large. Ink: the spool rolls to the left and \
          winds string up, {most} m/s² at most. Grey: it rolls to the right and pays string out, up to {after} m/s² when the string is pulled back over the axle.",
-        "A half dial of rays over a spool, one every five degrees, counted from the left. Black rays on the left shrink from {most} at 0 degrees to nothing at {degrees} \
+        "A half dial of rays over a spool, one every five degrees, counted from the left. Rays on the left, in ink, shrink from {most} at 0 degrees to nothing at {degrees} \
          degrees; grey rays grow from there over {away} at 90 degrees, where the spool runs away from the hand, to {after} at 180 degrees, where it follows the hand."
     );
     let unit = LONGEST / back.abs();
@@ -171,9 +171,9 @@ pub fn dial(values: &Values) -> Result<Figure> {
         let ends = [place(44.0, critical), outside];
         pen.line(ends, stroke(Torque, 1.4).dotted());
         let name = place(INNER + 72.0, critical);
-        let spot = shifted(name, [4.0, -16.0]);
+        let spot = shifted(name, [-9.0, -16.0]);
         pen.text(spot, End, "cos θ = *r*/*R*", label(Torque));
-        let spot = shifted(name, [4.0, 2.0]);
+        let spot = shifted(name, [-9.0, 2.0]);
         pen.text(spot, End, &format!("θ = {degrees}°"), small(Torque));
         // The words stand clear of the rays, however long these are.
         let tip = |k: usize| INNER + unit * rays[k].1.abs();

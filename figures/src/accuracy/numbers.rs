@@ -51,7 +51,7 @@ pub fn three_numbers(_: &Values) -> Result<Figure> {
             let places = frame.trace(line.iter().copied());
             beaded(pen, &places, *style);
             if let Some(&end) = places.last() {
-                let aside = if k == 2 { [-26.0, 4.0] } else { [0.0, -14.0] };
+                let aside = if k == 2 { [-40.0, 4.0] } else { [0.0, -14.0] };
                 pen.text(shifted(end, aside), End, name, label(style.role()));
             }
         }

@@ -55,10 +55,7 @@ pub fn regimes(_: &Values) -> Result<Figure> {
             pen.note([x, y - 10.0], Middle, &text);
         }
         pen.remark([580.0, 100.0], End, "strips of paper, end on");
-        for (row, (name, y)) in rows
-            .iter()
-            .zip([("paper (our fit)", 170.0), ("published", 256.0)])
-        {
+        for (row, (name, y)) in rows.iter().zip([("our fit", 170.0), ("published", 256.0)]) {
             pen.label([40.0, y - 20.0], Start, name);
             // Stretches of one regime.
             let mut from = 0;

@@ -53,7 +53,7 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
         "The turn is the shaded charge inside the loop of shapes.",
         "Left, the swivel: twist $\\psi$ to the right, moment $A$ of the upper body upward, density $B/(A+B)^2$, $B = {below}$ kg m²; the rectangle of one cycle, arms out {out} kg m² and in {near} kg m², holds {held}°. \
          Right, the cat seen along its spine: bend $\\gamma$ outward to {widest}°, direction $\\psi$ around; the loop goes {bent}° forward and {behind}° backward, and \
-         holds {charge}°. Neither pace nor path inside a shape matters, only what the loop encloses.",
+         holds {charge}°. The pace does not matter, only what the loop encloses.",
         "Left, a plane shaded darker towards small moments of inertia, with a rectangular loop run through in four strokes, which holds {holds} degrees. Right, a disc \
          shaded in rings, with an oval loop around its centre that reaches out to {bent} degrees on one side and to {backward} on the other."
     );

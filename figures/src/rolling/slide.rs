@@ -48,8 +48,8 @@ pub fn lines(values: &Values) -> Result<Figure> {
         "Ball with $I = {factor}\\,MR^2$, struck at heights $H$ to the same velocity of {pace} m/s, friction $\\mu = {rough}$. Ink: velocity $V$ of the centre; blue: rim \
          speed $R\\Omega$. They meet at {finals} m/s. Skidding balls all slow down along one and the same line, and leave it one after the other, the last after {latest:.2} s; \
          struck above ${sweet}\\,R$, the ball speeds up.",
-        "Graph of speed against time. Five blue lines start at rim speeds from {least} to {most} metres a second, black lines at {pace}. \
-         Each blue line meets the black one at a dot, and both go on level, at {finals} metres a second."
+        "Graph of speed against time. Five lines of rim speed start from {least} to {most} metres a second, those of velocity at {pace}. \
+         Each pair meets at a dot, and both go on level, at {finals} metres a second."
     );
     let greatest = highest.max(-lowest).max(speed);
     let x = Axis::linear([0.0, until], [LEFT, RIGHT]);
@@ -62,14 +62,14 @@ pub fn lines(values: &Values) -> Result<Figure> {
         for (v, text) in y.ticks(38.0) {
             pen.tick_beside([LEFT, y.at(v)], &text);
         }
-        pen.note([8.0, 16.0], Start, "m/s");
+        pen.note([8.0, 14.0], Start, "speed, m/s");
         for (t, text) in x.ticks(75.0) {
             let across = x.at(t);
             let rule = [[across, BOTTOM - 3.0], [across, BOTTOM + 3.0]];
             pen.line(rule, inked(AXIS));
             pen.note([across, BOTTOM + 20.0], Middle, &text);
         }
-        pen.note([RIGHT + 24.0, BOTTOM + 20.0], Start, "s");
+        pen.note([590.0, BOTTOM + 20.0], End, "time, s");
         let mut name = BOTTOM;
         for (course, height) in courses.iter().zip(heights) {
             let start = course.at(0.0);

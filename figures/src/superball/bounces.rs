@@ -70,9 +70,8 @@ pub fn reflections(values: &Values) -> Result<Figure> {
         for (angle, name) in [(beta, "floor"), (-beta, "ceiling")] {
             let ends = [polar(CENTER, MIRROR, angle), polar(CENTER, -MIRROR, angle)];
             pen.line(ends, muted(DATA).dashed());
-            let shift = if angle > 0.0 { -4.0 } else { 16.0 };
-            let spot = [ends[0][0] + 6.0, ends[0][1] + shift];
-            pen.text(spot, Start, name, label(Muted));
+            // Clear of the ring with which the upper one is dragged.
+            pen.text(shifted(ends[0], [16.0, 5.0]), Start, name, label(Muted));
         }
         for pair in motions.windows(2) {
             let (from, to) = (point(&pair[0]), point(&pair[1]));

@@ -55,7 +55,7 @@ pub fn both_spins(values: &Values) -> Result<Figure> {
     let words = words!(
         "{claim}",
         "Tilt of the chiral top, a ball of $R = 2$ cm, released at {tilt:.0}° with {spun} rad/s about the vertical, $\\mu = {mu:.2}$. {told}",
-        "Tilt in degrees against time up to {END} seconds. Both curves, black clockwise and grey anticlockwise, start at {tilt:.0} degrees. {told}"
+        "Tilt in degrees against time up to {END} seconds. Both curves, clockwise and, in grey, anticlockwise, start at {tilt:.0} degrees. {told}"
     );
     let made = figure("chiral-top", 402.0, words, |pen| {
         let frame = Frame::linear([0.0, END], [0.0, 180.0], [58.0, 572.0, 350.0, 34.0]);

@@ -101,14 +101,14 @@ pub fn how_far_eggs_rise(_: &Values) -> Result<Figure> {
         let rows = run(&egg_scene(turns, 0.1)?, 8.0, 8, 1e-2)?;
         Ok(slope(rows[8].1.tilt()))
     })?;
-    let [eight, ten] = numbers([ends[0], ends[2]], 0);
+    let [eight, nine, ten] = numbers([ends[0], ends[1], ends[2]], 0);
     let twenty = number(ends[6], 1);
     let words = words!(
-        "An egg that is spun too sluggishly rises part of the way, or not at all.",
+        "Spun lazily, an egg stops on its way up, or never starts.",
         "Angle between the long axis and the vertical after 8 s, against the spin given to the lying egg ($6\\times4$ cm, 60 g, $\\mu = 0.1$). At 8 \
          turns a second it stays at {eight}°, at 10 it rests at {ten}°, at 20 at {twenty}°.",
-        "Final angle from the vertical against turns a second. Up to nine turns the egg stays at about 89 degrees. Then the angle falls: about 64 \
-         at ten turns, and near zero at twenty."
+        "Final angle from the vertical against turns a second. At eight turns the egg stays at {eight} degrees, at nine it lifts to {nine}. Then \
+         the angle falls: {ten} at ten turns, and {twenty} at twenty."
     );
     Ok(figure("egg-angle", 348.0, words, |pen| {
         let frame = Frame::linear([7.0, 21.0], [0.0, 95.0], [62.0, 572.0, 296.0, 34.0]);

@@ -25,7 +25,7 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
     let taken = number(loss / gain, 1);
     let paid = if gain > 0.05 * weight * 0.02 * alpha {
         format!(
-            "its energy falls: the spin pays the climb, and friction takes {taken} times as much."
+            "its energy falls: the spin pays for the climb, and friction takes {taken} times as much."
         )
     } else {
         "what friction takes does not lift it.".to_owned()

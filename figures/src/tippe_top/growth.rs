@@ -71,14 +71,19 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
         "Growth rates of the chiral top's slow swing about its quasi-steady state, in units of $\\sqrt{{g/R}}$, at ${spin:.1}\\sqrt{{g/R}}$, $\\alpha = {alpha:.2}$, the \
          products of inertia {times} times the book's: half the difference of the two senses and their mean. At the left end the slopes are {first} and {second}. Dotted: slopes 2 and 1. \
          Where a curve falls off it changes sign.",
-        "Two curves on doubly logarithmic axes, friction from 0.001 to 0.25. The half difference of the growth rates, black, starts with slope {first}. The mean, grey, \
-         with slope {second}. Dotted lines of slopes two and one for comparison."
+        "Two curves on doubly logarithmic axes, friction from 0.001 to 0.25. The half difference of the growth rates starts with slope {first}. The mean, \
+         grey, starts with slope {second}. Dotted lines of slopes two and one for comparison."
     );
-    let made = figure("chiral-growth", 392.0, words, |pen| {
-        let frame = Frame::log(MU, RATE, [74.0, 560.0, 342.0, 16.0]);
+    let made = figure("chiral-growth", 410.0, words, |pen| {
+        let frame = Frame::log(MU, RATE, [74.0, 560.0, 360.0, 34.0]);
         let across = marks(&[1e-3, 1e-2, 1e-1], "");
         let up = powers((1..=6).map(|k| -k));
-        frame.draw(pen, &across, &up, ["friction *μ*", ""]);
+        frame.draw(
+            pen,
+            &across,
+            &up,
+            ["friction *μ*", "growth rate, √(*g*/*R*)"],
+        );
         let shown = |rate: f64| rate > RATE[0] && rate < RATE[1];
         let texts_of = ["half the difference", "mean"];
         let curve = |which: usize| -> Vec<Point> {
@@ -124,7 +129,7 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
             let places = order.flat_map(|k| {
                 let [x, y] = line[k];
                 let x = x.clamp(84.0 + half[0], 556.0 - half[0]);
-                sides.map(|side| [x, (y + side).clamp(26.0, 326.0)])
+                sides.map(|side| [x, (y + side).clamp(44.0, 344.0)])
             });
             let [x, y] = roomiest(places, half, &taken);
             taken.extend(along(&[[x - half[0], y], [x + half[0], y]], 8.0));

@@ -106,7 +106,7 @@ pub fn effective(values: &Values) -> Result<Figure> {
             let at = frame.at(ends[k].to_degrees(), height(&top, spin, ends[k]));
             pen.dot(at, 5.0);
             let text = format!("{spin:.0} rad/s");
-            pen.text([512.0, labels[k] + 5.0], Start, &text, small(role));
+            pen.text([516.0, labels[k] + 5.0], Start, &text, small(role));
         }
     });
     let columns = "tilt (°) | (V − V(0))/MgR";

@@ -82,7 +82,7 @@ pub fn reversals(values: &Values) -> Result<Figure> {
         "{claim}",
         "Spin about the vertical of Kane and Levinson's stone in pure rolling without any loss, released at ±{spun} rad/s {askew}° off level. First reversal: the wrong way \
          {wrong}, the right way {right}.",
-        "Spin against time up to {END} seconds. The black curve starts at minus {spun} radians a second, trembles and crosses zero {wrong}. The grey one starts at plus {spun} and crosses zero \
+        "Spin against time up to {END} seconds. One curve starts at minus {spun} radians a second, trembles and crosses zero {wrong}. The grey one starts at plus {spun} and crosses zero \
          {right}."
     );
     let made = figure("rattleback", 372.0, words, |pen| {

@@ -66,7 +66,7 @@ pub fn tip_over(values: &Values) -> Result<Figure> {
          Dashed: the estimate, {slope}° a second. Between 30° and 150° the full motion makes {slow} for \
          $\\alpha = {light}$ and {fast} for $\\alpha = {heavy}$. Dotted: the rate that Jellett's integral gives for $\\alpha = {heavy}$.",
         "Tilt in degrees against time in seconds. A dashed straight line rises from near zero to 180 degrees at {reached} seconds. A grey curve, for the lighter clay, starts \
-         late, and a black one, for the heavier clay, climbs beside it; after {end:.2} seconds they stand at {low} and {high} degrees. \
+         late, and one in ink, for the heavier clay, climbs beside it; after {end:.2} seconds they stand at {low} and {high} degrees. \
          A dotted curve is the refined estimate for the heavier clay."
     );
     let made = figure("tip-over", 404.0, words, |pen| {
@@ -85,25 +85,22 @@ pub fn tip_over(values: &Values) -> Result<Figure> {
         for (rows, role) in runs.iter().zip([Muted, Ink]) {
             frame.curve(pen, tilts(rows), stroke(role, DATA));
         }
-        // Each name in a free corner, and a hair to its curve.
+        // Each name beside its curve, above the one on the left and below the one on the right.
         let on = |k: usize, level: f64| {
+            // Clay that is too light for it stays at the foot of the picture.
+            let foot = frame.at(end * [0.55, 0.95][k], 18.0);
             let row = runs[k].iter().find(|(_, s)| degrees(s) >= level);
-            let (t, s) = row.unwrap_or(&runs[k][250]);
-            frame.at(*t, degrees(s))
+            row.map_or(foot, |(t, s)| frame.at(*t, degrees(s)))
         };
-        let estimate = frame.at(56_f64.to_radians() / rate, 56.0 + START.to_degrees());
+        let estimate = frame.at(75_f64.to_radians() / rate, 75.0 + START.to_degrees());
         let [light, heavy] = named.each_ref().map(|alpha| format!("*α* = {alpha}"));
         let formula = "the estimate, *RμMg*/*IΩ*";
-        for (at, anchor, on, text, lettering) in [
-            ([0.42, 158.0], End, on(1, 140.0), heavy.as_str(), label(Ink)),
-            ([0.76, 66.0], Start, on(0, 100.0), &light, label(Muted)),
-            ([0.58, 26.0], Start, estimate, formula, small(Ink)),
+        for (at, anchor, beside, text, lettering) in [
+            (on(1, 140.0), End, [-10.0, -4.0], heavy.as_str(), label(Ink)),
+            (on(0, 100.0), Start, [10.0, 14.0], &light, label(Muted)),
+            (estimate, End, [-10.0, -4.0], formula, small(Ink)),
         ] {
-            let place = frame.at(at[0] * end, at[1]);
-            let side = if anchor == End { 6.0 } else { -6.0 };
-            let from = shifted(place, [side, -5.0]);
-            pen.line([from, between(on, from, 0.04)], muted(HAIR));
-            pen.text(place, anchor, text, lettering);
+            pen.text(shifted(at, beside), anchor, text, lettering);
         }
     });
     let columns = "time (s) | tilt (°)";

@@ -232,13 +232,17 @@ impl fmt::Display for Number {
 /// The result of everything in this library that can refuse.
 pub type Result<T> = core::result::Result<T, Error>;
 
+/// `value`, if it is accepted.
+fn accepted(value: f64, holds: bool, refusal: impl FnOnce() -> Error) -> Result<f64> {
+    if holds { Ok(value) } else { Err(refusal()) }
+}
+
 /// `value`, if it is finite.
 pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64> {
-    if value.is_finite() {
-        Ok(value)
-    } else {
-        Err(Error::NotFinite { quantity, value })
-    }
+    accepted(value, value.is_finite(), || Error::NotFinite {
+        quantity,
+        value,
+    })
 }
 
 /// Whether all of them are finite.
@@ -246,42 +250,31 @@ pub(crate) fn each_finite(
     quantity: &'static str,
     values: impl IntoIterator<Item = f64>,
 ) -> Result<()> {
-    for value in values {
-        finite(quantity, value)?;
-    }
-    Ok(())
+    let mut values = values.into_iter();
+    values.try_for_each(|value| finite(quantity, value).map(drop))
 }
 
 /// `value`, if it is finite and greater than zero.
 pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<f64> {
-    if finite(quantity, value)? > 0.0 {
-        Ok(value)
-    } else {
-        Err(Error::NotPositive { quantity, value })
-    }
+    let holds = finite(quantity, value)? > 0.0;
+    accepted(value, holds, || Error::NotPositive { quantity, value })
 }
 
 /// `value`, if it is finite and not less than zero.
 pub(crate) fn not_negative(quantity: &'static str, value: f64) -> Result<f64> {
-    if finite(quantity, value)? >= 0.0 {
-        Ok(value)
-    } else {
-        Err(Error::Negative { quantity, value })
-    }
+    let holds = finite(quantity, value)? >= 0.0;
+    accepted(value, holds, || Error::Negative { quantity, value })
 }
 
 /// `value`, if it is finite and lies between these two, both included.
 pub(crate) fn within(quantity: &'static str, value: f64, least: f64, greatest: f64) -> Result<f64> {
-    if (least..=greatest).contains(&finite(quantity, value)?) {
-        Ok(value)
-    } else {
-        Err(Error::OutOfRange {
-            quantity,
-            value,
-            least,
-            greatest,
-        })
-    }
+    let holds = (least..=greatest).contains(&finite(quantity, value)?);
+    accepted(value, holds, || Error::OutOfRange {
+        quantity,
+        value,
+        least,
+        greatest,
+    })
 }
 
 /// One place for each result, no fewer and no more.

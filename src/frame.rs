@@ -38,10 +38,11 @@ pub enum Body {}
 pub enum Space {}
 
 /// Three components along the axes `Axes`; the unit is that of the quantity it holds. With the feature `serde`: `[x, y, z]`.
+#[derive(Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(bound = "", from = "[f64; 3]", into = "[f64; 3]")
+    serde(bound = "Axes: Clone", from = "[f64; 3]", into = "[f64; 3]")
 )]
 pub struct FrameVector<Axes> {
     components: Vector3<f64>,
@@ -194,20 +195,6 @@ impl<Axes> FrameVector<Axes> {
     }
 }
 
-impl<Axes> Clone for FrameVector<Axes> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<Axes> Copy for FrameVector<Axes> {}
-
-impl<Axes> PartialEq for FrameVector<Axes> {
-    fn eq(&self, other: &Self) -> bool {
-        self.components == other.components
-    }
-}
-
 impl<Axes> From<[f64; 3]> for FrameVector<Axes> {
     fn from(components: [f64; 3]) -> Self {
         Self::from_components(components.into())
@@ -356,16 +343,14 @@ impl Attitude {
     /// ```
     pub fn from_quaternion(w: f64, x: f64, y: f64, z: f64) -> Result<Self> {
         each_finite("a quaternion component", [w, x, y, z])?;
-        let largest = [w, x, y, z]
-            .into_iter()
-            .fold(0.0, |m: f64, c| m.max(c.abs()));
+        let quaternion = Quaternion::new(w, x, y, z);
+        let largest = quaternion.coords.amax();
         if largest == 0.0 {
             return Err(Error::ZeroVector {
                 quantity: "the attitude quaternion",
             });
         }
-        let scaled = Quaternion::new(w / largest, x / largest, y / largest, z / largest);
-        Ok(Self(UnitQuaternion::from_quaternion(scaled)))
+        Ok(Self(UnitQuaternion::from_quaternion(quaternion / largest)))
     }
 
     /// The attitude with a quaternion whose norm is 1 up to rounding.
@@ -405,11 +390,8 @@ impl Attitude {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn from_euler_angles(EulerAngles { theta, phi, psi }: EulerAngles) -> Result<Self> {
-        let mut half = [0.0; 3];
-        for (half, angle) in half.iter_mut().zip([theta, phi, psi]) {
-            *half = 0.5 * finite("an angle of Euler", angle)?;
-        }
-        let [theta, phi, psi] = half;
+        each_finite("an angle of Euler", [theta, phi, psi])?;
+        let [theta, phi, psi] = [theta, phi, psi].map(|angle| 0.5 * angle);
         let (sine, cosine) = theta.sin_cos();
         let ((s, c), (t, d)) = ((phi + psi).sin_cos(), (phi - psi).sin_cos());
         let quaternion = Quaternion::new(cosine * c, sine * d, sine * t, cosine * s);

@@ -76,8 +76,7 @@ impl TruncatedFluid {
         for &(m, value) in modes {
             finite("a mode of the vorticity", value.re)?;
             finite("a mode of the vorticity", value.im)?;
-            let at = fluid.place(m);
-            if at == 0 {
+            if fluid.place(m) == 0 {
                 return Err(Error::OutOfRange {
                     quantity: "the length of a wave vector",
                     value: 0.0,
@@ -85,11 +84,16 @@ impl TruncatedFluid {
                     greatest: size as f64,
                 });
             }
-            let mirror = fluid.place(m.map(i32::wrapping_neg));
-            fluid.modes[at] = value;
-            fluid.modes[mirror] = value.conj();
+            fluid.put(m, value);
         }
         Ok(fluid)
+    }
+
+    /// ω_m, and its conjugate at the opposite wave vector.
+    fn put(&mut self, m: [i32; 2], value: C) {
+        let [at, mirror] = [m, m.map(i32::wrapping_neg)].map(|m| self.place(m));
+        self.modes[at] = value;
+        self.modes[mirror] = value.conj();
     }
 
     /// ω_m, 1/s; the wave vector is taken modulo N.
@@ -229,8 +233,7 @@ impl TruncatedFluid {
         };
         for place in 1..size * size {
             let m = fluid.wave_vector(place);
-            let mirror = fluid.place(m.map(i32::wrapping_neg));
-            if mirror < place {
+            if fluid.place(m.map(i32::wrapping_neg)) < place {
                 continue;
             }
             let sum: C = fluid
@@ -238,9 +241,7 @@ impl TruncatedFluid {
                 .map(|(row, column, phase)| phase.conj() * w[(row, column)])
                 .sum();
             // Both at once: a part of W that is not Hermitian would be noise, and the flow would amplify it.
-            let value = sum / size as f64;
-            fluid.modes[place] = value;
-            fluid.modes[mirror] = value.conj();
+            fluid.put(m, sum / size as f64);
         }
         fluid
     }

@@ -21,8 +21,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use crate::error::{Error, Result, finite, positive, within};
-use crate::frame::BodyVector;
-use crate::frame::finite_vector;
+use crate::frame::{BodyVector, finite_vector};
 use crate::inertia::InertiaMatrix;
 
 /// A planet just before the impact.

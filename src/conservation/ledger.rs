@@ -67,10 +67,8 @@ impl Value {
     }
 
     fn magnitude(self) -> f64 {
-        match self {
-            Self::Scalar(value) => value.abs(),
-            Self::Vector([x, y, z]) => x.hypot(y).hypot(z),
-        }
+        let [x, y, z] = self.components();
+        x.hypot(y).hypot(z)
     }
 
     /// A number as it is, of a vector the magnitude.
@@ -133,12 +131,11 @@ impl Entry {
     fn book(&mut self, value: Value) -> Result<()> {
         self.last = value;
         let checked = value.checked(self.name);
-        let drift = checked
-            .as_ref()
-            .map_or(f64::INFINITY, |_| self.violation(value));
-        if drift > self.drift {
-            self.drift = drift;
-        }
+        let drift = match &checked {
+            Ok(_) => self.violation(value),
+            Err(_) => f64::INFINITY,
+        };
+        self.drift = self.drift.max(drift);
         checked.map(drop)
     }
 
@@ -149,15 +146,17 @@ impl Entry {
             // Differences before squares: two long vectors that nearly agree have a small difference,
             // which their lengths would have rounded away.
             Law::Conserved => (x - x0).hypot(y - y0).hypot(z - z0),
-            Law::NonIncreasing => {
-                let rise = x - self.extreme;
-                self.extreme = self.extreme.min(x);
-                rise.max(0.0)
-            }
-            Law::NonDecreasing => {
-                let fall = self.extreme - x;
-                self.extreme = self.extreme.max(x);
-                fall.max(0.0)
+            law => {
+                let change = x - self.extreme;
+                let wrong = if law == Law::NonIncreasing {
+                    change
+                } else {
+                    -change
+                };
+                if wrong < 0.0 {
+                    self.extreme = x;
+                }
+                wrong.max(0.0)
             }
         }
     }

@@ -2,8 +2,7 @@
 
 use super::{AxisMoments, runge_kutta};
 use crate::error::{Result, finite};
-use crate::frame::BodyVector;
-use crate::frame::finite_vector;
+use crate::frame::{BodyVector, finite_vector};
 use crate::inertia::PrincipalMoments;
 
 /// ∂L/∂t = L∧Ω in N m: Euler's equations without torque, for the angular momentum seen from the body (5.1).
@@ -137,22 +136,19 @@ pub fn streamline(
     finite_vector("the angular momentum", start)?;
     finite("the step", step)?;
     let length = start.norm();
-    let rate = |l: &[f64; 3]| {
-        let change = flow(moments, BodyVector::new(l[0], l[1], l[2]));
-        [change.x(), change.y(), change.z()]
-    };
+    let rate = |l: &[f64; 3]| flow(moments, (*l).into()).into();
     let mut points = vec![start];
-    let mut l = [start.x(), start.y(), start.z()];
+    let mut l = start.into();
     for _ in 0..count {
         l = runge_kutta(rate, &l, step);
-        let now = BodyVector::new(l[0], l[1], l[2]);
+        let now = BodyVector::from(l);
         let size = now.norm();
         let now = if size > 0.0 {
             now * (length / size)
         } else {
             now
         };
-        l = [now.x(), now.y(), now.z()];
+        l = now.into();
         points.push(now);
     }
     Ok(points)

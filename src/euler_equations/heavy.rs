@@ -2,8 +2,7 @@
 
 use super::{AxisMoments, rate, runge_kutta};
 use crate::error::{Error, Result, finite, positive};
-use crate::frame::BodyVector;
-use crate::frame::finite_vector;
+use crate::frame::{BodyVector, finite_vector};
 
 /// A top with a fixed point O under uniform gravity.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -12,7 +12,7 @@ mod sums;
 
 pub use formats::{mesh_of_obj, mesh_of_stl};
 pub use icosphere::{Mesh, icosphere};
-use sums::{Scale, Sums, largest_rounding_of_volume, sums};
+use sums::{PAIRS, Scale, Sums, largest_rounding_of_volume, sums};
 
 /// Relative slack in I₁ + I₂ ≥ I₃ for a thin body whose moments come out of sums over many triangles.
 pub(super) const SLACK: f64 = 1e-12;
@@ -62,12 +62,10 @@ pub fn mesh_mass_properties(
     let first = triangles.first().ok_or(Error::Empty {
         quantity: "the list of triangles",
     })?;
-    let apex = *vertices
-        .get(first[0] as usize)
-        .ok_or_else(|| bad_index(vertices, triangles))?;
+    let missing = || bad_index(vertices, triangles);
+    let apex = *vertices.get(first[0] as usize).ok_or_else(missing)?;
     let mut scale = Scale::ONE;
-    let mut total =
-        sums(vertices, triangles, apex, scale).ok_or_else(|| bad_index(vertices, triangles))?;
+    let mut total = sums(vertices, triangles, apex, scale).ok_or_else(missing)?;
     if total.edges != 0 {
         all_finite(vertices, triangles)?;
         return Err(Error::OpenMesh);
@@ -75,8 +73,7 @@ pub fn mesh_mass_properties(
     if !total.in_normal_range() {
         all_finite(vertices, triangles)?;
         scale = Scale::fitting(vertices, triangles, apex);
-        total =
-            sums(vertices, triangles, apex, scale).ok_or_else(|| bad_index(vertices, triangles))?;
+        total = sums(vertices, triangles, apex, scale).ok_or_else(missing)?;
     }
     solid(&total, scale, vertices, triangles, apex)?;
     finish(&total, scale, apex, density)
@@ -115,18 +112,12 @@ fn solid(
 fn finish(total: &Sums, scale: Scale, apex: [f64; 3], density: f64) -> Result<MassProperties> {
     let volume = total.determinant / 6.0;
     let c = total.first.map(|sum| sum / (4.0 * total.determinant));
-    let [xx, yy, zz, xy, xz, yz] = total.second.map(|sum| sum / 120.0);
-    let about_center = |sum: f64, i: usize, j: usize| sum - (volume * c[i]) * c[j];
-    let [xx, yy, zz] = [
-        about_center(xx, 0, 0).max(0.0),
-        about_center(yy, 1, 1).max(0.0),
-        about_center(zz, 2, 2).max(0.0),
-    ];
-    let [xy, xz, yz] = [
-        about_center(xy, 0, 1),
-        about_center(xz, 0, 2),
-        about_center(yz, 1, 2),
-    ];
+    let about_center = |k: usize| {
+        let (i, j) = PAIRS[k];
+        total.second[k] / 120.0 - (volume * c[i]) * c[j]
+    };
+    let [xx, yy, zz] = [0, 1, 2].map(|k| about_center(k).max(0.0));
+    let [xy, xz, yz] = [3, 4, 5].map(about_center);
     let matrix = Matrix3::new(yy + zz, -xy, -xz, -xy, zz + xx, -yz, -xz, -yz, xx + yy);
     let mass = positive("the mass", scale.restore_times(density, volume, 3))?;
     let inertia = matrix.map(|entry| scale.restore_times(density, entry, 5));

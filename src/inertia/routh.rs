@@ -35,27 +35,20 @@ pub enum Form {
 }
 
 impl Form {
-    /// 3, 4 or 5 where the rule holds; `None` where it does not (2.7).
-    const fn denominator(self) -> Option<u32> {
-        match self {
-            Self::Rod | Self::Rectangle | Self::Cuboid => Some(3),
-            Self::Ellipse | Self::CylinderAboutItsAxis => Some(4),
-            Self::Ellipsoid => Some(5),
-            Self::CylinderAcross | Self::Hollow | Self::Cone | Self::Triangle => None,
-        }
-    }
-
-    /// The reason for which the rule does not speak of the form.
-    const fn obstacle(self) -> &'static str {
-        match self {
+    /// 3, 4 or 5 where the rule holds; it does not speak of the others (2.7).
+    const fn denominator(self) -> Result<u32> {
+        let body = match self {
+            Self::Rod | Self::Rectangle | Self::Cuboid => return Ok(3),
+            Self::Ellipse | Self::CylinderAboutItsAxis => return Ok(4),
+            Self::Ellipsoid => return Ok(5),
             Self::CylinderAcross => {
                 "a cylinder about an axis across it, which is round in one direction and straight in the other"
             }
             Self::Hollow => "a hollow body",
             Self::Cone => "a cone",
             Self::Triangle => "a triangle",
-            _ => "this form",
-        }
+        };
+        Err(Error::RouthDoesNotApply { body })
     }
 }
 
@@ -76,9 +69,7 @@ impl Form {
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn moment(mass: f64, form: Form, semi_axes: [f64; 2]) -> Result<f64> {
-    let denominator = form.denominator().ok_or(Error::RouthDoesNotApply {
-        body: form.obstacle(),
-    })?;
+    let denominator = form.denominator()?;
     positive("the mass", mass)?;
     let mut sum = 0.0;
     for a in semi_axes {
@@ -101,14 +92,6 @@ pub fn moment(mass: f64, form: Form, semi_axes: [f64; 2]) -> Result<f64> {
 /// ```
 pub fn mean_square(semi_axis: f64, dimension: u32) -> Result<f64> {
     not_negative("the semi-axis", semi_axis)?;
-    within(
-        "the dimension",
-        f64::from(dimension),
-        1.0,
-        f64::from(u32::MAX),
-    )?;
-    finite(
-        "the mean square",
-        semi_axis * semi_axis / (f64::from(dimension) + 2.0),
-    )
+    let dimension = within("the dimension", dimension.into(), 1.0, u32::MAX.into())?;
+    finite("the mean square", semi_axis * semi_axis / (dimension + 2.0))
 }

@@ -9,6 +9,9 @@ const BLOCK: usize = 128;
 /// Blocks gathered before they are added to the total.
 const BLOCKS: usize = 128;
 
+/// The entries of a symmetric matrix, those of its diagonal first.
+pub(super) const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
+
 /// Sums over triangles with corners p, q, r from the apex, d = det(p, q, r), s = p + q + r.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Sums {
@@ -172,11 +175,7 @@ fn block_sums(
         for (sum, s) in sums.first.iter_mut().zip(s) {
             *sum += d * s;
         }
-        for (sum, (i, j)) in
-            sums.second
-                .iter_mut()
-                .zip([(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)])
-        {
+        for (sum, (i, j)) in sums.second.iter_mut().zip(PAIRS) {
             *sum += d * (s[i] * s[j] + p[i] * p[j] + q[i] * q[j] + r[i] * r[j]);
         }
         sums.edges = sums

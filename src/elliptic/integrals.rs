@@ -4,9 +4,7 @@ use super::carlson;
 use super::modulus::Modulus;
 use super::parameter::{Characteristic, Parameter};
 use crate::error::{Error, Result, finite, within};
-use crate::precise::{
-    DoubleDouble as Dd, Extended, Number, RIGHT_ANGLE, power_of_two_below, quick,
-};
+use crate::precise::{DoubleDouble as Dd, Extended, Number, RIGHT_ANGLE, power_of_two_below};
 
 /// K = ∫₀^{π/2} dθ/√(1 − m sin²θ) for m ≤ 1, the quarter period; π/2 at m = 0, ln(4/√mc) for mc → 0, infinite at mc = 0.
 ///
@@ -50,15 +48,6 @@ pub fn complete_first(parameter: impl Into<Characteristic>) -> Result<f64> {
 /// As for [`complete_first`].
 pub fn complete_second(parameter: impl Into<Characteristic>) -> Result<f64> {
     Ok(complete(Kind::Second, parameter.into())?.value())
-}
-
-/// E = B + mc D, where both terms are positive.
-fn second(parameter: Characteristic) -> Dd {
-    if parameter.nc() == 0.0 {
-        return Dd::from(1.0);
-    }
-    let [b, d] = second_kind(parameter);
-    b + parameter.nc * d
 }
 
 /// D = ∫₀^{π/2} sin²θ/√(1 − m sin²θ) dθ = (K − E)/m for m ≤ 1, without that difference; π/4 at m = 0, infinite at mc = 0.
@@ -211,51 +200,38 @@ struct Angle {
     cosine: Dd,
 }
 
-/// π to 106 bits, and what that leaves over.
-const PI: Dd = Dd::new(core::f64::consts::PI, 1.224_646_799_147_353_2e-16);
-const PI_REST: f64 = -2.994_769_809_718_339_7e-33;
+/// What π/2 is more than its 106 bits.
+const RIGHT_ANGLE_REST: f64 = -1.497_384_904_859_169_8e-33;
 
 impl Angle {
     fn new(phi: f64) -> Result<Self> {
         const GREATEST: f64 = 9_007_199_254_740_992.0;
         let phi = within("angle phi", phi, -GREATEST, GREATEST)?;
-        let less = |x: Dd, halves: f64| {
-            x - Dd::product(halves, PI.high())
-                - Dd::product(halves, PI.low())
-                - Dd::from(halves * PI_REST)
-        };
-        let mut halves = (phi / core::f64::consts::PI).round();
-        let mut rest = less(Dd::from(phi), halves);
-        // The quotient may be rounded to the wrong side of a quarter turn: there the rest itself decides.
-        let beyond = |rest: Dd| {
-            let size = if rest.high() < 0.0 { -rest } else { rest };
-            less(size, 0.5).value() > 0.0
-        };
-        if beyond(rest) {
-            halves += 1.0_f64.copysign(rest.high());
-            rest = less(Dd::from(phi), halves);
+        let (mut quarters, mut rest) = (0.0, Dd::from(phi));
+        // The first quotient may be rounded to the wrong side of an eighth of a turn, and by one where it is as great as that.
+        for _ in 0..2 {
+            let more = (rest.high() * core::f64::consts::FRAC_2_PI).round();
+            quarters += more;
+            for part in [RIGHT_ANGLE.high(), RIGHT_ANGLE.low(), RIGHT_ANGLE_REST] {
+                rest = rest - Dd::product(more, part);
+            }
         }
-        let negative = rest.high() < 0.0;
-        if negative {
-            rest = -rest;
-        }
-        let (sine, cosine) = if rest.high() <= core::f64::consts::FRAC_PI_4 {
-            sine_cosine(rest)
+        let (sine, cosine) = sine_cosine(rest.magnitude());
+        Ok(if quarters % 2.0 == 0.0 {
+            Self {
+                halves: 0.5 * quarters,
+                negative: rest.high() < 0.0,
+                sine,
+                cosine,
+            }
         } else {
-            // Both from the angle itself, so that the cosine has all its digits next to a quarter turn.
-            let other = less(
-                Dd::from(phi.abs()),
-                halves.abs() + if negative == (phi > 0.0) { -0.5 } else { 0.5 },
-            );
-            let other = if other.high() < 0.0 { -other } else { other };
-            let (sine, cosine) = sine_cosine(other);
-            (cosine, sine)
-        };
-        Ok(Self {
-            halves,
-            negative,
-            sine,
-            cosine,
+            // From the multiple of π beyond it, unless it falls short of the right angle: the cosine has all its digits next to that.
+            Self {
+                halves: 0.5 * (quarters + 1.0_f64.copysign(rest.high())),
+                negative: rest.high() > 0.0,
+                sine: cosine,
+                cosine: sine,
+            }
         })
     }
 
@@ -299,9 +275,7 @@ fn sine_cosine(x: Dd) -> (Dd, Dd) {
     // Every other coefficient, so that two chains of operations run side by side.
     let chain = |start: Dd, coefficients: [usize; 3]| {
         coefficients.into_iter().fold(start, |sum, i| {
-            let term = sum.quick_product(fourth);
-            let (high, low) = quick::ordered_sum(SINE[i].high(), term.high());
-            Dd::new(high, low + (SINE[i].low() + term.low()))
+            SINE[i].add_lesser(sum.quick_product(fourth))
         })
     };
     let even = chain(SINE[6], [4, 2, 0]);
@@ -343,7 +317,12 @@ fn complete(kind: Kind, parameter: Characteristic) -> Result<Dd> {
             Ok(quarter / mc.scaled(0.25).square_root().scaled(2.0))
         }
         Kind::First => Ok(Modulus::new(Parameter::from_both(m, mc)).quarter_period_dd()),
-        Kind::Second => Ok(second(parameter)),
+        Kind::Second if mc.high() == 0.0 => Ok(Dd::from(1.0)),
+        Kind::Second => {
+            // Both terms are positive.
+            let [b, d] = second_kind(parameter);
+            Ok(b + mc * d)
+        }
         Kind::Third(Characteristic { nc, .. })
             if nc.high() > 0.0 && mc.high() > 0.0 && carlson::ordinary(&[nc.high(), mc.high()]) =>
         {
@@ -625,9 +604,8 @@ fn complement(x: f64) -> Dd {
 /// ```
 pub fn inverse_sn(x: f64, parameter: Parameter) -> Result<f64> {
     let x = within("value of sn", x, -1.0, 1.0)?;
-    let c2 = complement(x);
-    let s2 = Dd::product(x, x);
-    Ok(from_squares(Dd::from(x), s2, c2, parameter).value())
+    let squares = [Dd::product(x, x), complement(x), Dd::from(1.0)];
+    Ok(from_squares(Dd::from(x), squares, parameter).value())
 }
 
 /// The u in 0…2K with cn u = x; infinite at m = 1, x ≤ 0.
@@ -647,7 +625,8 @@ pub fn inverse_sn(x: f64, parameter: Parameter) -> Result<f64> {
 pub fn inverse_cn(x: f64, parameter: Parameter) -> Result<f64> {
     let x = within("value of cn", x, -1.0, 1.0)?;
     let s2 = complement(x);
-    let u = from_squares(s2.square_root(), s2, Dd::product(x, x), parameter);
+    let squares = [s2, Dd::product(x, x), Dd::from(1.0)];
+    let u = from_squares(s2.square_root(), squares, parameter);
     Ok(reflected(u, x < 0.0, parameter))
 }
 
@@ -690,16 +669,8 @@ pub fn inverse_cn_sn(x: f64, y: f64, parameter: Parameter) -> Result<f64> {
     }
     let unit = power_of_two_below(size);
     let (c, s) = (x / unit, y.abs() / unit);
-    let u = if s == 0.0 {
-        Dd::from(s)
-    } else {
-        let (c2, s2) = (Dd::product(c, c), Dd::product(s, s));
-        let delta2 = c2 + parameter.mc_dd() * s2;
-        if delta2.value() == 0.0 {
-            return Ok(f64::INFINITY.copysign(y));
-        }
-        Dd::from(s) * carlson::first([c2, delta2, c2 + s2])
-    };
+    let (c2, s2) = (Dd::product(c, c), Dd::product(s, s));
+    let u = from_squares(Dd::from(s), [s2, c2, c2 + s2], parameter);
     Ok(reflected(u, x < 0.0, parameter).copysign(y))
 }
 
@@ -728,10 +699,12 @@ pub fn inverse_dn(x: f64, parameter: Parameter) -> Result<f64> {
     let s2 = complement(x) / m;
     let c2 = (Dd::product(x, x) - parameter.mc_dd()) / m;
     let c2 = if c2.value() < 0.0 { Dd::from(0.0) } else { c2 };
-    Ok(from_squares(s2.square_root(), s2, c2, parameter).value())
+    Ok(from_squares(s2.square_root(), [s2, c2, Dd::from(1.0)], parameter).value())
 }
 
-fn from_squares(s: Dd, s2: Dd, c2: Dd, parameter: Parameter) -> Dd {
+/// From s, and s², c² and their sum, in any unit.
+#[inline(always)]
+fn from_squares(s: Dd, [s2, c2, whole]: [Dd; 3], parameter: Parameter) -> Dd {
     if s.value() == 0.0 {
         return s;
     }
@@ -739,5 +712,5 @@ fn from_squares(s: Dd, s2: Dd, c2: Dd, parameter: Parameter) -> Dd {
     if delta2.value() == 0.0 {
         return Dd::from(f64::INFINITY.copysign(s.value()));
     }
-    s * carlson::first([c2, delta2, Dd::from(1.0)])
+    s * carlson::first([c2, delta2, whole])
 }

@@ -83,15 +83,9 @@ impl Modulus {
     #[inline(always)]
     fn evaluate(&self, u: f64) -> Result<Jacobi> {
         if !self.reduction.refuses(u) {
-            let Reduced {
-                rounded,
-                high,
-                low,
-                unlucky,
-            } = self.reduction.apply(u);
-            if !unlucky {
-                let rest = (high, low);
-                return Ok(self.at(rounded.to_bits(), rounded - ROUNDER, rest));
+            let (rounded, [high, low], lucky) = self.reduction.apply(u);
+            if lucky {
+                return Ok(self.at(rounded.to_bits(), rounded - ROUNDER, (high, low)));
             }
         }
         self.long(u)
@@ -199,15 +193,6 @@ const FEW_BITS_LEFT: f64 = 1.0 / (1_u64 << 50) as f64;
 /// By how much two remainders differ at most, in units of the argument, if K is the same in both: the prepared one has 101 bits.
 const SAME_QUARTER: f64 = 1.0 / (1_u128 << 96) as f64;
 
-/// An argument less a count of quarter periods.
-struct Reduced {
-    /// The count with [`ROUNDER`] added.
-    rounded: f64,
-    high: f64,
-    low: f64,
-    unlucky: bool,
-}
-
 impl Reduction {
     /// Whether an argument has too many quarter periods. One that is not a number comes out unlucky.
     #[inline(always)]
@@ -215,18 +200,13 @@ impl Reduction {
         u.abs() > self.limit
     }
 
+    /// The count of quarter periods with [`ROUNDER`] added, the argument less these, and whether enough of its bits are left.
     #[inline(always)]
-    fn apply(&self, u: f64) -> Reduced {
+    fn apply(&self, u: f64) -> (f64, [f64; 2], bool) {
         // In order, unless the argument is unlucky. Of the two zeros −0 is the one that costs no addition.
         let (rounded, [high, low]) = reduced([u, -0.0], self.inverse, self.parts);
         // So written that not-a-number is unlucky.
-        let lucky = high.abs() >= FEW_BITS_LEFT * u.abs();
-        Reduced {
-            rounded,
-            high,
-            low,
-            unlucky: !lucky,
-        }
+        (rounded, [high, low], high.abs() >= FEW_BITS_LEFT * u.abs())
     }
 }
 
@@ -267,12 +247,9 @@ fn turned(quarters: f64, v: f64, ahead: f64) -> f64 {
         quick::exact_product(quarters, QUARTER_PARTS[0])
     };
     let sum = DoubleDouble::sum(first, v);
-    let second = quarters * QUARTER_PARTS[1];
-    let (sum, rest) = {
-        let all = DoubleDouble::sum(sum.high(), second);
-        (all.high(), all.low() + sum.low())
-    };
-    sum + (rest + (error + quarters * QUARTER_PARTS[2] + ahead))
+    let all = DoubleDouble::sum(sum.high(), quarters * QUARTER_PARTS[1]);
+    let rest = (all.low() + sum.low()) + (error + quarters * QUARTER_PARTS[2] + ahead);
+    all.high() + rest
 }
 
 /// Beyond m = 1/2: sn, cn and dn at v = `high + low` from the nearest multiple of K, as many of which as the lowest bits say, with the
@@ -449,9 +426,9 @@ impl Modulus {
     ) -> bool {
         let mut rare = 0_u64;
         for (((&u, sn), cn), dn) in u.iter().zip(sn).zip(cn).zip(dn) {
-            let reduced = self.reduction.apply(u);
-            rare |= u64::from(reduced.unlucky | self.reduction.refuses(u));
-            [*sn, *cn, *dn] = at(reduced.rounded.to_bits(), reduced.high, reduced.low);
+            let (rounded, [high, low], lucky) = self.reduction.apply(u);
+            rare |= u64::from(!lucky | self.reduction.refuses(u));
+            [*sn, *cn, *dn] = at(rounded.to_bits(), high, low);
         }
         rare != 0
     }

@@ -3,7 +3,7 @@
 //! Gauss's transformation goes from a parameter of at most 1/2 to parameter 0 in three steps and a remainder. Each step replaces the modulus k by k₁ = (1 − k′)/(1 + k′) and divides both K and u by 1 + k₁, so that z = πu/(2K) stays.
 //! At the end K is π/2 and sn z is sin z. The mean of 1 and k′, the nome and the functions of z all come from the same steps.
 
-use core::ops::{Add, Div, Mul};
+use core::ops::{Add, Mul};
 
 use super::parameter::Parameter;
 use crate::precise::{
@@ -184,13 +184,12 @@ impl Mean {
     pub(super) fn next_to_one(c: Dd) -> Self {
         let x = c.high();
         let square = x * x;
-        let series = |first: Dd, rest: f64| {
-            let (high, low) = quick::ordered_sum(1.0, -first.high());
-            Dd::new(high, low - (first.low() + rest))
+        let one_less = |first: Dd, rest: f64| {
+            Dd::from(1.0).add_lesser(Dd::new(-first.high(), -(first.low() + rest)))
         };
         Self {
-            value: series(c.scaled(0.25), square * (5.0 / 64.0 + x * (11.0 / 256.0))),
-            product: series(c.scaled(0.5), square * (5.0 / 64.0 + x * (5.0 / 128.0))),
+            value: one_less(c.scaled(0.25), square * (5.0 / 64.0 + x * (11.0 / 256.0))),
+            product: one_less(c.scaled(0.5), square * (5.0 / 64.0 + x * (5.0 / 128.0))),
         }
     }
 }
@@ -203,9 +202,8 @@ pub(super) fn quarter_next_to_zero(m: Dd) -> Dd {
         0.25 * x,
         0.25 * m.low() + x * x * (9.0 / 64.0 + x * (25.0 / 256.0)),
     );
-    let more = RIGHT_ANGLE.quick_product(more);
-    let (high, low) = quick::ordered_sum(RIGHT_ANGLE.high(), more.high());
-    let (high, low) = quick::ordered_sum(high, low + (RIGHT_ANGLE.low() + more.low()));
+    let quarter = RIGHT_ANGLE.add_lesser(RIGHT_ANGLE.quick_product(more));
+    let (high, low) = quick::ordered_sum(quarter.high(), quarter.low());
     Dd::new(high, low)
 }
 
@@ -243,21 +241,20 @@ impl Nome {
         if self.l4 < 1e-34 {
             return logarithm;
         }
-        // l in two words by one step of Newton, its fourth power, and 2 y + 13 y² with both words.
+        // l in two words by one step of Newton.
         let l = self.l;
         let (back, error) = quick::exact_product(l, ratio.high() / unit);
         let off = ((1.0 - back) - error) - l * (ratio.low() / unit);
-        let (l2, l2_low) = quick::exact_product(l, l);
-        let (y, error) = quick::exact_product(l2, l2);
-        let (y, y_low) = quick::ordered_sum(y, error + 2.0 * l2 * l2_low + 4.0 * off * y);
-        let (y2, error) = quick::exact_product(y, y);
-        let y2_low = error + 2.0 * y * y_low;
-        let (square, error) = quick::exact_product(13.0, y2);
+        let l = Dd::new(l, l * off);
+        let square = l.quick_product(l);
+        let y = square.quick_product(square);
+        let second = y.quick_product(y).quick_product(Dd::from(13.0));
+        let x = y.high();
         let rest =
-            y * (368.0 / 3.0 + y * (2701.0 / 2.0 + y * (80912.0 / 5.0 + y * (613_720.0 / 3.0))));
-        let low = 2.0 * y_low + (error + 13.0 * y2_low + rest * y2);
-        let (high, carry) = quick::ordered_sum(2.0 * y, square);
-        let correction = Dd::new(high, carry + low);
+            x * (368.0 / 3.0 + x * (2701.0 / 2.0 + x * (80912.0 / 5.0 + x * (613_720.0 / 3.0))));
+        let correction = y
+            .scaled(2.0)
+            .add_lesser(second.add_lesser(Dd::from(x * x * rest)));
         logarithm.add_alike(-correction)
     }
 }
@@ -341,19 +338,8 @@ impl Mul for Triple {
     }
 }
 
-impl Div for Triple {
-    type Output = Self;
-
-    fn div(self, divisor: Self) -> Self {
-        let by = divisor.leading();
-        let near = Self::pair(self.leading() / by);
-        let rest = (self + (near * divisor).scaled(-1.0)).leading();
-        near + Self::pair(rest / by)
-    }
-}
-
-/// K in three words, for mc > 0.
-fn quarter_period(parameter: Parameter) -> Triple {
+/// The arithmetic-geometric mean of 1 and k′ in three words, for mc > 0.
+fn mean(parameter: Parameter) -> Triple {
     let (m, mc) = (parameter.m_dd(), parameter.mc_dd());
     // The greater of m and mc is formed again from the lesser, whose 106 bits are the truth.
     let (mc, power) = if m.value() <= mc.value() {
@@ -375,18 +361,17 @@ fn quarter_period(parameter: Parameter) -> Triple {
         let next = (a + b).scaled(0.5);
         let gap = (a + b.scaled(-1.0)).0[0];
         if gap < 1e-25 * a.0[0] {
-            a = next;
-            break;
+            return next;
         }
         b = (a * b).square_root();
         a = next;
     }
-    HALF_PI / a
+    a
 }
 
-/// `u − count K`, where the prepared K leaves too few bits.
+/// `u − count K`, where the prepared K leaves too few bits: u times the mean, less so many right angles, over the mean.
 pub(super) fn remainder(parameter: Parameter, u: Dd, count: f64) -> Dd {
-    let Triple([first, second, third]) = quarter_period(parameter);
-    let rest = u - Dd::product(count, first);
-    rest - Dd::product(count, second) - Dd::from(count * third)
+    let mean = mean(parameter);
+    let rest = Triple::pair(u) * mean + HALF_PI * Triple([-count, 0.0, 0.0]);
+    rest.leading() / mean.leading()
 }

@@ -40,8 +40,8 @@ pub(crate) enum Side {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Modulus {
-    pub(super) parameter: Parameter,
-    pub(super) side: Side,
+    pub(crate) parameter: Parameter,
+    pub(crate) side: Side,
     /// K.
     pub(super) quarter: DoubleDouble,
     /// What the arguments of the theta functions are multiplied with: π/(2K), or π/(2K′) on the hyperbolic side.
@@ -133,10 +133,6 @@ impl Modulus {
         Self::assemble(parameter, side, quarter, mean, series)
     }
 
-    pub(crate) fn side(&self) -> Side {
-        self.side
-    }
-
     /// π/(2K), or π/(2K′) beyond m = 1/2.
     pub(crate) fn pace(&self) -> f64 {
         self.rate.high()
@@ -177,11 +173,6 @@ impl Modulus {
             reduction,
             series,
         }
-    }
-
-    /// The parameter this was prepared for.
-    pub(crate) fn parameter(&self) -> Parameter {
-        self.parameter
     }
 
     /// The quarter period K = ∫₀^{π/2} dθ/√(1 − m sin²θ), rounded once from more than 100 bits; π/2 at m = 0,
@@ -244,23 +235,14 @@ impl<N: Number> Descent<N> {
         }
     }
 
-    pub(crate) fn side(&self) -> Side {
-        self.modulus.side()
-    }
-
     /// The u in 0…K with these functions, good to a double's precision.
     #[inline]
     pub(crate) fn argument(&self, squares: &Squares<N>) -> DoubleDouble {
-        let Squares {
-            sn,
-            cn,
-            whole,
-            dn,
-            dn_whole,
-        } = *squares;
+        let Squares { sn, cn, dn, .. } = *squares;
+        let (whole, dn_whole) = (squares.whole, squares.dn_whole);
         // Beyond the middle of the quarter period, where mc sn⁴ > cn⁴, count from its end: there sn is cn/dn and dn is k′/dn.
         let from_end = (self.mc * sn.square()).exceeds(cn.square());
-        let angle = match self.side() {
+        let angle = match self.modulus.side {
             Side::Circular => {
                 let [s, d] = if from_end {
                     [

@@ -114,7 +114,8 @@ impl Series {
                 dn: [-8.0 * q, 0.0, 0.0, 0.0],
             }
         } else {
-            circular_corrections(circular_thetas(q))
+            let powers = powers(q);
+            circular_corrections(thetas(|a, _| powers[a]))
         };
         Self {
             even,
@@ -141,16 +142,9 @@ impl Series {
     }
 }
 
-/// For any nome q.
-#[inline(always)]
-pub(super) fn circular_thetas(q: f64) -> [[f64; 4]; 4] {
-    let powers = powers(q);
-    thetas(|a, _| powers[a])
-}
-
 /// For any nome, from its root.
 #[inline(always)]
-pub(super) fn hyperbolic_thetas(half: f64) -> [[f64; 4]; 4] {
+fn hyperbolic_thetas(half: f64) -> [[f64; 4]; 4] {
     // sin² = −sinh² = −z/(4 √q): q^a sin^2j becomes q^(a − j/2) (−z/4)^j.
     const QUARTERS: [f64; 4] = [1.0, -1.0 / 4.0, 1.0 / 16.0, -1.0 / 64.0];
     let powers = powers(half);
@@ -158,7 +152,7 @@ pub(super) fn hyperbolic_thetas(half: f64) -> [[f64; 4]; 4] {
 }
 
 #[inline(always)]
-pub(super) fn circular_corrections([t1, t2, t3, t4]: [[f64; 4]; 4]) -> Corrections {
+fn circular_corrections([t1, t2, t3, t4]: [[f64; 4]; 4]) -> Corrections {
     // sn = 1 at z = 1: the correction has the factor 1 − z, which is divided out.
     let at_one = |t: [f64; 4]| ((t[3] + t[2]) + t[1]) + t[0];
     let r = correction(at_one(t4) / at_one(t1), t1, t4);
@@ -175,10 +169,7 @@ pub(super) fn circular_corrections([t1, t2, t3, t4]: [[f64; 4]; 4]) -> Correctio
 
 /// Next to even and next to odd multiples of K; `rate` is π/(2K′).
 #[inline(always)]
-pub(super) fn hyperbolic_corrections(
-    [t1, t2, t3, t4]: [[f64; 4]; 4],
-    rate: f64,
-) -> [Corrections; 2] {
+fn hyperbolic_corrections([t1, t2, t3, t4]: [[f64; 4]; 4], rate: f64) -> [Corrections; 2] {
     let slope = 1.0 / (rate * t1[0]);
     [
         Corrections {

@@ -10,36 +10,24 @@ use crate::precise::{DoubleDouble as Dd, Number};
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Elevation<N> {
     which: Which,
-    /// sn² = `rise`/`slope`, cn² = `run`/`slope`.
+    /// sn² and cn² in one unit, and that unit.
     rise: N,
     run: N,
-    slope: N,
+    unit: N,
 }
 
 /// Which of them: the smaller, so that its functions are far from their ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Which {
+enum Which {
     Eta,
     Xi,
 }
 
-/// The powers of q and e that a theta function of a complex argument has as coefficients, w = πη/2K, for m ≤ 1/2.
-#[derive(Debug, Clone, Copy)]
-struct Exponentials {
-    /// ρ = q e^{2w}.
-    rho: Dd,
-    /// ε = e^{−2w}.
-    epsilon: Dd,
-    /// sinh x and e^{−x} of the smaller argument x, w or πξ/2K. One of ρ and ε is e^{−2x}, and 1 less it 2 sinh x · e^{−x}.
-    sinh: Dd,
-    decay: Dd,
-}
-
 impl<N: Number> Elevation<N> {
-    /// From `rise` and `run` of both: the smaller of them, with the `slope` that belongs to it.
+    /// The smaller of both, each by sn² and cn² in one unit, and that unit.
     #[inline(always)]
-    pub(crate) fn smaller(eta: [N; 2], xi: [N; 2], slope: impl Fn(Which) -> N) -> Self {
-        let (which, [rise, run]) = if (xi[0] * eta[1]).exceeds(eta[0] * xi[1]) {
+    pub(crate) fn smaller(eta: [N; 3], xi: [N; 3]) -> Self {
+        let (which, [rise, run, unit]) = if (xi[0] * eta[1]).exceeds(eta[0] * xi[1]) {
             (Which::Eta, eta)
         } else {
             (Which::Xi, xi)
@@ -48,40 +36,36 @@ impl<N: Number> Elevation<N> {
             which,
             rise,
             run,
-            slope: slope(which),
+            unit,
         }
     }
 
-    /// For m ≤ 1/2.
+    /// ρ = q e^{2w} and ε = e^{−2w}, w = πη/2K, the powers of q and e that a theta function of a complex argument has as coefficients, and 1 − ε. For m ≤ 1/2.
     #[inline]
-    fn exponentials(&self, landen: &Landen<N>, m: N) -> Exponentials {
+    fn exponentials(&self, landen: &Landen<N>, m: N) -> [Dd; 3] {
+        let one = Dd::from(1.0);
         // Beyond this e^{−2x} is nothing to anything it is added to, and what follows might overflow.
         let most = Dd::from(1e150);
+        // sinh x of the smaller argument x, w or πξ/2K.
         let sinh = if self.run.is_zero() {
             most
         } else {
             // sc² and dc² = 1 + m sc².
             let sc2 = self.rise.quotient(self.run);
-            let dc2 = Dd::from(1.0).add_alike((m * sc2).narrow());
+            let dc2 = one.add_alike((m * sc2).narrow());
             let sc = sc2.square_root().narrow();
             let sc = if sc.exceeds(most) { most } else { sc };
             landen.sine(sc, dc2.square_root(), -1.0)
         };
-        let growth = sinh.add_alike(sinh.hypotenuse_with_one());
-        let decay = Dd::from(1.0).quotient(growth);
+        let growth = sinh.add_alike(one.add_alike(sinh * sinh).square_root());
+        let decay = one.quotient(growth);
         let lesser = decay * decay;
         // No more than 10³⁰¹ is e^{2x}: if q has underflowed, this is zero.
         let other = landen.nome * growth * growth;
         // For ξ in place of η they change roles.
-        let (rho, epsilon) = match self.which {
-            Which::Eta => (other, lesser),
-            Which::Xi => (lesser, other),
-        };
-        Exponentials {
-            rho,
-            epsilon,
-            sinh,
-            decay,
+        match self.which {
+            Which::Eta => [other, lesser, sinh.scaled(2.0) * decay],
+            Which::Xi => [lesser, other, one - other],
         }
     }
 
@@ -89,7 +73,7 @@ impl<N: Number> Elevation<N> {
     #[inline(always)]
     fn angle(&self, landen: &Landen<N>, mc: N) -> (Dd, Dd) {
         let one = Dd::from(1.0);
-        let sn2 = self.rise.quotient(self.slope).narrow();
+        let sn2 = self.rise.quotient(self.unit).narrow();
         let dn2 = one - mc.narrow() * sn2;
         let lesser = landen.sine(sn2.square_root(), dn2.square_root(), 1.0);
         let greater = (one - lesser * lesser).square_root();
@@ -184,24 +168,13 @@ impl Turning {
     /// second pair of polynomials is that of the derivatives.
     pub(crate) fn new<N: Number>(descent: &Descent<N>, elevation: &Elevation<N>) -> Self {
         let landen = &descent.landen;
-        if descent.side() == Side::Hyperbolic {
+        if descent.modulus.side == Side::Hyperbolic {
             let (sine, cosine) = elevation.angle(landen, descent.mc);
             return Self::dual(landen, [sine, cosine], [-cosine, sine]);
         }
         let one = Dd::from(1.0);
         let q = landen.nome;
-        let Exponentials {
-            rho,
-            epsilon,
-            sinh,
-            decay,
-            ..
-        } = elevation.exponentials(landen, descent.m);
-        // 1 − ε.
-        let rest = match elevation.which {
-            Which::Eta => sinh.scaled(2.0) * decay,
-            Which::Xi => one - epsilon,
-        };
+        let [rho, epsilon, rest] = elevation.exponentials(landen, descent.m);
         // q^{n²} ρⁿ (1 ± ε^{2n+1}) for n = 0, 1, 2, 3, and 4 for the slope alone.
         let square = epsilon * epsilon;
         let e3 = epsilon * square;

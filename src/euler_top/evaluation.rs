@@ -67,11 +67,6 @@ pub(super) struct Renumbering {
 
 impl Renumbering {
     pub(super) fn new(axis: [usize; 3], l: [f64; 3]) -> Self {
-        let parity = if (axis[0] + 1) % 3 == axis[1] {
-            1.0
-        } else {
-            -1.0
-        };
         let sign_of = |x: f64| if x < 0.0 { -1.0 } else { 1.0 };
         let (first, third) = (sign_of(l[axis[0]]), sign_of(l[axis[2]]));
         let mut own = [0; 3];
@@ -81,7 +76,7 @@ impl Renumbering {
         Self {
             axis,
             own,
-            sign: [first, parity * first * third, third],
+            sign: [first, handedness(axis) * first * third, third],
         }
     }
 
@@ -98,6 +93,15 @@ impl Renumbering {
     /// With the signs of the old axes, in the order of the new ones.
     pub(super) fn signed(&self, w: [f64; 3]) -> [f64; 3] {
         core::array::from_fn(|k| self.sign[k] * w[k])
+    }
+}
+
+/// +1 if the axes in this order are right-handed, −1 if not.
+pub(super) fn handedness(axes: [usize; 3]) -> f64 {
+    if (axes[0] + 1) % 3 == axes[1] {
+        1.0
+    } else {
+        -1.0
     }
 }
 
@@ -158,16 +162,11 @@ impl<const W: usize> Work<W> {
     /// The states at these times, each within reach.
     #[inline(always)]
     pub(super) fn states(&mut self, body: &Moving, times: &[f64; W]) {
-        let Constants {
-            course,
-            lag,
-            turning_rate,
-            ..
-        } = &body.constants;
-        self.places.follow(course, times);
+        let constants = &body.constants;
+        self.places.follow(&constants.course, times);
         for i in 0..W {
             let quarters = self.places.quarters[i];
-            let [high, low] = phase(*turning_rate, times[i], *lag, quarters);
+            let [high, low] = phase(constants.turning_rate, times[i], constants.lag, quarters);
             (self.sine[i], self.cosine[i]) = sine_cosine([0.5 * high, 0.5 * low]);
         }
         self.turn(body);
@@ -176,22 +175,17 @@ impl<const W: usize> Work<W> {
     /// From the places and the phases to the attitudes.
     #[inline(always)]
     fn turn(&mut self, body: &Moving) {
-        let Constants {
-            axes,
-            course: Course { modulus, .. },
-            aspect,
-            turning,
-            ..
-        } = &body.constants;
+        let constants = &body.constants;
+        let (axes, modulus) = (&constants.axes, &constants.course.modulus);
         self.places.evaluate(modulus);
         for i in 0..W {
-            let [value, _] = self
-                .places
-                .theta_with_slope(i, modulus, &turning.theta, false);
+            let [value, _] =
+                self.places
+                    .theta_with_slope(i, modulus, &constants.turning.theta, false);
             (self.z[0][i], self.z[1][i]) = (value[0], value[1]);
         }
         // On the hyperbolic side Z does not turn with the quarter periods, and so much is taken off.
-        let turns = match modulus.side() {
+        let turns = match modulus.side {
             Side::Circular => {
                 self.z.swap(0, 1);
                 0
@@ -205,7 +199,7 @@ impl<const W: usize> Work<W> {
             let [sn, cn, _] = self.places.functions(i);
             let (real, imaginary) = (self.z[0][i], self.z[1][i]);
             // Z over P₁ cn + i P₂ sn, an angle of at most a right one, and half of it.
-            let across = aspect * cn;
+            let across = constants.aspect * cn;
             let (aside, along) = in_quadrant(
                 self.places.bits[i] & turns,
                 imaginary * across - real * sn,
@@ -280,20 +274,14 @@ impl Moving {
         greatest_omega: [f64; 3],
         attitude: Attitude,
     ) -> Result<Self> {
-        let Constants {
-            axes,
-            course,
-            amplitudes,
-            turning_rate,
-            ..
-        } = &constants;
+        let (axes, amplitudes) = (constants.axes, constants.amplitudes);
         let size = amplitudes[0].hypot(amplitudes[2]);
         let mut moving = Self {
-            l: axes.signed(*amplitudes),
+            l: axes.signed(amplitudes),
             omega: axes.there(greatest_omega),
             direction: amplitudes.map(|x| x / size),
             base: [1.0, 0.0, 0.0, 0.0],
-            reach: course.reach(0.5, &[*turning_rate]),
+            reach: constants.course.reach(0.5, &[constants.turning_rate]),
             constants,
         };
         let found = moving.at(0.0)?.attitude.quaternion().into_inner();
@@ -318,15 +306,10 @@ impl Moving {
         if t.abs() <= self.reach {
             work.states(self, &[t]);
         } else {
-            let Constants {
-                course,
-                lag,
-                turning_rate,
-                ..
-            } = &self.constants;
-            work.places.follow_afar(course, t)?;
-            let lag = *lag * DoubleDouble::from(work.places.quarters[0]);
-            let half = (*turning_rate * DoubleDouble::from(t) - lag).scaled(0.5);
+            let constants = &self.constants;
+            work.places.follow_afar(&constants.course, t)?;
+            let lag = constants.lag * DoubleDouble::from(work.places.quarters[0]);
+            let half = (constants.turning_rate * DoubleDouble::from(t) - lag).scaled(0.5);
             (work.sine[0], work.cosine[0]) = turned(half, t)?;
             work.turn(self);
         }
@@ -363,7 +346,7 @@ impl Constants {
     pub(super) fn solid_angle(&self) -> f64 {
         let [p1, p2, p3] = self.amplitudes;
         let size = p1.hypot(p3);
-        let magnitude = match self.course.modulus.side() {
+        let magnitude = match self.course.modulus.side {
             // ∮ (1 − cos θ) dφ = P₁P₂/P₃ ∫ P₃ dn/(|L| (|L| + P₃ dn)) du, a periodic function with poles beyond ±iK′: the rule of
             // equal ordinates leaves out q¹⁶, and nothing cancels for a small cone.
             Side::Circular => {
@@ -378,7 +361,7 @@ impl Constants {
             }
             // Near the separatrix the cone is wide: the closed form, which is Heuman's lambda function.
             Side::Hyperbolic => {
-                let mc = self.course.modulus.parameter().mc();
+                let mc = self.course.modulus.parameter.mc();
                 let share = mc * (p1 / p2) * (p3 / size) + self.turning.slope.value();
                 let quarter = self.course.modulus.quarter_period();
                 4.0 * (self.lag.value() - quarter * share)

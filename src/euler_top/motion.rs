@@ -3,11 +3,11 @@
 use nalgebra::{Quaternion, UnitQuaternion};
 
 use super::evaluation::{Constants, Moving, State, vector};
-use super::preparation::{Regime, Start, ascending, decide, decide_from, ratio};
+use super::preparation::{Quantity, Regime, Start, ascending, decide, decide_from, ratio};
 use crate::elliptic::Parameter;
 use crate::elliptic::lanes::turned;
 use crate::error::{Error, Result, finite, not_negative, positive};
-use crate::frame::{Attitude, BodyVector, SpaceVector};
+use crate::frame::{Attitude, BodyVector, SpaceVector, finite_vector};
 use crate::inertia::{InertiaMatrix, PrincipalMoments};
 use crate::precise::{DoubleDouble, Extended, Number, power_of_two_below, sum_of_products};
 
@@ -102,8 +102,9 @@ impl EulerTop {
         angular_momentum: BodyVector,
         attitude: Attitude,
     ) -> Result<Self> {
-        let start = Start::AngularMomentum(angular_momentum.components().into());
-        Self::prepared(moments, start, attitude)
+        let name = "a component of the angular momentum";
+        let quantity = Quantity::AngularMomentum;
+        Self::prepared(moments, (name, quantity, angular_momentum), attitude)
     }
 
     /// The same as [`beyond_bodies`](Self::beyond_bodies) from the angular velocity along the principal axes, rad/s; I Ω is formed without rounding.
@@ -123,8 +124,8 @@ impl EulerTop {
         omega: BodyVector,
         attitude: Attitude,
     ) -> Result<Self> {
-        let start = Start::Omega(omega.components().into());
-        Self::prepared(moments, start, attitude)
+        let name = "a component of the angular velocity";
+        Self::prepared(moments, (name, Quantity::Omega, omega), attitude)
     }
 
     /// The body with these principal moments (kg m², in any order), L² (kg² m⁴/s²) and kinetic energy E (J), with this attitude at time 0 (6.6).
@@ -197,89 +198,82 @@ impl EulerTop {
         let order = ascending(moments);
         let i = order.map(|k| moments[k]);
         // L² − 2EI_k.
-        let above = |k: usize| {
-            let less = [-energy, i[k]];
+        let [least, middle, greatest] = i.map(|moment| {
+            let less = [-energy, moment];
             let more = [energy, if share == 0.0 { 0.0 } else { i[1] }];
             sum_of_products(&[[l_squared, 1.0], more, more, less, less])
-        };
+        });
         let number = Extended::from_double;
-        let differences = [above(0), above(1), above(2)];
-        let span = Extended::difference(i[2], i[0]);
-        let squares = if span.is_zero() {
-            // All moments equal: L² = 2EI or nothing.
-            let square = number(energy).times(2.0) * number(i[2]);
-            [Extended::zero(), square]
-        } else {
-            let part = |k: usize, above: Extended| (above * number(i[k])).quotient(span);
-            [part(0, -differences[2]), part(2, differences[0])]
-        };
-        if differences[0].leading() < 0.0 || differences[2].leading() > 0.0 {
+        if least.leading() < 0.0 || greatest.leading() > 0.0 {
             return Err(Error::Condition {
                 condition: "L² must lie between 2E times the smallest and the largest moment",
-                value: (above(1) - number(energy).times(-2.0) * number(i[1])).value(),
+                value: (middle + number(energy).times(2.0) * number(i[1])).value(),
             });
         }
+        let span = Extended::difference(i[2], i[0]);
+        let part = |above: Extended, moment: f64| (above * number(moment)).quotient(span);
+        let third = if span.is_zero() {
+            // All moments equal: L² = 2EI.
+            number(energy).times(2.0) * number(i[2])
+        } else {
+            part(least, i[2])
+        };
         let mut l = [Extended::zero(); 3];
-        (l[order[0]], l[order[2]]) = (squares[0].square_root(), squares[1].square_root());
-        let rounded = l.map(Extended::value);
-        for component in rounded.into_iter().chain(omega_of(moments, &l)) {
-            finite("a component of angular velocity or momentum", component)?;
-        }
-        let separation = differences[1] * number(i[0]) * number(i[2]);
+        (l[order[0]], l[order[2]]) = (part(-greatest, i[0]).square_root(), third.square_root());
+        let separation = middle * number(i[0]) * number(i[2]);
         let decided = decide_from(moments, l, |_, _| separation);
-        Self::settled(moments, rounded, &l, attitude, decided)
+        Self::settled(moments, &l, attitude, decided)
     }
 
-    fn prepared(moments: [f64; 3], start: Start, attitude: Attitude) -> Result<Self> {
+    fn prepared(
+        moments: [f64; 3],
+        (name, quantity, start): (&'static str, Quantity, BodyVector),
+        attitude: Attitude,
+    ) -> Result<Self> {
         for moment in moments {
             not_negative("a principal moment", moment)?;
         }
-        for component in start.components() {
-            finite(start.name(), component)?;
-        }
+        let components = finite_vector(name, start)?.components().into();
+        let start = Start {
+            quantity,
+            components,
+        };
         start.refuse_impossible_rod(moments)?;
-        let (l, omega) = start.both(moments);
-        for component in l.into_iter().chain(omega) {
-            finite("a component of angular velocity or momentum", component)?;
-        }
-        let largest = vector(l).components().amax();
-        if largest < f64::MIN_POSITIVE && start.vanishes_by_rounding(moments) {
+        let l = start.angular_momentum(moments);
+        let largest = vector(l.map(Extended::value)).components().amax();
+        let turns = quantity == Quantity::Omega && l.iter().any(|component| !component.is_zero());
+        if largest < f64::MIN_POSITIVE && turns {
             return Err(Error::Condition {
                 condition: "the angular momentum of a body that turns must not underflow",
                 value: largest,
             });
         }
-        if largest > f64::MAX / 2.0 {
-            finite("the size of the angular momentum", vector(l).norm())?;
-        }
-        let decided = decide(moments, start);
-        Self::settled(
-            moments,
-            l,
-            &start.angular_momentum(moments),
-            attitude,
-            decided,
-        )
+        Self::settled(moments, &l, attitude, decide(moments, start))
     }
 
-    /// From L, rounded and not.
+    /// From L before rounding.
     fn settled(
         moments: [f64; 3],
-        l: [f64; 3],
         exact: &[Extended; 3],
         attitude: Attitude,
         (regime, constants): (Regime, Option<Constants>),
     ) -> Result<Self> {
+        let l = exact.map(Extended::value);
+        for component in l.into_iter().chain(ratio(l, moments)) {
+            finite("a component of angular velocity or momentum", component)?;
+        }
+        let angular_momentum = vector(l);
+        if angular_momentum.components().amax() > f64::MAX / 2.0 {
+            finite("the size of the angular momentum", angular_momentum.norm())?;
+        }
         let motion = match constants {
             None => steady(moments, exact),
             Some(constants) => {
-                let largest = constants
-                    .course
-                    .rate
-                    .value()
-                    .abs()
-                    .max(constants.turning_rate.value());
-                finite("the rate of the motion", largest)?;
+                let rate = constants.course.rate.value().abs();
+                finite(
+                    "the rate of the motion",
+                    rate.max(constants.turning_rate.value()),
+                )?;
                 // What is finite at the start may swing onto an axis with a smaller moment, or round up.
                 let peaks = ratio(constants.axes.back(constants.amplitudes), moments);
                 for peak in peaks {
@@ -290,7 +284,7 @@ impl EulerTop {
         };
         Ok(Self {
             moments,
-            angular_momentum: vector(l),
+            angular_momentum,
             attitude,
             regime,
             motion,
@@ -469,7 +463,7 @@ impl EulerTop {
     pub fn parameter(&self) -> Option<Parameter> {
         match &self.motion {
             Motion::Steady { .. } => None,
-            Motion::Moving(Moving { constants, .. }) => Some(constants.course.modulus.parameter()),
+            Motion::Moving(Moving { constants, .. }) => Some(constants.course.modulus.parameter),
         }
     }
 

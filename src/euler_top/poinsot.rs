@@ -4,8 +4,10 @@
 //! differences, L² − 2EI₁ ≥ 0, 2EI₃ − L² ≥ 0 and L² − 2EI₂ of either sign. None is formed by subtracting 2EI from L²:
 //! the first two are sums of squares, the third is a difference of two squares in 106 bits.
 
-use crate::error::{Error, Result, finite, positive};
-use crate::frame::BodyVector;
+use super::evaluation::handedness;
+use super::preparation::ascending;
+use crate::error::{Error, Result, positive};
+use crate::frame::{BodyVector, finite_vector};
 use crate::precise::{DoubleDouble, Number, exponent_of, power_of_two_below, shifted};
 
 /// About which axis the polhode goes.
@@ -30,14 +32,12 @@ pub enum Sector {
 /// 10⁻³⁰⁰ and scales 10^±150: 8·10⁻¹⁶ relative, for the curves as for the radii.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Poinsot {
-    /// Moments over a power of two, ascending.
+    /// Moments over a power of two: ascending, or descending where the polhode goes about the smallest, so that it always goes about the third axis.
     moments: [f64; 3],
-    /// L over a power of two, along the axes of the ascending moments.
+    /// L over a power of two, along the axes in that order.
     l: [f64; 3],
-    /// Which given axis has the smallest, the middle, the largest moment.
+    /// Which given axes these are.
     axes: [usize; 3],
-    /// +1 if the ascending axes are right-handed, −1 if not.
-    hand: f64,
     units: Units,
     /// About which axis the polhode goes, decided once.
     pub sector: Sector,
@@ -47,7 +47,7 @@ pub struct Poinsot {
     pub semi_axes: [f64; 3],
     /// Distance of the plane Π: ⟨L, x⟩ = 2E from the centre, 2E/|L|, rad/s: the component of Ω along L, always (6.2).
     pub plane_distance: f64,
-    /// √(L² − 2EI₁), √|L² − 2EI₂|, √(2EI₃ − L²), over the unit of L.
+    /// √|L² − 2EI_k| over the unit of L, in the same order.
     roots: [f64; 3],
 }
 
@@ -82,38 +82,26 @@ impl Poinsot {
         for moment in moments {
             positive("a principal moment", moment)?;
         }
-        let given: [f64; 3] = l.components().into();
-        for component in given {
-            finite("the angular momentum", component)?;
-        }
-        let size = l.components().amax();
+        finite_vector("the angular momentum", l)?;
+        let (given, size) = (l.components(), l.components().amax());
         if size == 0.0 {
             return Err(Error::ZeroVector {
                 quantity: "the angular momentum",
             });
         }
-        let mut axes = [0, 1, 2];
-        axes.sort_by(|&a, &b| moments[a].total_cmp(&moments[b]));
-        let (unit_of_moments, unit) = (
-            power_of_two_below(moments[axes[2]]),
-            power_of_two_below(size),
-        );
-        if moments[axes[0]] / moments[axes[2]] < LEAST_RATIO {
+        let axes = ascending(moments);
+        let [least, _, greatest] = axes.map(|k| moments[k]);
+        if least / greatest < LEAST_RATIO {
             return Err(Error::Condition {
                 condition: "the smallest moment must be at least 1e-100 of the largest",
-                value: moments[axes[0]],
+                value: least,
             });
         }
-        let hand = if (axes[0] + 1) % 3 == axes[1] {
-            1.0
-        } else {
-            -1.0
-        };
+        let (unit_of_moments, unit) = (power_of_two_below(greatest), power_of_two_below(size));
         let mut picture = Self {
             moments: axes.map(|k| moments[k] / unit_of_moments),
             l: axes.map(|k| given[k] / unit),
             axes,
-            hand,
             units: Units {
                 omega: exponent_of(unit) - exponent_of(unit_of_moments),
                 l: exponent_of(unit),
@@ -124,12 +112,18 @@ impl Poinsot {
             roots: [0.0; 3],
         };
         picture.decide();
-        let root = picture.energy_root();
+        let root = norm([0, 1, 2].map(|k| picture.l[k] / picture.moments[k].sqrt()));
         picture.semi_axes = picture.unsorted(
             picture.moments.map(|i| root / i.sqrt()),
             picture.units.omega,
         );
-        picture.plane_distance = picture.in_units(root * (root / picture.length()));
+        picture.plane_distance = picture.in_units(root * (root / norm(picture.l)));
+        if picture.sector == Sector::AroundSmallest {
+            picture.moments.reverse();
+            picture.l.reverse();
+            picture.axes.reverse();
+            picture.roots.reverse();
+        }
         Ok(picture)
     }
 
@@ -212,16 +206,13 @@ impl Poinsot {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn start(&self) -> f64 {
-        let ([i1, i2, i3], [l1, l2, l3]) = (self.moments, self.l);
-        let width = |i: f64, more: f64, less: f64| (i / (more - less)).sqrt();
-        // The half width along the middle axis over that along the remaining one, which may be less than any double: the quotient is not.
-        let (along, kept, flatness) = match self.sector {
-            Sector::Point => return 0.0,
-            Sector::AroundSmallest => (l3, l1, width(i2, i2, i1) / width(i3, i3, i1)),
-            _ => (l1, l3, width(i2, i3, i2) / width(i1, i3, i1)),
-        };
-        let angle = l2.atan2(along * flatness);
-        angle * self.sense(kept)
+        if self.sector == Sector::Point {
+            return 0.0;
+        }
+        let ([i1, i2, i3], [l1, l2, _]) = (self.moments, self.l);
+        // The half width along the middle axis over that along the first, which may be less than any double: the quotient is not.
+        let width = |i: f64| (i / (i3 - i).abs()).sqrt();
+        l2.atan2(l1 * (width(i2) / width(i1))) * self.sense()
     }
 
     /// ds/dt at the parameter `s`, rad/s: √((I₃−I₁)(I₃−I₂)/(I₁I₂))·|Ω₃|, about the smallest moment with 1 and 3 exchanged (6.6).
@@ -238,24 +229,8 @@ impl Poinsot {
     /// ```
     pub fn pace(&self, s: f64) -> f64 {
         let [i1, i2, i3] = self.moments;
-        let l = self.point(s);
-        let rate = match self.sector {
-            Sector::AroundSmallest => {
-                ((i3 - i1) / i3).sqrt() * ((i2 - i1) / i2).sqrt() * (l[0] / i1).abs()
-            }
-            _ => ((i3 - i1) / i1).sqrt() * ((i3 - i2) / i2).sqrt() * (l[2] / i3).abs(),
-        };
-        self.in_units(rate)
-    }
-
-    /// |L|, over its unit.
-    fn length(&self) -> f64 {
-        norm(self.l)
-    }
-
-    /// √(2E), over its unit.
-    fn energy_root(&self) -> f64 {
-        norm([0, 1, 2].map(|k| self.l[k] / self.moments[k].sqrt()))
+        let share = |i: f64| ((i3 - i).abs() / i).sqrt();
+        self.in_units(share(i1) * share(i2) * (self.point(s)[2] / i3).abs())
     }
 
     /// In rad/s.
@@ -263,7 +238,7 @@ impl Poinsot {
         shifted(rate, self.units.omega)
     }
 
-    /// From ascending moments back to the given axes, with the unit.
+    /// Back to the given axes, with the unit.
     fn unsorted(&self, sorted: [f64; 3], exponent: i32) -> [f64; 3] {
         let mut given = [0.0; 3];
         for (value, axis) in sorted.into_iter().zip(self.axes) {
@@ -272,62 +247,35 @@ impl Poinsot {
         given
     }
 
-    /// Whether the parameter as it stands in the formulas runs with the motion (+1) or against it, `kept` being the
-    /// component that keeps its sign: dL₂/dt = (I₃−I₁)/(I₃I₁)·L₃L₁.
-    fn sense(&self, kept: f64) -> f64 {
-        self.hand.copysign(self.hand * kept)
+    /// Whether the parameter as it stands in the formulas runs with the motion (+1) or against it: dL₂/dt = (I₃−I₁)/(I₃I₁)·L₃L₁ along right-handed axes.
+    fn sense(&self) -> f64 {
+        let [i1, _, i3] = self.moments;
+        1.0_f64.copysign(handedness(self.axes) * (i3 - i1) * self.l[2])
     }
 
-    /// The component that keeps its sign at s = 0, the half width along the middle axis, and that along the remaining one.
-    fn half_widths(&self) -> [f64; 3] {
-        let ([i1, i2, i3], [d1, _, d3]) = (self.moments, self.roots);
-        let part = |i: f64, more: f64, less: f64, root: f64| root * (i / (more - less)).sqrt();
-        match self.sector {
-            Sector::Point => [0.0; 3],
-            Sector::AroundSmallest => [
-                part(i1, i3, i1, d3),
-                part(i2, i2, i1, d1),
-                part(i3, i3, i1, d1),
-            ],
-            _ => [
-                part(i3, i3, i1, d1),
-                part(i2, i3, i2, d3),
-                part(i1, i3, i1, d3),
-            ],
-        }
-    }
-
-    /// L over its unit, along ascending moments, at the parameter `s`.
+    /// L over its unit at the parameter `s`.
     fn point(&self, s: f64) -> [f64; 3] {
-        let ([i1, i2, i3], d2) = (self.moments, self.roots[1]);
-        let [kept, b, side] = self.half_widths();
-        let swing = |sense: f64| {
-            let (sin, cos) = (sense * s).sin_cos();
-            (b * sin, side * cos, kept * cos, sin)
-        };
-        match self.sector {
-            Sector::Point => self.l,
-            Sector::AroundSmallest => {
-                let (l2, l3, first, sin) = swing(self.sense(self.l[0]));
-                let l1 = first.hypot(d2 * (i1 / (i2 - i1)).sqrt() * sin);
-                [l1.copysign(self.l[0]), l2, l3]
-            }
-            Sector::AroundLargest | Sector::Separatrix => {
-                let (l2, l1, first, sin) = swing(self.sense(self.l[2]));
-                let l3 = first.hypot(d2 * (i3 / (i3 - i2)).sqrt() * sin);
-                [l1, l2, l3.copysign(self.l[2])]
-            }
+        if self.sector == Sector::Point {
+            return self.l;
         }
+        let ([i1, i2, i3], [d1, d2, d3]) = (self.moments, self.roots);
+        let part = |root: f64, i: f64, other: f64| root * (i / (i - other).abs()).sqrt();
+        let (sin, cos) = (self.sense() * s).sin_cos();
+        let third = (part(d1, i3, i1) * cos).hypot(part(d2, i3, i2) * sin);
+        [
+            part(d3, i1, i3) * cos,
+            part(d3, i2, i3) * sin,
+            third.copysign(self.l[2]),
+        ]
     }
 
-    /// ∂Ω/∂t over its unit, along ascending moments: ((I_j − I_k)/(I_iI_jI_k)) L_jL_k, up to the handedness.
+    /// ∂Ω/∂t over its unit: ((I_j − I_k)/(I_iI_jI_k)) L_jL_k, up to the handedness.
     fn rate(&self, s: f64) -> [f64; 3] {
         let (i, l) = (self.moments, self.point(s));
-        let component = |k: usize| {
+        [0, 1, 2].map(|k| {
             let (a, b) = ((k + 1) % 3, (k + 2) % 3);
             (i[a] - i[b]) / i[k] * (l[a] / i[a]) * (l[b] / i[b])
-        };
-        [0, 1, 2].map(|k| self.hand * component(k))
+        })
     }
 }
 
@@ -351,15 +299,11 @@ impl Poinsot {
     /// ```
     pub fn herpolhode_radii(&self) -> [f64; 2] {
         let ([i1, i2, i3], [d1, d2, d3]) = (self.moments, self.roots);
-        let length = self.length();
+        let length = norm(self.l);
         let radius = |a: f64, b: f64, i: f64, j: f64| {
             self.in_units((a / length) * (b / i.sqrt()) / j.sqrt())
         };
-        let inner = match self.sector {
-            Sector::AroundSmallest => radius(d1, d2, i1, i2),
-            _ => radius(d3, d2, i2, i3),
-        };
-        [inner, radius(d1, d3, i1, i3)]
+        [radius(d3, d2, i2, i3), radius(d1, d3, i1, i3)]
     }
 
     /// Curvature of the herpolhode at the parameter `s`, s/rad; positive where it bends to the left seen from the tip of L (6.2).
@@ -391,6 +335,6 @@ impl Poinsot {
             share * share * (excess * square + l[k] * (l[k] / i[k]))
         };
         let sum = bracket(0) + bracket(1) + bracket(2);
-        shifted(sum / self.length() / speed, -self.units.omega)
+        shifted(sum / norm(self.l) / speed, -self.units.omega)
     }
 }

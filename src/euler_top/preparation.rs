@@ -1,14 +1,15 @@
 //! From moments and a start to the regime and the constants of the motion, in 106 bits and without a cancellation (tutorial 6.3, 6.6).
 
+use nalgebra::Vector3;
+
 use super::evaluation::{Constants, Renumbering};
 use crate::elliptic::Side;
 use crate::elliptic::lanes::Course;
 use crate::elliptic::modulus::{Descent, Squares};
-use crate::elliptic::turning::{Elevation, Turning, Which};
+use crate::elliptic::turning::{Elevation, Turning};
 use crate::error::{Error, Result};
 use crate::precise::{
-    DoubleDouble, Extended, Number, RIGHT_ANGLE, exponent_of, power_of_two_below, shifted,
-    sum_of_products,
+    DoubleDouble, Extended, Number, RIGHT_ANGLE, exponent_of, power_of_two_below, sum_of_products,
 };
 
 /// What kind of motion a free top makes.
@@ -33,73 +34,32 @@ pub enum Regime {
     Separatrix,
 }
 
-/// How a motion starts: the components along the body's axes of what was given, exact as they stand.
+/// How a motion starts: what was given along the body's axes, exact as it stands.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Start {
+pub(super) struct Start {
+    pub(super) quantity: Quantity,
+    pub(super) components: [f64; 3],
+}
+
+/// What the components are of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Quantity {
     /// L, kg m²/s.
-    AngularMomentum([f64; 3]),
+    AngularMomentum,
     /// Ω, rad/s.
-    Omega([f64; 3]),
+    Omega,
 }
 
 impl Start {
-    /// What it is.
-    pub(super) fn name(self) -> &'static str {
-        match self {
-            Self::AngularMomentum(_) => "a component of the angular momentum",
-            Self::Omega(_) => "a component of the angular velocity",
-        }
-    }
-
-    /// What was given.
-    pub(super) fn components(self) -> [f64; 3] {
-        match self {
-            Self::AngularMomentum(components) | Self::Omega(components) => components,
-        }
-    }
-
     /// L, to 106 bits: the product of a moment and an angular velocity is not rounded.
     pub(super) fn angular_momentum<N: Number>(self, moments: [f64; 3]) -> [N; 3] {
-        match self {
-            Self::AngularMomentum([x, y, z]) => {
-                [N::from_double(x), N::from_double(y), N::from_double(z)]
+        core::array::from_fn(|k| {
+            let component = N::from_double(self.components[k]);
+            match self.quantity {
+                Quantity::AngularMomentum => component,
+                Quantity::Omega => component.times(moments[k]),
             }
-            Self::Omega([x, y, z]) => [
-                N::from_double(x).times(moments[0]),
-                N::from_double(y).times(moments[1]),
-                N::from_double(z).times(moments[2]),
-            ],
-        }
-    }
-
-    /// Whether a component of I Ω is not zero, though as a double it may be.
-    pub(super) fn vanishes_by_rounding(self, moments: [f64; 3]) -> bool {
-        match self {
-            Self::AngularMomentum(_) => false,
-            Self::Omega(omega) => omega
-                .iter()
-                .zip(moments)
-                .any(|(component, moment)| *component != 0.0 && moment != 0.0),
-        }
-    }
-
-    /// L and Ω as doubles.
-    pub(super) fn both(self, moments: [f64; 3]) -> ([f64; 3], [f64; 3]) {
-        match self {
-            Self::AngularMomentum(l) => (l, ratio(l, moments)),
-            Self::Omega([x, y, z]) => {
-                let l = [moments[0] * x, moments[1] * y, moments[2] * z];
-                (l, [x, y, z])
-            }
-        }
-    }
-
-    /// The same quantity with other components.
-    pub(super) fn with(self, components: [f64; 3]) -> Self {
-        match self {
-            Self::AngularMomentum(_) => Self::AngularMomentum(components),
-            Self::Omega(_) => Self::Omega(components),
-        }
+        })
     }
 
     /// A body on a line must not spin about that line, nor be a line in only one of two directions.
@@ -108,15 +68,12 @@ impl Start {
         if moments[first] > 0.0 {
             return Ok(());
         }
-        if let Start::AngularMomentum(l) = self {
-            for (moment, component) in moments.iter().zip(l) {
-                if *moment == 0.0 && *component != 0.0 {
-                    return Err(Error::Condition {
-                        condition: "the angular momentum about an axis whose moment is zero must be zero",
-                        value: *component,
-                    });
-                }
-            }
+        let spin = (0..3).find(|&k| moments[k] == 0.0 && self.components[k] != 0.0);
+        if let (Quantity::AngularMomentum, Some(axis)) = (self.quantity, spin) {
+            return Err(Error::Condition {
+                condition: "the angular momentum about an axis whose moment is zero must be zero",
+                value: self.components[axis],
+            });
         }
         let gap = moments[last] - moments[middle];
         if gap > 8.0 * f64::EPSILON * moments[last] {
@@ -158,19 +115,9 @@ pub(super) fn differences<N: Number>(i: [f64; 3]) -> [N; 3] {
     ]
 }
 
-/// (L² − 2EI₂) I₁I₃ = c₁ L₃² − c₃ L₁²: its sign decides about which axis L goes, its size how close the separatrix is.
-pub(super) fn separation<N: Number>(i: [f64; 3], order: [usize; 3], start: Start) -> N {
-    let x = order.map(|k| start.components()[k]);
-    let l: [N; 3] = start.with(x).angular_momentum(i);
-    let c = differences::<N>(i);
-    let third = c[0] * l[2].square();
-    let first = c[2] * l[0].square();
-    let difference = third - first;
-    let scale = third.times(1.0 / 1024.0);
-    if difference.magnitude().exceeds(scale) {
-        return difference;
-    }
-    // More than ten of the 106 bits have cancelled; from the exact products none is lost.
+/// (L² − 2EI₂) I₁I₃ from exact products, of which no bit is lost whatever cancels, for ascending moments and the axes in that order.
+fn separation<N: Number>(i: [f64; 3], order: [usize; 3], start: Start) -> N {
+    let x = order.map(|k| start.components[k]);
     let sum = |a: f64, b: f64| {
         sum_of_products(&[
             [a, i[2], x[2], x[2]],
@@ -179,9 +126,9 @@ pub(super) fn separation<N: Number>(i: [f64; 3], order: [usize; 3], start: Start
             [b, i[0], x[0], x[0]],
         ])
     };
-    N::from_extended(match start {
-        Start::AngularMomentum(_) => sum(i[0], i[2]),
-        Start::Omega(_) => sum(i[2], i[0]).times(i[0]).times(i[2]),
+    N::from_extended(match start.quantity {
+        Quantity::AngularMomentum => sum(i[0], i[2]),
+        Quantity::Omega => sum(i[2], i[0]).times(i[0]).times(i[2]),
     })
 }
 
@@ -191,20 +138,14 @@ const FAR_BELOW: f64 = 6.223_015_277_861_142e-61;
 impl Constants {
     /// From a motion whose unit of L was `momentum` and whose unit of rates 2^`exponent`.
     fn put_in_units(&mut self, (momentum, exponent): (f64, i32)) {
-        let scaled = |x: DoubleDouble| {
-            DoubleDouble::sum(shifted(x.high(), exponent), shifted(x.low(), exponent))
-        };
-        self.course.rate = scaled(self.course.rate);
-        self.turning_rate = scaled(self.turning_rate);
+        for rate in [&mut self.course.rate, &mut self.turning_rate] {
+            let digits = *rate;
+            *rate = Extended { digits, exponent }.narrow();
+        }
         for amplitude in &mut self.amplitudes {
             *amplitude *= momentum;
         }
     }
-}
-
-/// The power of two next below the largest of them.
-fn unit(values: [f64; 3]) -> f64 {
-    power_of_two_below(values.iter().fold(0.0, |largest, x| x.abs().max(largest)))
 }
 
 /// What kind of motion it is: decided here, once, by exact differences.
@@ -212,19 +153,23 @@ fn unit(values: [f64; 3]) -> f64 {
 /// Returns the constants too if Ω moves.
 pub(super) fn decide(moments: [f64; 3], start: Start) -> (Regime, Option<Constants>) {
     // Powers of two are taken off without rounding; then no square overflows or underflows, unless the numbers are far apart.
-    let (unit_of_moments, unit) = (unit(moments), unit(start.components()));
+    let unit_of = |values: [f64; 3]| power_of_two_below(Vector3::from(values).amax());
+    let (unit_of_moments, unit) = (unit_of(moments), unit_of(start.components));
     let near = |x: f64, unit: f64| x == 0.0 || x.abs() > unit * FAR_BELOW;
     let tame = moments.iter().all(|x| near(*x, unit_of_moments))
-        && start.components().iter().all(|x| near(*x, unit));
+        && start.components.iter().all(|x| near(*x, unit));
     if !tame {
         return decide_with::<Extended>(moments, start);
     }
-    let scaled = start.with(start.components().map(|x| x / unit));
+    let scaled = Start {
+        components: start.components.map(|x| x / unit),
+        ..start
+    };
     let moments = moments.map(|i| i / unit_of_moments);
     let (regime, mut constants) = decide_with::<DoubleDouble>(moments, scaled);
-    let units = match start {
-        Start::AngularMomentum(_) => (unit, exponent_of(unit) - exponent_of(unit_of_moments)),
-        Start::Omega(_) => (unit * unit_of_moments, exponent_of(unit)),
+    let units = match start.quantity {
+        Quantity::AngularMomentum => (unit, exponent_of(unit) - exponent_of(unit_of_moments)),
+        Quantity::Omega => (unit * unit_of_moments, exponent_of(unit)),
     };
     if let Some(constants) = &mut constants {
         constants.put_in_units(units);
@@ -238,11 +183,11 @@ fn decide_with<N: Number>(moments: [f64; 3], start: Start) -> (Regime, Option<Co
     })
 }
 
-/// From L along the axes and (L² − 2EI₂) I₁I₃ of the ascending moments in that order.
+/// From L along the axes and, where it cannot be told from these, (L² − 2EI₂) I₁I₃ of the ascending moments in that order.
 pub(super) fn decide_from<N: Number>(
     moments: [f64; 3],
     l: [N; 3],
-    separation: impl Fn([f64; 3], [usize; 3]) -> N,
+    exactly: impl Fn([f64; 3], [usize; 3]) -> N,
 ) -> (Regime, Option<Constants>) {
     if l.iter().all(|component| component.is_zero()) {
         return (Regime::AtRest, None);
@@ -260,8 +205,14 @@ pub(super) fn decide_from<N: Number>(
     if !(moves(0, 1) || moves(1, 2) || moves(0, 2)) {
         return (Regime::PermanentRotation, None);
     }
-    let c = differences(i);
-    let separation = separation(i, order);
+    let c = differences::<N>(i);
+    // (L² − 2EI₂) I₁I₃ = c₁ L₃² − c₃ L₁²: its sign decides about which axis L goes, its size how close the separatrix is.
+    let third = c[0] * l[order[2]].square();
+    let mut separation = third - c[2] * l[order[0]].square();
+    if !separation.magnitude().exceeds(third.times(1.0 / 1024.0)) {
+        // More than ten of the 106 bits have cancelled.
+        separation = exactly(i, order);
+    }
     let sign = separation.leading();
     let (axis, regime) = if sign < 0.0 {
         ([order[2], order[1], order[0]], Regime::AroundSmallest)
@@ -297,12 +248,7 @@ fn constants<N: Number>(
     distance: N,
     sense: f64,
 ) -> Constants {
-    let l = [
-        l[0].signed(axes.sign[0]),
-        l[1].signed(axes.sign[1]),
-        l[2].signed(axes.sign[2]),
-    ];
-    let squares = [l[0].square(), l[1].square(), l[2].square()];
+    let squares = l.map(N::square);
     // Sums of terms of one sign stand in for L² − 2EI and 2EI − L².
     let steady = (c[2] * squares[1]).add_alike(c[1] * squares[2]);
     let wobble = (c[1] * squares[0]).add_alike(c[0] * squares[1]);
@@ -317,12 +263,9 @@ fn constants<N: Number>(
     let descent = Descent::new(m, mc);
     let aspect = c[0].root_of_quotient(c[1]);
     // sc η = √(c₁/c₃) against sc ξ = P₃/P₁.
-    let elevation = Elevation::smaller([c[0], c[2]], [steady, wobble], |which| match which {
-        Which::Eta => c[1],
-        Which::Xi => c[1] * size_squared,
-    });
+    let elevation = Elevation::smaller([c[0], c[2], c[1]], [steady, wobble, c[1] * size_squared]);
     let turning = Turning::new(&descent, &elevation);
-    let lag = match descent.side() {
+    let lag = match descent.modulus.side {
         Side::Circular => DoubleDouble::from(0.0),
         Side::Hyperbolic => RIGHT_ANGLE - turning.lag,
     };
@@ -344,7 +287,7 @@ fn constants<N: Number>(
         axes,
         course: Course {
             modulus: descent.modulus,
-            start: if l[1].leading() < 0.0 { -start } else { start },
+            start: start.signed(axes.sign[1] * l[1].leading()),
             rate: rate.narrow(),
         },
         amplitudes,

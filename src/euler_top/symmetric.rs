@@ -1,7 +1,8 @@
 //! The symmetric free top, I₁ = I₂ (tutorial 6.5): exact rotation rate and attitude at any time.
 
-use crate::error::{Error, Result, finite, not_negative, positive};
-use crate::frame::{Attitude, BodyVector};
+use crate::error::{Result, finite, not_negative, positive};
+use crate::frame::{Attitude, BodyVector, finite_vector};
+use crate::inertia::PrincipalMoments;
 use crate::precise::{DoubleDouble, Number, power_of_two_below};
 
 /// On which side of the sphere the moments lie.
@@ -41,8 +42,8 @@ impl SymmetricTop {
     /// The top with moments I₁ = I₂ = `transverse` and I₃ = `axial`, kg m².
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::NotPositive`] for I₁, [`Error::Negative`] for I₃ (zero is a thin rod);
-    /// [`Error::TriangleInequality`] if I₃ > 2I₁ by more than four units in the last place, which no body has (2.4).
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::NotPositive`](crate::Error::NotPositive) for I₁, [`Error::Negative`](crate::Error::Negative) for I₃ (zero is a thin rod);
+    /// [`Error::TriangleInequality`](crate::Error::TriangleInequality) if I₃ > 2I₁ by more than four units in the last place, which no body has (2.4).
     ///
     /// ```
     /// use spinning_bodies::euler_top::SymmetricTop;
@@ -54,13 +55,7 @@ impl SymmetricTop {
     pub fn new(transverse: f64, axial: f64) -> Result<Self> {
         let transverse = positive("the transverse moment", transverse)?;
         let axial = not_negative("the axial moment", axial)?;
-        if axial * 0.5 > transverse * (1.0 + 4.0 * f64::EPSILON) {
-            return Err(Error::TriangleInequality {
-                smallest: transverse,
-                middle: transverse,
-                largest: axial,
-            });
-        }
+        PrincipalMoments::new(transverse, transverse, axial)?;
         let shape = if axial > transverse {
             Shape::Oblate
         } else if axial < transverse {
@@ -148,7 +143,7 @@ impl SymmetricTop {
     /// place of a radian at any time. A top at rest stays.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] if Ω or t is not, or an angle overflows.
+    /// [`Error::NotFinite`](crate::Error::NotFinite) if Ω or t is not, or an angle overflows.
     ///
     /// ```
     /// use spinning_bodies::{euler_top::SymmetricTop, frame::BodyVector};
@@ -161,15 +156,10 @@ impl SymmetricTop {
     /// ```
     pub fn attitude_at(&self, omega0: BodyVector, t: f64) -> Result<Attitude> {
         finite("the time", t)?;
-        let l = BodyVector::new(
-            omega0.x(),
-            omega0.y(),
-            self.axial / self.transverse * omega0.z(),
-        );
-        for component in l.components().iter() {
-            finite("the angular velocity", *component)?;
-        }
-        let size = l.components().amax();
+        let l = self.momentum_over_transverse(omega0);
+        let size = finite_vector("the angular velocity", l)?
+            .components()
+            .amax();
         if size == 0.0 {
             return Ok(Attitude::identity());
         }
@@ -197,12 +187,13 @@ impl SymmetricTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn axis_rate_in_space(&self, omega: BodyVector) -> f64 {
-        BodyVector::new(
-            omega.x(),
-            omega.y(),
-            self.axial / self.transverse * omega.z(),
-        )
-        .norm()
+        self.momentum_over_transverse(omega).norm()
+    }
+
+    /// L/I₁.
+    fn momentum_over_transverse(&self, omega: BodyVector) -> BodyVector {
+        let axial = self.axial / self.transverse * omega.z();
+        BodyVector::new(omega.x(), omega.y(), axial)
     }
 
     /// The cones of 6.5: Ω about the axis, Ω about L, the axis about L.
@@ -211,7 +202,7 @@ impl SymmetricTop {
     /// the arctangent of |Ω₃(I₃/I₁ − 1)Ω⊥| over Ω₃²I₃/I₁ + Ω⊥²: a few units in the last place for the roundest body.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::ZeroVector`] for Ω.
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::ZeroVector`](crate::Error::ZeroVector) for Ω.
     ///
     /// ```
     /// use spinning_bodies::{euler_top::SymmetricTop, frame::BodyVector};

@@ -18,8 +18,9 @@ use nalgebra::Quaternion;
 use crate::elliptic::Side;
 use crate::elliptic::lanes::{Course, LANES, Places, phase, turned};
 use crate::elliptic::turning::Turning;
-use crate::error::{Error, Result, finite, not_negative, positive};
+use crate::error::{Result, finite, not_negative, positive};
 use crate::frame::{Attitude, BodyVector};
+use crate::inertia::PrincipalMoments;
 use crate::precise::quick::sine_cosine;
 use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE, power_of_two_below};
 
@@ -76,13 +77,7 @@ impl Body {
     pub(super) fn new(transverse: f64, axial: f64, weight_moment: f64) -> Result<Self> {
         positive("the transverse moment", transverse)?;
         not_negative("the axial moment", axial)?;
-        if axial * 0.5 > transverse * (1.0 + 4.0 * f64::EPSILON) {
-            return Err(Error::TriangleInequality {
-                smallest: transverse,
-                middle: transverse,
-                largest: axial,
-            });
-        }
+        PrincipalMoments::new(transverse, transverse, axial)?;
         finite("the weight moment Mgl", weight_moment)?;
         Ok(Self {
             transverse,
@@ -154,7 +149,7 @@ impl Constants {
         let period = quarter.scaled(2.0) / self.course.rate.scaled(unit);
         let [alpha, beta] = &self.parameters;
         let lag = |parameter: &Parameter| {
-            let lag = match self.course.modulus.side() {
+            let lag = match self.course.modulus.side {
                 Side::Circular => RIGHT_ANGLE,
                 Side::Hyperbolic => parameter.turning.lag,
             };

@@ -3,24 +3,23 @@
 use nalgebra::Quaternion;
 
 use super::evaluation::{Body, Pull, State};
-use super::preparation::{Exact, FASTEST, Kept, Motion, Start, moderate, prepare, prepare_kept};
+use super::preparation::{
+    Exact, FASTEST, Kept, Motion, Prepared, Start, moderate, prepare, prepare_kept,
+};
 use super::roots::{Nutation, Roots};
 use crate::elliptic::Parameter;
 use crate::elliptic::lanes::{Course, fill, turned};
 use crate::error::{Error, Result, finite, within};
 use crate::precise::{DoubleDouble, Extended, Number, sum_of_products};
 
-use crate::frame::{Attitude, BodyVector};
+use crate::frame::{Attitude, BodyVector, finite_vector};
 
 /// A symmetric body that turns about a fixed point of its axis under gravity, its motion prepared.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LagrangeTop {
     body: Body,
-    omega: BodyVector,
-    attitude: Attitude,
-    kind: Nutation,
-    roots: Roots,
-    motion: Motion,
+    start: Start,
+    prepared: Prepared,
 }
 
 impl LagrangeTop {
@@ -59,8 +58,8 @@ impl LagrangeTop {
         attitude: Attitude,
     ) -> Result<Self> {
         let body = Body::new(transverse, axial, weight_moment)?;
-        let exact = Exact::of(body, omega, &attitude);
-        Self::prepared(body, omega, attitude, &exact)
+        let start = Start { omega, attitude };
+        Self::prepared(body, start, &Exact::of(body, start))
     }
 
     /// The same from numbers that are not rounded to doubles.
@@ -72,27 +71,25 @@ impl LagrangeTop {
         let [x, y, z] = exact.omega.map(Extended::value);
         let [qw, qx, qy, qz] = exact.quaternion.map(Extended::value);
         let quaternion = nalgebra::Quaternion::new(qw, qx, qy, qz);
-        let (omega, attitude) = (BodyVector::new(x, y, z), Attitude::from_unit(quaternion));
-        Self::prepared(body, omega, attitude, exact)
+        let start = Start {
+            omega: BodyVector::new(x, y, z),
+            attitude: Attitude::from_unit(quaternion),
+        };
+        Self::prepared(body, start, exact)
     }
 
-    fn prepared(body: Body, omega: BodyVector, attitude: Attitude, exact: &Exact) -> Result<Self> {
-        for component in omega.components().iter() {
-            finite("a component of the angular velocity", *component)?;
-        }
+    fn prepared(body: Body, start: Start, exact: &Exact) -> Result<Self> {
+        let omega = finite_vector("a component of the angular velocity", start.omega)?;
         within("the angular velocity", omega.norm(), 0.0, FASTEST)?;
-        let (kind, roots, motion) = if moderate(body, omega, &attitude) {
-            prepare::<DoubleDouble>(body, omega, &attitude, exact)?
+        let prepared = if moderate(body, start) {
+            prepare::<DoubleDouble>(body, start, exact)?
         } else {
-            prepare::<Extended>(body, omega, &attitude, exact)?
+            prepare::<Extended>(body, start, exact)?
         };
         Ok(Self {
             body,
-            omega,
-            attitude,
-            kind,
-            roots,
-            motion,
+            start,
+            prepared,
         })
     }
 
@@ -139,12 +136,7 @@ impl LagrangeTop {
             sum_of_products(&[[axial, energy], [axial, energy], spin, fall, fall])
                 .quotient(Extended::from_double(axial))
         };
-        Self::kept(body, [l3, l_vert], twice_above, |condition| {
-            Error::Condition {
-                condition,
-                value: energy,
-            }
-        })
+        Self::kept(body, [l3, l_vert], energy, twice_above)
     }
 
     /// The same as [`from_integrals`](Self::from_integrals) from the energy above that of the top that spins with this L₃ and C right above the pivot,
@@ -178,19 +170,15 @@ impl LagrangeTop {
         // Less |Mgl| for what is counted from above, more for what is counted from below.
         let twice_above =
             |weight: f64| sum_of_products(&[[2.0, excess], [2.0, size], [2.0, weight]]);
-        Self::kept(body, [l3, l_vert], twice_above, |condition| {
-            Error::Condition {
-                condition,
-                value: excess,
-            }
-        })
+        Self::kept(body, [l3, l_vert], excess, twice_above)
     }
 
+    /// From twice the energy above that at a height where gravity gives this; what was given of it is told if no motion has it.
     fn kept(
         body: Body,
         [l3, l_vert]: [f64; 2],
+        given: f64,
         twice_above: impl Fn(f64) -> Extended,
-        refusal: impl Fn(&'static str) -> Error,
     ) -> Result<Self> {
         finite("L3", l3)?;
         finite("the vertical angular momentum", l_vert)?;
@@ -207,17 +195,14 @@ impl LagrangeTop {
             above_top: twice_above(-weight),
             above_bottom: twice_above(weight),
         };
-        let (Start { omega, attitude }, (kind, roots, motion)) = prepare_kept(body, kept)?
-            .ok_or_else(|| {
-                refusal("the energy must be at least that of a motion with these L3 and L_vert")
-            })?;
+        let (start, prepared) = prepare_kept(body, kept)?.ok_or(Error::Condition {
+            condition: "the energy must be at least that of a motion with these L3 and L_vert",
+            value: given,
+        })?;
         Ok(Self {
             body,
-            omega,
-            attitude,
-            kind,
-            roots,
-            motion,
+            start,
+            prepared,
         })
     }
 
@@ -233,7 +218,7 @@ impl LagrangeTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub const fn kind(&self) -> Nutation {
-        self.kind
+        self.prepared.kind
     }
 
     /// L_vert, the component of L along the vertical, kg m²/s: constant (7.2).
@@ -246,8 +231,8 @@ impl LagrangeTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn vertical_angular_momentum(&self) -> f64 {
-        let l = self.body.angular_momentum(self.omega);
-        self.attitude.to_space(l).z()
+        let l = self.body.angular_momentum(self.start.omega);
+        self.start.attitude.to_space(l).z()
     }
 
     /// E = ½⟨Ω, L⟩ + Mgl cos θ, J: constant (7.2).
@@ -261,8 +246,8 @@ impl LagrangeTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn energy(&self) -> f64 {
-        let [x, y, z]: [f64; 3] = self.omega.components().into();
-        let q = self.attitude.quaternion();
+        let [x, y, z]: [f64; 3] = self.start.omega.components().into();
+        let q = self.start.attitude.quaternion();
         let height = (q.w * q.w + q.k * q.k) - (q.i * q.i + q.j * q.j);
         let Body {
             transverse,
@@ -283,7 +268,7 @@ impl LagrangeTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub const fn roots(&self) -> Roots {
-        self.roots
+        self.prepared.roots
     }
 
     /// Everything at time t (s), before or after (7.2).
@@ -307,19 +292,19 @@ impl LagrangeTop {
     /// ```
     pub fn at(&self, t: f64) -> Result<State> {
         let t = finite("the time", t)?;
-        match &self.motion {
+        match &self.prepared.motion {
             Motion::Still => {
-                let half = DoubleDouble::product(self.omega.z(), t).scaled(0.5);
+                let half = DoubleDouble::product(self.start.omega.z(), t).scaled(0.5);
                 let (sine, cosine) = turned(half, t)?;
                 let turn = Quaternion::new(cosine, 0.0, 0.0, sine);
-                let q = self.attitude.quaternion().into_inner() * turn;
+                let q = self.start.attitude.quaternion().into_inner() * turn;
                 let upper = q.w * q.w + q.k * q.k;
                 let lower = q.i * q.i + q.j * q.j;
                 let heights = [lower, upper].map(|part| 2.0 * (part / (upper + lower)));
-                let omega = BodyVector::new(0.0, 0.0, self.omega.z());
+                let omega = BodyVector::new(0.0, 0.0, self.start.omega.z());
                 Ok(State::new(&self.body, omega, q, heights))
             }
-            Motion::Moving(constants) => constants.at(t, &self.body, self.omega.z()),
+            Motion::Moving(constants) => constants.at(t, &self.body, self.start.omega.z()),
         }
     }
 
@@ -365,10 +350,10 @@ impl LagrangeTop {
     /// ```
     pub fn states_at(&self, times: &[f64], states: &mut [State]) -> Result<()> {
         let one = |t| self.at(t);
-        match &self.motion {
+        match &self.prepared.motion {
             Motion::Moving(constants) => {
                 fill(times, states, constants.reach, one, |times, states| {
-                    constants.side_by_side(times, &self.body, self.omega.z(), states);
+                    constants.side_by_side(times, &self.body, self.start.omega.z(), states);
                 })
             }
             Motion::Still => fill(times, states, -1.0, one, |_, _| ()),
@@ -386,7 +371,7 @@ impl LagrangeTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn period(&self) -> f64 {
-        match &self.motion {
+        match &self.prepared.motion {
             Motion::Still => f64::INFINITY,
             Motion::Moving(constants) => {
                 let Course { modulus, rate, .. } = &constants.course;
@@ -408,9 +393,9 @@ impl LagrangeTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn parameter(&self) -> Option<Parameter> {
-        match &self.motion {
+        match &self.prepared.motion {
             Motion::Still => None,
-            Motion::Moving(constants) => Some(constants.course.modulus.parameter()),
+            Motion::Moving(constants) => Some(constants.course.modulus.parameter),
         }
     }
 
@@ -425,7 +410,7 @@ impl LagrangeTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn precession_per_nutation(&self) -> Option<f64> {
-        match &self.motion {
+        match &self.prepared.motion {
             Motion::Moving(constants) if constants.course.modulus.quarter_period().is_finite() => {
                 let precession = constants.precession_per_nutation().value();
                 Some(match constants.pull {

@@ -3,10 +3,10 @@
 use nalgebra::Quaternion;
 
 use super::evaluation::{Body, Complex, Constants, Parameter, Pull};
-use super::roots::{Cubic, Distances, Integrals, Nutation, Roots, kind};
+use super::roots::{Distances, Integrals, Nutation, Place, Roots};
 use crate::elliptic::lanes::Course;
 use crate::elliptic::modulus::{Descent, Squares};
-use crate::elliptic::turning::{Elevation, Turning, Which};
+use crate::elliptic::turning::{Elevation, Turning};
 use crate::error::{Error, Result, positive, within};
 use crate::frame::{Attitude, BodyVector};
 use crate::precise::{
@@ -28,10 +28,15 @@ pub(super) enum Motion {
 }
 
 /// What is decided once.
-pub(super) type Prepared = (Nutation, Roots, Motion);
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Prepared {
+    pub(super) kind: Nutation,
+    pub(super) roots: Roots,
+    pub(super) motion: Motion,
+}
 
 /// Ω and attitude at time 0.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Start {
     pub(super) omega: BodyVector,
     pub(super) attitude: Attitude,
@@ -49,7 +54,7 @@ pub(crate) struct Exact {
 }
 
 impl Exact {
-    pub(super) fn of(body: Body, omega: BodyVector, attitude: &Attitude) -> Self {
+    pub(super) fn of(body: Body, Start { omega, attitude }: Start) -> Self {
         let q = attitude.quaternion();
         Self {
             weight_moment: Extended::from_double(body.weight_moment),
@@ -60,7 +65,7 @@ impl Exact {
 }
 
 /// Whether the fourth power of every number that counts is far above underflow.
-pub(super) fn moderate(body: Body, omega: BodyVector, attitude: &Attitude) -> bool {
+pub(super) fn moderate(body: Body, Start { omega, attitude }: Start) -> bool {
     let q = attitude.quaternion();
     let near = |x: f64, unit: f64| x == 0.0 || x.abs() > 1e-60 * unit;
     let swing = (body.weight_moment.abs() / body.transverse).sqrt();
@@ -72,24 +77,13 @@ pub(super) fn moderate(body: Body, omega: BodyVector, attitude: &Attitude) -> bo
 }
 
 /// The constants, everything in units of time in which rates are moderate.
-pub(super) fn prepare<N: Number>(
-    Body {
-        transverse,
-        axial,
-        weight_moment,
-    }: Body,
-    omega: BodyVector,
-    attitude: &Attitude,
-    exact: &Exact,
-) -> Result<Prepared> {
-    let pull = Pull::of(weight_moment);
-    let q = seen(pull, attitude.quaternion().into_inner());
-    let weight = match pull {
-        Pull::Down => exact.weight_moment,
-        Pull::Up => -exact.weight_moment,
-    };
-    let gravity = weight.quotient(Extended::from_double(transverse));
-    let fastest = omega
+pub(super) fn prepare<N: Number>(body: Body, start: Start, exact: &Exact) -> Result<Prepared> {
+    let pull = Pull::of(body.weight_moment);
+    let q = seen(pull, start.attitude.quaternion().into_inner());
+    let over_transverse = |x: Extended| x.quotient(Extended::from_double(body.transverse));
+    let gravity = over_transverse(exact.weight_moment.magnitude());
+    let fastest = start
+        .omega
         .components()
         .amax()
         .max(gravity.square_root().narrow().value());
@@ -98,69 +92,60 @@ pub(super) fn prepare<N: Number>(
     if fastest == 0.0 {
         let upper = 2.0 * (q.w * q.w + q.k * q.k);
         let lower = 2.0 * (q.i * q.i + q.j * q.j);
-        let roots = Roots::new([lower; 2], [upper; 2], f64::INFINITY);
-        return Ok((Nutation::Spinning, roots, Motion::Still));
+        return Ok(Prepared {
+            kind: Nutation::Spinning,
+            roots: Roots::new([lower; 2], [upper; 2], f64::INFINITY),
+            motion: Motion::Still,
+        });
     }
     let unit = power_of_two_below(fastest);
     let exponent = exponent_of(unit);
-    let mut scaled_gravity = gravity;
-    scaled_gravity.exponent -= 2 * exponent;
-    let gravity = N::from_extended(scaled_gravity);
-    let [o1, o2, o3] = exact.omega.map(|mut rate| {
-        rate.exponent -= exponent;
-        N::from_extended(rate)
-    });
+    let gravity = N::from_extended(gravity.raised(-2 * exponent));
+    let [o1, o2, o3] = exact
+        .omega
+        .map(|rate| N::from_extended(rate.raised(-exponent)));
     let [w, x, y, z] = match (pull, exact.quaternion) {
         (Pull::Down, q) => q,
         (Pull::Up, [w, x, y, z]) => [-x, w, -z, y],
     }
     .map(N::from_extended);
-    let (upper, lower) = (
-        w.square().add_alike(z.square()),
-        x.square().add_alike(y.square()),
-    );
+    let upper = w.square().add_alike(z.square());
+    let lower = x.square().add_alike(y.square());
     let norm = upper.add_alike(lower);
-    let above_bottom = upper.quotient(norm).times(2.0);
-    let below_top = lower.quotient(norm).times(2.0);
-    let z1 = (x * z - w * y).quotient(norm).times(2.0);
-    let z2 = (y * z + (w * x)).quotient(norm).times(2.0);
-    let swing = o1.square().add_alike(o2.square());
-    let drift = o1 * z1 + (o2 * z2);
-    let rise = o2 * z1 - o1 * z2;
-    let ratio = Extended::from_double(axial).quotient(Extended::from_double(transverse));
-    let spin = N::from_extended(ratio) * o3;
-    let still = if !swing.is_zero() {
+    let twice = |part: N| part.quotient(norm).times(2.0);
+    let (z1, z2) = (twice(x * z - w * y), twice(y * z + w * x));
+    let spin = N::from_extended(over_transverse(Extended::from_double(body.axial))) * o3;
+    let place = Place {
+        below_top: twice(lower),
+        above_bottom: twice(upper),
+        swing: o1.square().add_alike(o2.square()),
+        rise: o2 * z1 - o1 * z2,
+        drift: o1 * z1 + o2 * z2,
+    };
+    let still = if !place.swing.is_zero() {
         None
     } else if gravity.is_zero() {
         Some(Nutation::Spinning)
-    } else if above_bottom.is_zero() {
+    } else if upper.is_zero() {
         Some(Nutation::Hanging)
-    } else if below_top.is_zero() {
+    } else if lower.is_zero() {
         Some(Nutation::Sleeping {
             stable: !gravity.times(4.0).exceeds(spin.square()),
         })
     } else {
         None
     };
-    let cubic = Cubic {
-        gravity,
-        below_top,
-        above_bottom,
-        swing,
-        rise,
-        drift,
-        spin,
-    };
+    let integrals = Integrals::of(gravity, spin, &place);
+    let (distances, drifts) = integrals.solve_from(&place);
     let top = Top {
         pull,
         exponent,
-        gravity,
-        spin,
+        integrals,
+        distances,
         axial_rate: o3,
-        rise,
+        rise: place.rise,
     };
-    let d = cubic.solve();
-    top.prepared(still, &d, cubic.drifts(&d), (q, omega / unit))
+    top.prepared(still, drifts, (q, start.omega / unit))
 }
 
 /// What a top keeps: L₃, L_vert, and twice the energy above that of the same spin with C right above the pivot, and right below.
@@ -175,37 +160,26 @@ pub(super) struct Kept {
 /// The same from the integrals, with the start at the lower turning point of C and φ = ψ = 0; none if no motion has them.
 pub(super) fn prepare_kept(body: Body, kept: Kept) -> Result<Option<(Start, Prepared)>> {
     let number = Extended::from_double;
-    let transverse = number(body.transverse);
     let pull = Pull::of(body.weight_moment);
     // Seen upside down, the vertical is the other one.
-    let l_vert = match pull {
-        Pull::Down => kept.l_vert,
-        Pull::Up => -kept.l_vert,
+    let side = match pull {
+        Pull::Down => 1.0,
+        Pull::Up => -1.0,
     };
-    let sum = |l3: f64| sum_of_products(&[[l_vert, 1.0], [l3, 1.0]]).quotient(transverse);
-    let axial_rate = if body.axial == 0.0 {
-        Extended::zero()
-    } else {
-        number(kept.l3).quotient(number(body.axial))
-    };
-    let integrals = Integrals {
-        gravity: number(body.weight_moment.abs()).quotient(transverse),
-        spin: number(kept.l3).quotient(transverse),
-        difference: sum(-kept.l3),
-        sum: sum(kept.l3),
-        above_top: kept.above_top.quotient(transverse),
-        above_bottom: kept.above_bottom.quotient(transverse),
-    };
-    if integrals.above_bottom.leading() < 0.0 {
+    let over_transverse = |x: Extended| x.quotient(number(body.transverse));
+    let sum = |l3: f64| sum_of_products(&[[side, kept.l_vert], [1.0, l3]]);
+    let weight = number(body.weight_moment.abs());
+    let squares = [weight, kept.above_top, kept.above_bottom].map(over_transverse);
+    let rates = [number(kept.l3), sum(-kept.l3), sum(kept.l3)].map(over_transverse);
+    // Nothing, for a needle.
+    let axial_rate = number(kept.l3).quotient(number(body.axial));
+    let [gravity, _, above_bottom] = squares;
+    if above_bottom.leading() < 0.0 {
         return Ok(None);
     }
-    let mut fastest = axial_rate.magnitude();
-    for square in [integrals.above_bottom, integrals.gravity] {
-        let rate = square.square_root();
-        if rate.exceeds(fastest) {
-            fastest = rate;
-        }
-    }
+    let fastest = axial_rate
+        .magnitude()
+        .greater(above_bottom.greater(gravity).square_root());
     within(
         "the greatest of |Ω| and √(Mgl/I1)",
         fastest.value(),
@@ -214,47 +188,38 @@ pub(super) fn prepare_kept(body: Body, kept: Kept) -> Result<Option<(Start, Prep
     )?;
     // Units of time in which rates are moderate.
     let exponent = fastest.exponent;
-    let unit = |mut x: Extended, powers: i32| {
-        if !x.is_zero() {
-            x.exponent -= powers * exponent;
-        }
-        x
-    };
+    let [gravity, above_top, above_bottom] = squares.map(|x| x.raised(-2 * exponent));
+    let [spin, difference, sum] = rates.map(|x| x.raised(-exponent));
+    let axial_rate = axial_rate.raised(-exponent);
     let integrals = Integrals {
-        gravity: unit(integrals.gravity, 2),
-        spin: unit(integrals.spin, 1),
-        difference: unit(integrals.difference, 1),
-        sum: unit(integrals.sum, 1),
-        above_top: unit(integrals.above_top, 2),
-        above_bottom: unit(integrals.above_bottom, 2),
+        gravity,
+        spin,
+        difference,
+        sum,
+        above_top,
+        above_bottom,
     };
-    let axial_rate = unit(axial_rate, 1);
-    let (gravity, spin) = (integrals.gravity, integrals.spin);
-    let still_without_gravity = gravity.is_zero() && integrals.above_top.is_zero();
+    let still_without_gravity = gravity.is_zero() && above_top.is_zero();
     if still_without_gravity && spin.is_zero() {
         return Err(Error::Condition {
             condition: "the energy must be positive where there is neither gravity nor spin: at rest any tilt will do",
             value: 0.0,
         });
     }
-    let Some(d) = integrals.solve() else {
+    let Some(distances) = integrals.solve() else {
         return Ok(None);
     };
-    let drifts = integrals.drifts(&d);
-    let ([top1, _], [bottom1, _]) = (d.top, d.bottom);
+    let drifts = integrals.drifts(&distances);
+    let ([top1, _], [bottom1, _]) = (distances.top, distances.bottom);
     // Ω₁² + Ω₂² at the lower turning point: (L_vert − L₃h)²/(I₁ sin θ)².
     let swing = if top1.is_zero() {
-        integrals.above_top
+        above_top
     } else if bottom1.is_zero() {
-        integrals.above_bottom
+        above_bottom
     } else {
         drifts[0].square().quotient(top1 * bottom1)
     };
     // Upside down, the vertical lies on the other side of the axis.
-    let side = match pull {
-        Pull::Down => 1.0,
-        Pull::Up => -1.0,
-    };
     let across = swing.square_root().signed(drifts[0].leading()).signed(side);
     let halves = [bottom1, top1].map(|x| x.times(0.5).square_root().narrow().value());
     let omega = [Extended::zero(), across, axial_rate];
@@ -267,13 +232,11 @@ pub(super) fn prepare_kept(body: Body, kept: Kept) -> Result<Option<(Start, Prep
         omega: BodyVector::from_components(scaled.map(|x| shifted(x, exponent)).into()),
         attitude: Attitude::from_quaternion(cosine, sine, 0.0, 0.0)?,
     };
-    let upright = integrals.difference.is_zero() && integrals.above_top.is_zero();
-    let hanging = integrals.sum.is_zero() && integrals.above_bottom.is_zero();
     let still = if still_without_gravity {
         Some(Nutation::Spinning)
-    } else if hanging {
+    } else if sum.is_zero() && above_bottom.is_zero() {
         Some(Nutation::Hanging)
-    } else if upright && top1.is_zero() {
+    } else if difference.is_zero() && above_top.is_zero() && top1.is_zero() {
         Some(Nutation::Sleeping { stable: true })
     } else {
         None
@@ -281,14 +244,14 @@ pub(super) fn prepare_kept(body: Body, kept: Kept) -> Result<Option<(Start, Prep
     let top = Top {
         pull,
         exponent,
-        gravity,
-        spin,
+        integrals,
+        distances,
         axial_rate,
         rise: Extended::zero(),
     };
     let q = seen(pull, start.attitude.quaternion().into_inner());
     let scaled = BodyVector::from_components(scaled.into());
-    Ok(Some((start, top.prepared(still, &d, drifts, (q, scaled))?)))
+    Ok(Some((start, top.prepared(still, drifts, (q, scaled))?)))
 }
 
 /// Gravity that pulls up is gravity that pulls down, seen upside down.
@@ -303,8 +266,8 @@ fn seen(pull: Pull, q: Quaternion<f64>) -> Quaternion<f64> {
 struct Top<N> {
     pull: Pull,
     exponent: i32,
-    gravity: N,
-    spin: N,
+    integrals: Integrals<N>,
+    distances: Distances<N>,
     axial_rate: N,
     rise: N,
 }
@@ -314,43 +277,41 @@ impl<N: Number> Top<N> {
     fn prepared(
         &self,
         still: Option<Nutation>,
-        d: &Distances<N>,
         drifts: [N; 2],
         (q, omega): (Quaternion<f64>, BodyVector),
     ) -> Result<Prepared> {
-        let roots = Roots::of(d, self.gravity);
-        Ok(match still {
-            Some(kind) => (kind, roots, Motion::Still),
-            None => {
-                let constants = self.constants(d, q, omega)?;
-                (kind(self.spin, drifts, d), roots, Motion::Moving(constants))
-            }
+        let motion = match still {
+            Some(_) => Motion::Still,
+            None => Motion::Moving(self.constants(q, omega)?),
+        };
+        Ok(Prepared {
+            kind: still.unwrap_or_else(|| self.integrals.kind(drifts, &self.distances)),
+            roots: Roots::of(&self.distances, self.integrals.gravity),
+            motion,
         })
     }
 
     /// The constants in seconds; the attitude as seen, and Ω, at time 0.
-    fn constants(
-        &self,
-        d: &Distances<N>,
-        q: Quaternion<f64>,
-        omega: BodyVector,
-    ) -> Result<Constants> {
-        let mut constants = self.unfitted(d);
+    fn constants(&self, q: Quaternion<f64>, omega: BodyVector) -> Result<Constants> {
+        let mut constants = self.unfitted();
         constants.fit(q, omega)?;
-        let scale = |x: &mut DoubleDouble| {
-            let [high, low] = [x.high(), x.low()].map(|word| shifted(word, self.exponent));
-            *x = DoubleDouble::sum(high, low);
-        };
-        scale(&mut constants.course.rate);
-        constants.rates.iter_mut().for_each(scale);
+        let exponent = self.exponent;
+        for rate in constants
+            .rates
+            .iter_mut()
+            .chain([&mut constants.course.rate])
+        {
+            let digits = *rate;
+            *rate = Extended { digits, exponent }.narrow();
+        }
         positive("the rate of nutation", constants.course.rate.value())?;
         constants.pull = self.pull;
         constants.reach = constants.course.reach(1.0, &constants.rates);
         Ok(constants)
     }
 
-    fn unfitted(&self, d: &Distances<N>) -> Constants {
-        let two_g = self.gravity.times(2.0);
+    fn unfitted(&self) -> Constants {
+        let (d, two_g) = (&self.distances, self.integrals.gravity.times(2.0));
         let [beyond, from_bottom, whole, rest] = d.third;
         // 4λ² = 2g (h₃ − h₁).
         let m = (two_g * d.band).quotient(whole);
@@ -359,33 +320,27 @@ impl<N: Number> Top<N> {
         let descent = Descent::new(m, mc);
         let [top1, top2] = d.top;
         let [bottom1, bottom2] = d.bottom;
-        let lower =
-            Elevation::smaller(
-                [bottom1, d.band],
-                [whole, two_g * bottom1],
-                |which| match which {
-                    Which::Eta => bottom2,
-                    Which::Xi => from_bottom,
-                },
-            );
-        let upper = Elevation::smaller(
-            [top2 * whole, beyond * d.band],
-            [beyond, two_g * top2],
-            |which| match which {
-                Which::Eta => top1 * rest,
-                Which::Xi => rest,
-            },
+        let lower = Elevation::smaller(
+            [bottom1, d.band, bottom2],
+            [whole, two_g * bottom1, from_bottom],
         );
+        let upper = Elevation::smaller(
+            [top2 * whole, beyond * d.band, top1 * rest],
+            [beyond, two_g * top2, rest],
+        );
+        let Integrals {
+            difference, sum, ..
+        } = self.integrals;
         let parameter = |x: N, elevation| Parameter {
             sense: if x.leading() > 0.0 { -1.0 } else { 1.0 },
             turning: Turning::new(&descent, elevation),
         };
-        let parameters = [parameter(d.sum, &lower), parameter(d.difference, &upper)];
+        let parameters = [parameter(sum, &lower), parameter(difference, &upper)];
         // The phases: α at u = K, where 1 + h is greatest, β at u = 0.
-        let excess = self.axial_rate - self.spin;
+        let excess = self.axial_rate - self.integrals.spin;
         let halves = [
-            (excess + d.sum.quotient(bottom2)).times(0.5),
-            (d.difference.quotient(top1) - excess).times(0.5),
+            (excess + sum.quotient(bottom2)).times(0.5),
+            (difference.quotient(top1) - excess).times(0.5),
         ];
         let rates = core::array::from_fn(|k| {
             let Parameter { sense, turning } = parameters[k];
@@ -396,7 +351,7 @@ impl<N: Number> Top<N> {
             pull: Pull::Down,
             course: Course {
                 modulus: descent.modulus,
-                start: self.start(d, &descent),
+                start: self.start(&descent),
                 rate: lambda.narrow(),
             },
             reach: -1.0,
@@ -410,12 +365,13 @@ impl<N: Number> Top<N> {
     }
 
     /// u at time 0: sn² = (h − h₁)/(h₂ − h₁), dn² = (h₃ − h)/(h₃ − h₁), rising if h rises.
-    fn start(&self, d: &Distances<N>, descent: &Descent<N>) -> DoubleDouble {
+    fn start(&self, descent: &Descent<N>) -> DoubleDouble {
+        let d = &self.distances;
         if d.band.is_zero() {
             return DoubleDouble::from(0.0);
         }
         let [_, _, whole, rest] = d.third;
-        let two_g = self.gravity.times(2.0);
+        let two_g = self.integrals.gravity.times(2.0);
         let u = descent.argument(&Squares {
             sn: d.to_lower,
             cn: d.to_upper,
@@ -423,6 +379,6 @@ impl<N: Number> Top<N> {
             dn: rest.add_alike(two_g * d.to_upper),
             dn_whole: whole,
         });
-        if self.rise.leading() < 0.0 { -u } else { u }
+        u.signed(self.rise.leading())
     }
 }

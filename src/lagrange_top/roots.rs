@@ -81,41 +81,18 @@ impl Roots {
     }
 }
 
-/// Decided by exact zeros and signs; φ' has the sign of (L_vert − L₃h)/I₁, given at both turning points.
-pub(super) fn kind<N: Number>(spin: N, [lower, upper]: [N; 2], d: &Distances<N>) -> Nutation {
-    if d.third[3].is_zero() {
-        Nutation::Waking
-    } else if spin.is_zero() && d.sum.is_zero() {
-        Nutation::PlanePendulum
-    } else if d.band.is_zero() {
-        Nutation::PurePrecession
-    } else if spin.is_zero() {
-        Nutation::SphericalPendulum
-    } else if upper.is_zero() {
-        Nutation::Cusps
-    } else if upper.leading() * lower.leading() < 0.0 {
-        Nutation::Loops
-    } else {
-        Nutation::Waves
-    }
-}
-
-/// What the cubic is made of, everything divided by I₁.
+/// Where the axis is at time 0 and how it moves, everything divided by I₁.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Cubic<N> {
-    /// g = Mgl/I₁, not negative.
-    pub(super) gravity: N,
-    /// 1 − h and 1 + h at the start.
+pub(super) struct Place<N> {
+    /// 1 − h and 1 + h.
     pub(super) below_top: N,
     pub(super) above_bottom: N,
     /// Ω₁² + Ω₂².
     pub(super) swing: N,
-    /// h' at the start.
+    /// h'.
     pub(super) rise: N,
     /// Ω₁z₁ + Ω₂z₂: (L_vert − L₃h)/I₁.
     pub(super) drift: N,
-    /// L₃/I₁.
-    pub(super) spin: N,
 }
 
 /// The roots and their distances.
@@ -129,127 +106,9 @@ pub(super) struct Distances<N> {
     pub(super) band: N,
     /// 2g (h₃ − 1), 2g (1 + h₃), 2g (h₃ − h₁), 2g (h₃ − h₂): finite also without gravity.
     pub(super) third: [N; 4],
-    /// (L_vert − L₃)/I₁ and (L_vert + L₃)/I₁.
-    pub(super) difference: N,
-    pub(super) sum: N,
     /// h₂ − h and h − h₁ at the start.
     pub(super) to_upper: N,
     pub(super) to_lower: N,
-}
-
-impl<N: Number> Cubic<N> {
-    pub(super) fn solve(&self) -> Distances<N> {
-        let two_g = self.gravity.times(2.0);
-        // f(h + d) = 2g d³ + f₂ d² + f₁ d + f₀.
-        let f0 = self.rise.square();
-        let height = (self.above_bottom - self.below_top).times(0.5);
-        let twice_height = height.times(2.0);
-        let terms = [
-            (self.drift * self.spin).times(2.0),
-            -(twice_height * self.swing),
-            -(two_g * self.below_top * self.above_bottom),
-        ];
-        let f1 = balance(terms);
-        let f2 = two_g * twice_height - self.swing - self.spin.square();
-        let [a, b, c] = [f2, two_g * f1, two_g.square() * f0];
-        // Its sign at the inflection says on which side of it h₂ lies.
-        let inflection = (a.square() * a).times(2.0 / 27.0) - (a * b).times(1.0 / 3.0) + c;
-        if inflection.leading() > 0.0 {
-            self.near_the_top(two_g)
-        } else {
-            self.near_the_start(two_g, [f0, f1], greatest_root([a, b, c]))
-        }
-    }
-
-    /// (L_vert − L₃h)/I₁ at the lower and at the upper turning point.
-    pub(super) fn drifts(&self, d: &Distances<N>) -> [N; 2] {
-        [
-            self.drift + self.spin * d.to_lower,
-            self.drift - self.spin * d.to_upper,
-        ]
-    }
-
-    fn difference(&self) -> N {
-        self.drift - self.spin * self.below_top
-    }
-
-    fn sum(&self) -> N {
-        self.drift + (self.spin * self.above_bottom)
-    }
-
-    /// `third` is 2g (h₃ − h): h₁ and h₂ are the roots of d² − s d + p about the start.
-    fn near_the_start(&self, two_g: N, [f0, f1]: [N; 2], third: N) -> Distances<N> {
-        let p = -f0.quotient(third);
-        let s = (f1 - two_g * p).quotient(third);
-        let band = s.square().add_alike(p.times(-4.0)).square_root();
-        // The greater of the two in size is a sum; the other is the product over it.
-        let far = band.add_alike(s.magnitude()).times(0.5);
-        let near = (-p).quotient(far);
-        let (to_upper, to_lower) = if s.leading() < 0.0 {
-            (near, far)
-        } else {
-            (far, near)
-        };
-        let (difference, sum) = (self.difference(), self.sum());
-        let top1 = self.below_top.add_alike(to_lower);
-        let bottom2 = self.above_bottom.add_alike(to_upper);
-        let from_top = third - two_g * self.below_top;
-        let from_bottom = third.add_alike(two_g * self.above_bottom);
-        // Of 1 − h₂ and h₃ − 1 the greater directly, the other from the product of all three distances from 1.
-        let direct = self.below_top - to_upper;
-        let product = difference.square().quotient(top1);
-        let (top2, from_top) = if (third * direct).exceeds(from_top * top1) {
-            (direct, product.quotient(direct))
-        } else {
-            (product.quotient(from_top), from_top)
-        };
-        let bottom1 = sum.square().quotient(bottom2 * from_bottom);
-        Distances {
-            top: [top1, top2],
-            bottom: [bottom1, bottom2],
-            band,
-            third: [
-                from_top,
-                from_bottom,
-                third.add_alike(two_g * to_lower),
-                third - two_g * to_upper,
-            ],
-            difference,
-            sum,
-            to_upper,
-            to_lower,
-        }
-    }
-
-    /// h₁ stands alone: known by the integrals, and the start between its roots.
-    fn near_the_top(&self, two_g: N) -> Distances<N> {
-        // Twice the energy above the upright position, over I₁.
-        let energy = self.swing - two_g * self.below_top;
-        let integrals = Integrals {
-            gravity: self.gravity,
-            spin: self.spin,
-            difference: self.difference(),
-            sum: self.sum(),
-            above_top: energy,
-            above_bottom: energy + two_g.times(2.0),
-        };
-        let d = integrals.lowest_alone(two_g, integrals.at_the_top(two_g));
-        let ([top1, top2], third) = (d.top, d.third[0]);
-        // The greater of the two directly; their product with 2g (h₃ − h) is h'².
-        let third = third.add_alike(two_g * self.below_top);
-        let product = self.rise.square().quotient(third);
-        let (up, down) = (self.below_top - top2, top1 - self.below_top);
-        let (to_upper, to_lower) = if up.exceeds(down) {
-            (up, product.quotient(up))
-        } else {
-            (product.quotient(down), down)
-        };
-        Distances {
-            to_upper,
-            to_lower,
-            ..d
-        }
-    }
 }
 
 /// What is kept, everything divided by I₁.
@@ -268,22 +127,141 @@ pub(super) struct Integrals<N> {
 }
 
 impl<N: Number> Integrals<N> {
+    /// Those of a start.
+    pub(super) fn of(gravity: N, spin: N, start: &Place<N>) -> Self {
+        let two_g = gravity.times(2.0);
+        let above_top = start.swing - two_g * start.below_top;
+        Self {
+            gravity,
+            spin,
+            difference: start.drift - spin * start.below_top,
+            sum: start.drift + spin * start.above_bottom,
+            above_top,
+            above_bottom: above_top + two_g.times(2.0),
+        }
+    }
+
+    /// Decided by exact zeros and signs; φ' has the sign of (L_vert − L₃h)/I₁, given at both turning points.
+    pub(super) fn kind(&self, [lower, upper]: [N; 2], d: &Distances<N>) -> Nutation {
+        if d.third[3].is_zero() {
+            Nutation::Waking
+        } else if self.spin.is_zero() && self.sum.is_zero() {
+            Nutation::PlanePendulum
+        } else if d.band.is_zero() {
+            Nutation::PurePrecession
+        } else if self.spin.is_zero() {
+            Nutation::SphericalPendulum
+        } else if upper.is_zero() {
+            Nutation::Cusps
+        } else if upper.leading() * lower.leading() < 0.0 {
+            Nutation::Loops
+        } else {
+            Nutation::Waves
+        }
+    }
+
+    /// The roots and where the start lies between them, and (L_vert − L₃h)/I₁ at the lower and at the upper turning point.
+    pub(super) fn solve_from(&self, start: &Place<N>) -> (Distances<N>, [N; 2]) {
+        let two_g = self.gravity.times(2.0);
+        // f(h + d) = 2g d³ + f₂ d² + f₁ d + f₀.
+        let f0 = start.rise.square();
+        let twice_height = start.above_bottom - start.below_top;
+        let f1 = balance([
+            (start.drift * self.spin).times(2.0),
+            -(twice_height * start.swing),
+            -(two_g * start.below_top * start.above_bottom),
+        ]);
+        let f2 = two_g * twice_height - start.swing - self.spin.square();
+        let depressed = [f2, two_g * f1, two_g.square() * f0];
+        // Its sign at the inflection says on which side of it h₂ lies.
+        let d = if at_inflection(depressed).leading() > 0.0 {
+            self.near_the_top(two_g, start)
+        } else {
+            self.near_the_start(two_g, start, [f0, f1], greatest_root(depressed))
+        };
+        let drifts = [
+            start.drift + self.spin * d.to_lower,
+            start.drift - self.spin * d.to_upper,
+        ];
+        (d, drifts)
+    }
+
+    /// `third` is 2g (h₃ − h): h₁ and h₂ are the roots of d² − s d + p about the start.
+    fn near_the_start(
+        &self,
+        two_g: N,
+        start: &Place<N>,
+        [f0, f1]: [N; 2],
+        third: N,
+    ) -> Distances<N> {
+        let p = -f0.quotient(third);
+        let s = (f1 - two_g * p).quotient(third);
+        let band = s.square().add_alike(p.times(-4.0)).square_root();
+        // The greater of the two in size is a sum; the other is the product over it.
+        let far = band.add_alike(s.magnitude()).times(0.5);
+        let near = (-p).quotient(far);
+        let (to_upper, to_lower) = if s.leading() < 0.0 {
+            (near, far)
+        } else {
+            (far, near)
+        };
+        let top1 = start.below_top.add_alike(to_lower);
+        let bottom2 = start.above_bottom.add_alike(to_upper);
+        let from_top = third - two_g * start.below_top;
+        let from_bottom = third.add_alike(two_g * start.above_bottom);
+        // Of 1 − h₂ and h₃ − 1 the greater directly, the other from the product of all three distances from 1.
+        let direct = start.below_top - to_upper;
+        let product = self.difference.square().quotient(top1);
+        let (top2, from_top) = if (third * direct).exceeds(from_top * top1) {
+            (direct, product.quotient(direct))
+        } else {
+            (product.quotient(from_top), from_top)
+        };
+        Distances {
+            top: [top1, top2],
+            bottom: [self.over_the_bottom(bottom2, from_bottom), bottom2],
+            band,
+            third: [
+                from_top,
+                from_bottom,
+                third.add_alike(two_g * to_lower),
+                third - two_g * to_upper,
+            ],
+            to_upper,
+            to_lower,
+        }
+    }
+
+    /// h₁ stands alone: known by the integrals, and the start between its roots.
+    fn near_the_top(&self, two_g: N, start: &Place<N>) -> Distances<N> {
+        let d = self.lowest_alone(two_g, self.at_the_top(two_g));
+        // The greater of the two directly; their product with 2g (h₃ − h) is h'².
+        let third = d.third[0].add_alike(two_g * start.below_top);
+        let product = start.rise.square().quotient(third);
+        let (up, down) = (start.below_top - d.top[1], d.top[0] - start.below_top);
+        let (to_upper, to_lower) = if up.exceeds(down) {
+            (up, product.quotient(up))
+        } else {
+            (product.quotient(down), down)
+        };
+        Distances {
+            to_upper,
+            to_lower,
+            ..d
+        }
+    }
+
     /// The roots, the start being at the lower turning point; none if the energy is too small for any motion.
     pub(super) fn solve(&self) -> Option<Distances<N>> {
         let two_g = self.gravity.times(2.0);
-        let [quadratic, linear, constant] = self.at_the_top(two_g);
+        let at_the_top = self.at_the_top(two_g);
+        let [quadratic, linear, constant] = at_the_top;
         // y = 2g (h − 1): y³ + a y² + b y + c, and its sign at the inflection.
-        let [a, b, c] = [quadratic, -(two_g * linear), -(two_g.square() * constant)];
-        let cube = (a.square() * a).times(2.0 / 27.0);
-        let inflection = cube - (a * b).times(1.0 / 3.0) + c;
-        let d = if inflection.leading() > 0.0 {
-            self.lowest_alone(two_g, [quadratic, linear, constant])
+        let cubic = [quadratic, -(two_g * linear), -(two_g.square() * constant)];
+        let d = if at_inflection(cubic).leading() > 0.0 {
+            self.lowest_alone(two_g, at_the_top)
         } else {
-            self.third_alone(
-                two_g,
-                [quadratic, linear, constant],
-                greatest_root([a, b, c]),
-            )?
+            self.third_alone(two_g, at_the_top, greatest_root(cubic))?
         };
         // f(±1) is not positive: both roots lie between, or both outside.
         let inside = |[a, b]: [N; 2]| (a + b).leading() >= 0.0;
@@ -336,8 +314,6 @@ impl<N: Number> Integrals<N> {
                 two_g * top1.add_alike(beyond),
                 two_g * far_apart,
             ],
-            difference: self.difference,
-            sum: self.sum,
             to_upper: band,
             to_lower: zero,
         }
@@ -412,8 +388,6 @@ impl<N: Number> Integrals<N> {
                 y.add_alike(two_g * top[0]),
                 y.add_alike(two_g * top[1]),
             ],
-            difference: self.difference,
-            sum: self.sum,
             to_upper: band,
             to_lower: zero,
         })
@@ -462,19 +436,19 @@ fn balance<N: Number>(terms: [N; 3]) -> N {
     }
 }
 
+/// y³ + a y² + b y + c at its inflection.
+fn at_inflection<N: Number>([a, b, c]: [N; 3]) -> N {
+    (a.square() * a).times(2.0 / 27.0) - (a * b).times(1.0 / 3.0) + c
+}
+
 /// The greatest root of y³ + a y² + b y + c, all of whose roots are real, if it stands alone: Newton's method from above.
 fn greatest_root<N: Number>([a, b, c]: [N; 3]) -> N {
     // Fujiwara's bound.
-    let mut y = a.magnitude();
-    let root_of_b = b.magnitude().square_root();
-    if root_of_b.exceeds(y) {
-        y = root_of_b;
-    }
-    let root_of_c = c.magnitude().rough_cube_root();
-    if root_of_c.exceeds(y) {
-        y = root_of_c;
-    }
-    let mut y = y.times(2.0);
+    let mut y = a
+        .magnitude()
+        .greater(b.magnitude().square_root())
+        .greater(c.magnitude().rough_cube_root())
+        .times(2.0);
     if y.is_zero() {
         return y;
     }

@@ -56,25 +56,23 @@ pub fn pure_precession(
 ) -> Result<PurePrecession> {
     let [leading, weight, l3] = quadratic(transverse, weight_moment, l3, height)?;
     let discriminant = l3.square() - (leading * weight).times(4.0);
-    let rounded = |x: Extended| x.narrow().value();
     Ok(if leading.is_zero() {
         match (l3.is_zero(), weight.is_zero()) {
             (true, true) => PurePrecession::Any,
             (true, false) => PurePrecession::None,
-            (false, _) => PurePrecession::One(rounded(weight.quotient(l3))),
+            (false, _) => PurePrecession::One(weight.quotient(l3).value()),
         }
     } else if discriminant.is_zero() {
-        PurePrecession::One(rounded(l3.quotient(leading).times(0.5)))
+        PurePrecession::One(l3.quotient(leading).times(0.5).value())
     } else if discriminant.leading() < 0.0 {
         PurePrecession::None
     } else {
         // Of the sign of L₃: a sum of two numbers of one sign.
         let root = discriminant.square_root();
-        let far = (l3.magnitude() + root).times(0.5);
-        let far = if l3.leading() < 0.0 { -far } else { far };
+        let far = (l3.magnitude() + root).times(0.5).signed(l3.leading());
         PurePrecession::Two {
-            slow: rounded(weight.quotient(far)),
-            fast: rounded(far.quotient(leading)),
+            slow: weight.quotient(far).value(),
+            fast: far.quotient(leading).value(),
         }
     })
 }
@@ -102,7 +100,7 @@ pub fn least_axial_angular_momentum(
     if product.leading() <= 0.0 {
         return Ok(0.0);
     }
-    Ok(product.square_root().narrow().value())
+    Ok(product.square_root().value())
 }
 
 /// What the two rates become when spin overwhelms gravity (7.3).
@@ -140,15 +138,12 @@ pub fn fast_spin(transverse: f64, weight_moment: f64, l3: f64, height: f64) -> R
     let fast = if leading.is_zero() {
         l3.signum() * f64::INFINITY
     } else {
-        momentum.quotient(leading).narrow().value()
+        momentum.quotient(leading).value()
     };
     Ok(FastSpin {
-        slow: weight.quotient(momentum).narrow().value(),
+        slow: weight.quotient(momentum).value(),
         fast,
-        x: (leading * weight)
-            .quotient(momentum.square())
-            .narrow()
-            .value(),
+        x: (leading * weight).quotient(momentum.square()).value(),
     })
 }
 
@@ -265,11 +260,11 @@ pub fn dip(transverse: f64, weight_moment: f64, l3: f64, tilt: f64) -> Result<Di
     let one_less = below + fall;
     let whole = one + lambda + root;
     let one_more = (lambda * above).times(2.0).quotient(whole);
-    let [less, more] = [one_less, one_more].map(|x| x.narrow().value());
+    let [less, more] = [one_less, one_more].map(|x| x.value());
     let lowest_tilt = 2.0 * less.sqrt().atan2(more.sqrt());
     // cos θ₀ − cos θ₁ = 2 sin((θ₁ − θ₀)/2) sin((θ₁ + θ₀)/2).
     let middle = s * (0.5 * more).sqrt() + c * (0.5 * less).sqrt();
-    let half = 0.5 * fall.narrow().value() / middle;
+    let half = 0.5 * fall.value() / middle;
     // Of a deep fall the sine says little, and the difference of the tilts loses nothing: from 60° on both are right to a few units.
     let depth = if half < 0.5 {
         2.0 * half.asin()
@@ -285,7 +280,7 @@ pub fn dip(transverse: f64, weight_moment: f64, l3: f64, tilt: f64) -> Result<Di
             radius: if square.is_zero() {
                 f64::INFINITY
             } else {
-                product.quotient(square).narrow().value() * sine
+                product.quotient(square).value() * sine
             },
             sine,
         },
@@ -308,12 +303,9 @@ pub fn sleeping_threshold(transverse: f64, axial: f64, weight_moment: f64) -> Re
     positive("the transverse moment", transverse)?;
     positive("the axial moment", axial)?;
     not_negative("the weight moment Mgl", weight_moment)?;
-    if weight_moment == 0.0 {
-        return Ok(0.0);
-    }
     let number = Extended::from_double;
     let root = (number(transverse) * number(weight_moment)).square_root();
-    Ok(root.times(2.0).quotient(number(axial)).narrow().value())
+    Ok(root.times(2.0).quotient(number(axial)).value())
 }
 
 /// The greatest tilt, radians, of an upright top with L₃ that is kicked sideways with `kick` rad/s (7.5).
@@ -356,12 +348,10 @@ pub fn tilt_after_kick(transverse: f64, weight_moment: f64, l3: f64, kick: f64) 
     };
     let sum = gravity.times(4.0) + kick2 + spin2 + root;
     let one_more = spin2.times(4.0).quotient(sum);
-    let quotient = if one_more.is_zero() {
+    if one_more.is_zero() {
         return Ok(PI);
-    } else {
-        one_less.quotient(one_more).square_root()
-    };
-    Ok(2.0 * quotient.narrow().value().atan())
+    }
+    Ok(2.0 * one_less.root_of_quotient(one_more).atan())
 }
 
 /// The spherical pendulum that swings between two angles from the downward vertical, radians, from the smaller (7.6).

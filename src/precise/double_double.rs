@@ -8,7 +8,7 @@
 use core::f64::consts::TAU;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::{Number, quick};
+use super::quick;
 
 /// `high + low`, where `low` is at most half a unit in the last place of `high`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,6 +55,13 @@ impl DoubleDouble {
         Self { high, low }
     }
 
+    /// The quick sum with a number that is not the greater in size, of two that do not cancel; in order but for a few units in the last place of its high word.
+    #[inline(always)]
+    pub(crate) fn add_lesser(self, lesser: Self) -> Self {
+        let (high, low) = quick::ordered_sum(self.high, lesser.high);
+        Self::new(high, low + (self.low + lesser.low))
+    }
+
     /// The product of two doubles, exactly unless its tail underflows.
     #[inline]
     pub(crate) fn product(a: f64, b: f64) -> Self {
@@ -73,15 +80,6 @@ impl DoubleDouble {
     #[inline]
     pub(crate) fn value(self) -> f64 {
         self.high + self.low
-    }
-
-    /// √(1 + x²), also where x² would overflow.
-    pub(crate) fn hypotenuse_with_one(self) -> Self {
-        if self.high.abs() > 1e40 {
-            // 1/(2x) is beyond the last of the 106 bits.
-            return if self.high < 0.0 { -self } else { self };
-        }
-        (self * self).add_alike(Self::from(1.0)).square_root()
     }
 
     /// Sine and cosine of a number of radians.
@@ -178,7 +176,8 @@ pub(crate) fn power_of_two_below(size: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{DoubleDouble, Number};
+    use super::DoubleDouble;
+    use crate::precise::Number;
 
     #[test]
     fn a_third_has_106_digits_of_ones_and_zeros() {

@@ -13,34 +13,30 @@ pub(crate) struct Extended {
 }
 
 /// The sum of products of doubles, to 106 bits whatever cancels; zero only if it is zero.
+///
+/// Exactly, it is a list of words of which none overlaps the next greater one, and such a list stays so if a word is carried through it by
+/// error-free sums (J. R. Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates, 1997).
 pub(crate) fn sum_of_products<const N: usize>(products: &[[f64; N]]) -> Extended {
-    let mut words = Vec::new();
+    let mut sum: Vec<Extended> = Vec::new();
     for factors in products {
-        let mut product = vec![Extended::from_double(1.0)];
-        for factor in factors.map(Extended::from_double) {
+        let mut product = vec![Extended::from_double(factors[0])];
+        for &factor in &factors[1..] {
+            let factor = Extended::from_double(factor);
             // Of two words of one double each no bit is lost.
             let parts = product.iter().flat_map(|word| (*word * factor).words());
             product = parts.filter(|word| !word.is_zero()).collect();
         }
-        words.extend(product);
-    }
-    // Error-free sums carry what overlaps upwards. When a round changes nothing, no two words overlap; each round settles at least one.
-    for _ in 0..2 * words.len() {
-        words.retain(|word| !word.is_zero());
-        words.sort_by_key(|word| word.exponent);
-        let mut settled = true;
-        for k in 1..words.len() {
-            let [low, high] = exact_sum(words[k - 1], words[k]);
-            settled &= low == words[k - 1] && high == words[k];
-            (words[k - 1], words[k]) = (low, high);
+        for mut word in product {
+            for kept in &mut sum {
+                [*kept, word] = exact_sum(*kept, word);
+            }
+            sum.push(word);
         }
-        if settled {
-            break;
-        }
+        sum.retain(|word| !word.is_zero());
     }
-    words
-        .into_iter()
-        .fold(Extended::zero(), |sum, word| sum + word)
+    // From the greatest: what these cancel is lost to none, and what they leave exceeds all that follow.
+    sum.into_iter()
+        .rfold(Extended::zero(), |sum, word| sum + word)
 }
 
 /// The sum of two numbers of one word, as the nearest such number and the rest, the rest first.
@@ -63,13 +59,14 @@ fn exact_sum(a: Extended, b: Extended) -> [Extended; 2] {
 impl Extended {
     /// Its two words as numbers of their own, the lower first.
     fn words(self) -> [Self; 2] {
-        [self.digits.low(), self.digits.high()].map(|word| {
-            let mut number = Self::from_double(word);
-            if word != 0.0 {
-                number.exponent += self.exponent;
-            }
-            number
-        })
+        [self.digits.low(), self.digits.high()]
+            .map(|word| Self::from_double(word).raised(self.exponent))
+    }
+
+    /// Times 2^exponent.
+    pub(crate) fn raised(mut self, exponent: i32) -> Self {
+        self.exponent += exponent;
+        self
     }
 
     /// Zero, with an exponent that never shifts a sum.
@@ -155,9 +152,7 @@ impl From<DoubleDouble> for Extended {
         }
         if number.high().abs() < f64::MIN_POSITIVE {
             // A subnormal: its own leading digit counts.
-            let mut normal = Self::from(number.scaled(power(1000)));
-            normal.exponent -= 1000;
-            return normal;
+            return Self::from(number.scaled(power(1000))).raised(-1000);
         }
         let unit = power_of_two_below(number.high().abs());
         Self {

@@ -7,6 +7,8 @@ const LN_2: DoubleDouble = DoubleDouble::new(core::f64::consts::LN_2, 2.319_046_
 pub(super) const THIRD: DoubleDouble =
     DoubleDouble::new(0.333_333_333_333_333_3, 1.850_371_707_708_594e-17);
 
+const FIFTH: DoubleDouble = DoubleDouble::new(0.2, -1.110_223_024_625_156_6e-17);
+
 /// ln(j/32) for j = 32…64.
 const LOGARITHMS: [DoubleDouble; 33] = [
     DoubleDouble::new(0.0, 0.0),
@@ -56,19 +58,13 @@ pub(crate) fn logarithm(x: DoubleDouble, exponent: i32) -> DoubleDouble {
     let (center, entry) = (index as f64 / 32.0, LOGARITHMS[index.clamp(32, 64) - 32]);
     let sum = DoubleDouble::sum(x.high(), center);
     let gap = DoubleDouble::sum(x.high() - center, x.low());
-    let s = DoubleDouble::quick_quotient(gap, DoubleDouble::new(sum.high(), sum.low() + x.low()));
-    let s2 = DoubleDouble::quick_product(s, s);
+    let s = gap.quick_quotient(DoubleDouble::new(sum.high(), sum.low() + x.low()));
+    let s2 = s.quick_product(s);
     let y = s2.high();
     // From the fourth term on a double will do, and so for what 1/5 leaves over.
     let tail = y * (1.0 / 7.0 + y * (1.0 / 9.0 + y * (1.0 / 11.0 + y / 13.0)));
-    let (high, low) = quick::ordered_sum(0.2, tail);
-    let fifth = DoubleDouble::quick_product(
-        s2,
-        DoubleDouble::new(high, low - 1.110_223_024_625_156_6e-17),
-    );
-    let (high, low) = quick::ordered_sum(THIRD.high(), fifth.high());
-    let third = DoubleDouble::new(high, low + (THIRD.low() + fifth.low()));
-    let more = DoubleDouble::quick_product(DoubleDouble::quick_product(s, s2), third);
+    let fifth = s2.quick_product(FIFTH.add_lesser(DoubleDouble::from(tail)));
+    let more = s.quick_product(s2).quick_product(THIRD.add_lesser(fifth));
     let (power, error) = quick::exact_product(exponent, LN_2.high());
     // What is known first is summed first; the sum of two is zero or not small against the third.
     let first = DoubleDouble::sum(power, entry.high());
@@ -76,8 +72,7 @@ pub(crate) fn logarithm(x: DoubleDouble, exponent: i32) -> DoubleDouble {
     let all = DoubleDouble::sum(second.high(), 2.0 * more.high());
     let known = error + exponent * LN_2.low() + entry.low() + (first.low() + second.low());
     let low = (known + 2.0 * s.low()) + (all.low() + 2.0 * more.low());
-    let (high, low) = quick::ordered_sum(all.high(), low);
-    DoubleDouble::new(high, low)
+    DoubleDouble::ordered_sum(all.high(), low)
 }
 
 #[cfg(test)]

@@ -21,22 +21,37 @@ pub(crate) trait Number:
     }
 
     /// a − b, exactly where a double cannot.
-    fn difference(a: f64, b: f64) -> Self;
+    #[inline]
+    fn difference(a: f64, b: f64) -> Self {
+        Self::from(DoubleDouble::sum(a, -b))
+    }
+
     fn from_extended(number: Extended) -> Self;
     /// The same without the exponent: infinite or zero beyond the range of doubles.
     fn narrow(self) -> DoubleDouble;
     /// The leading digits: zero if and only if the number is.
     fn leading(self) -> f64;
     fn square_root(self) -> Self;
-    /// √(self/divisor) as a double, whatever the exponents.
-    fn root_of_quotient(self, divisor: Self) -> f64;
-    fn exceeds(self, other: Self) -> bool;
     /// The natural logarithm of a positive number.
     fn logarithm(self) -> DoubleDouble;
     /// The cube root to the digits of a double.
     fn rough_cube_root(self) -> Self;
+
     /// The angle of the point (cosine, sine) in the first quadrant.
-    fn angle(cosine: Self, sine: Self) -> DoubleDouble;
+    fn angle(cosine: Self, sine: Self) -> DoubleDouble {
+        angle(cosine.quotient(sine).narrow(), DoubleDouble::from(1.0))
+    }
+
+    /// √(self/divisor) as a double, whatever the exponents.
+    #[inline]
+    fn root_of_quotient(self, divisor: Self) -> f64 {
+        self.quotient(divisor).square_root().narrow().value()
+    }
+
+    #[inline]
+    fn exceeds(self, other: Self) -> bool {
+        (self - other).leading() > 0.0
+    }
 
     /// a b, exactly, of doubles far from the ends.
     #[inline]
@@ -105,14 +120,14 @@ pub(crate) trait Number:
     fn magnitude(self) -> Self {
         self.signed(self.leading())
     }
+
+    #[inline]
+    fn greater(self, other: Self) -> Self {
+        if other.exceeds(self) { other } else { self }
+    }
 }
 
 impl Number for DoubleDouble {
-    #[inline]
-    fn difference(a: f64, b: f64) -> Self {
-        Self::sum(a, -b)
-    }
-
     #[inline]
     fn product(a: f64, b: f64) -> Self {
         let (high, low) = quick::exact_product(a, b);
@@ -223,38 +238,12 @@ impl Number for Extended {
         }
     }
 
-    fn difference(a: f64, b: f64) -> Self {
-        let exact = DoubleDouble::difference(a, b);
-        let leading = Self::from_double(exact.high());
-        Self {
-            digits: DoubleDouble::sum(
-                leading.digits.high(),
-                shifted(exact.low(), -leading.exponent),
-            ),
-            exponent: leading.exponent,
-        }
-    }
-
     fn narrow(self) -> DoubleDouble {
         let high = shifted(self.digits.high(), self.exponent);
         if high.is_infinite() {
             return DoubleDouble::new(high, 0.0);
         }
         DoubleDouble::sum(high, shifted(self.digits.low(), self.exponent))
-    }
-
-    fn root_of_quotient(self, divisor: Self) -> f64 {
-        if self.is_zero() {
-            return 0.0;
-        }
-        let exponent = self.exponent - divisor.exponent;
-        let odd = exponent & 1;
-        let digits = self.digits.value() / divisor.digits.value() * f64::from(1 + odd);
-        shifted(digits.sqrt(), (exponent - odd) / 2)
-    }
-
-    fn exceeds(self, other: Self) -> bool {
-        (self - other).leading() > 0.0
     }
 
     fn logarithm(self) -> DoubleDouble {
@@ -267,13 +256,7 @@ impl Number for Extended {
         }
         let third = self.exponent.div_euclid(3);
         let rest = f64::from(1 << self.exponent.rem_euclid(3));
-        let mut root = Self::from_double((self.digits.high() * rest).cbrt());
-        root.exponent += third;
-        root
-    }
-
-    fn angle(cosine: Self, sine: Self) -> DoubleDouble {
-        angle(cosine.quotient(sine).narrow(), DoubleDouble::from(1.0))
+        Self::from_double((self.digits.high() * rest).cbrt()).raised(third)
     }
 
     fn from_extended(number: Extended) -> Self {

@@ -308,7 +308,9 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         };
         let reached = |time: f64| budget.reached(time);
         let margin = |t: f64, y: &[f64; N]| flow.margin(phase, t, y).unwrap_or(f64::INFINITY);
-        let scales = flow.scales();
+        // What nothing moves has no size of its own, and any will do: a tolerance of nothing has no inverse.
+        let sized_or_one = |size: f64| if size > NOTHING { size } else { 1.0 };
+        let scales = flow.scales().map(sized_or_one);
         let ((now, y), times, end) = (ahead.start, ahead.times, ahead.end);
         let ends = flow.margin(phase, now, y).is_some();
         let any_margin = |t: f64, y: &[f64]| margin(t, &sized(y));
@@ -760,6 +762,8 @@ fn growth<const N: usize, F: Flow<N>>(
     Ok(flow.furthest_apart(seen, &there.samples, seen) / first)
 }
 
+/// A number of this size is none: times a tolerance it has no inverse among doubles.
+const NOTHING: f64 = f64::MIN_POSITIVE / (f64::EPSILON * f64::EPSILON);
 /// A small displacement of the start, in units of the scales.
 const MOVED: f64 = 1e-10;
 /// The same in units of the doubt about the start.

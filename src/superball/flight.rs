@@ -386,7 +386,7 @@ impl Flight {
                 return Ok(Some((time, ball, last)));
             }
         }
-        Err(TOO_MANY)
+        Err(too_many(time.value()))
     }
 
     fn restitution(&self) -> [f64; 2] {
@@ -441,7 +441,7 @@ impl Flight {
                     break;
                 }
                 if ball.bounces - self.start.bounces >= MOST_BOUNCES {
-                    return Err(TOO_MANY);
+                    return Err(too_many(now.value()));
                 }
                 now = then;
                 ball = self.bounced(&ball, wait, surface, speed.value());
@@ -469,7 +469,11 @@ impl Flight {
         let [normal, tangential] = self.restitution();
         let (kappa, flight) = (self.kappa, took * (1.0 - normal));
         let slip = first.motion.contact_speed(Surface::Floor);
-        let swing = kappa / (1.0 + kappa) * slip * flight / (1.0 + normal * tangential);
+        // A ball that lies there flies no more.
+        let swing = match took {
+            0.0 => 0.0,
+            _ => kappa / (1.0 + kappa) * slip * flight / (1.0 + normal * tangential),
+        };
         let landed = first.position + took * self.common(&first.motion) + swing;
         // As many as could be followed: until they cannot be told apart from the end.
         let told = ((SAME * took / flight).ln() / normal.ln()).max(0.0).ceil();
@@ -519,7 +523,9 @@ impl Flight {
     }
 }
 
-const TOO_MANY: Error = Error::Integration {
-    reason: "too many bounces to follow one by one",
-    time: f64::INFINITY,
-};
+const fn too_many(time: f64) -> Error {
+    Error::Integration {
+        reason: "too many bounces to follow one by one",
+        time,
+    }
+}

@@ -48,9 +48,17 @@ impl<'a> Reader<'a> {
         match DeTable::parse(text) {
             Ok(entries) => Ok(new(entries.into_inner())),
             Err(error) => {
-                let told = error.message().split_whitespace().collect::<Vec<_>>();
+                let mut told = error
+                    .message()
+                    .split_whitespace()
+                    .collect::<Vec<_>>()
+                    .join(" ");
+                if told == "duplicate key" {
+                    let key = error.span().and_then(|place| text.get(place));
+                    told = format!("key `{}` stands twice", key.unwrap_or_default());
+                }
                 let reader = new(DeTable::new());
-                reader.add(error.span(), told.join(" "));
+                reader.add(error.span(), told);
                 reader.finish(None)
             }
         }

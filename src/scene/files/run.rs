@@ -1,5 +1,7 @@
 //! `[run]`: when, how well, and by which solver.
 
+use std::collections::BTreeSet;
+
 use super::keys::Bound;
 use super::reader::{Reader, meant};
 use super::values::section;
@@ -79,7 +81,7 @@ impl Run {
 /// The scene telling these numbers.
 ///
 /// # Errors
-/// A name that is none, and what was probably meant: "has no column `tlt` to tell; …".
+/// A name that is none, and what was probably meant: "has no column `tlt` to tell; …"; one that stands there twice.
 ///
 /// ```
 /// use spinning_bodies::scene::files::{parse, telling};
@@ -90,6 +92,12 @@ impl Run {
 /// # Ok::<(), spinning_bodies::scene::files::Mistakes>(())
 /// ```
 pub fn telling<N: AsRef<str>>(scene: AnyScene, names: &[N]) -> Result<AnyScene, String> {
+    let mut named = BTreeSet::new();
+    for name in names.iter().map(N::as_ref) {
+        if !named.insert(name) {
+            return Err(format!("is asked for column `{name}` twice"));
+        }
+    }
     scene.telling(names).map_err(|unknown| {
         let UnknownColumn { name, names } = unknown;
         let (meant, names) = (meant(&name, names.iter().copied()), names.join(", "));

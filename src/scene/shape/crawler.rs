@@ -185,8 +185,10 @@ impl Flow<5> for Crawler {
                 piece
             }
             Stop::AtTheEnd => {
-                // Where the stroke turns, a foot that was dragged by one at rest is at rest as well.
-                if piece % 2 == 1 && feet.contains(&Foot::Holds) {
+                // Where the stroke turns, a foot that was dragged by one at rest is at rest as well, and both are where the centre is: to rounding.
+                let [_, speed, ..] = self.scales();
+                let rests = feet.contains(&Foot::Holds) || y[1].abs() <= f64::EPSILON * speed;
+                if piece % 2 == 1 && rests {
                     feet = [Foot::Holds; 2];
                     y[1] = 0.0;
                 }

@@ -134,8 +134,13 @@ impl Flow<4> for Skater {
 
     fn scales(&self) -> [f64; 4] {
         let fastest = self.fastest();
-        let energy = self.body.energy(fastest, self.reach, 0.0);
-        let energy = energy.max(f64::MIN_POSITIVE);
+        // Hands that are drawn in have energy even where nothing spins.
+        let hands = self.draw.map_or(0.0, |draw| {
+            (draw.to - self.reach) * draw.pace.greatest_rate() / draw.duration
+        });
+        let [spinning, drawn] = [(fastest, 0.0), (0.0, hands)]
+            .map(|(spin, rate)| self.body.energy(spin, self.reach, rate));
+        let energy = spinning.max(drawn).max(f64::MIN_POSITIVE);
         [1.0, fastest, energy, energy]
     }
 

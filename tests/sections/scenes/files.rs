@@ -46,6 +46,19 @@ fn every_mistake_is_told_at_once_each_in_its_line() {
         );
         assert!(told.contains(words), "{told}");
     }
+    for (more, told) in [
+        ("times = [1]", "key `times` stands twice"),
+        ("[body]", "key `body` stands twice"),
+        (
+            "columns = [\"l\", \"lx\", \"l\"]",
+            "key `columns` in [run] is asked for column `l` twice",
+        ),
+    ] {
+        assert_eq!(
+            mistakes(&format!("{RACKET}{more}")),
+            [format!("mine.toml:7: {told}")]
+        );
+    }
     // Each of them in the member of the list that is wrong.
     let told = mistakes(&RACKET.replace("[0.01, 1.0, 0.01]", "[\n\"a\",\n1.0,\ninf]"));
     assert!(
@@ -192,6 +205,51 @@ fn strange_texts_are_refused_and_nothing_panics() {
     }
     let told = mistakes(&RACKET.replace('\n', "\r\n").replace("[1.0, 2.0, 3.0]", "7"));
     assert!(told[0].starts_with("mine.toml:2: "), "{told:?}");
+}
+
+/// What is at rest stays, whatever would resist it: its numbers have no size, and no tolerance of their own.
+#[test]
+fn what_nothing_moves_stays() {
+    let top = |effect: &str| {
+        format!(
+            "[body]\nmoments = [1, 1, 2]\n[initial]\nomega = [0, 0, 0]\n[effects]\n{effect} = 0.1\n"
+        )
+    };
+    let skater = "kind = \"skater\"\n[body]\ncore = 1\nhand = 1\n[initial]\nreach = 0.5\nspin = 0\n[effects]\nbearing_friction = 0.1\n";
+    let swivel =
+        "kind = \"swivel\"\n[body]\nlower = 1\nupper = 2\n[effects]\nbearing_friction = 0.1\n";
+    let still = [
+        "pivot_friction",
+        "bearing_friction",
+        "air_drag",
+        "tip_friction",
+    ]
+    .map(top);
+    for text in still.iter().map(String::as_str).chain([skater, swivel]) {
+        let run = format!("{text}[run]\ntimes = [0, 1, 5]\n");
+        let (scene, request) = parse("mine.toml", &run).unwrap();
+        let table = scene
+            .simulate(&request)
+            .unwrap_or_else(|told| panic!("{told}\n{text}"));
+        let rows: Vec<_> = table.rows().map(|(_, row)| row).collect();
+        assert!(rows[1] == rows[0] && rows[2] == rows[0], "{rows:?}\n{text}");
+    }
+    // The hands have what they are moved with, and give it back.
+    let draw = "[effects.draw]\nto = 0.1\nduration = 1\n[run]\ntimes = [0.5, 2]\n";
+    let (scene, request) = parse("mine.toml", &format!("{skater}{draw}")).unwrap();
+    let numbers = scene.simulate(&request).unwrap();
+    let numbers = numbers
+        .numbers(["angle", "spin", "work", "energy"])
+        .unwrap();
+    // Halfway each of 1 kg goes at 1.875 times 0.4 m/s.
+    let energy = (0.4_f64 * 1.875).powi(2);
+    for (row, energy) in numbers.iter().zip([energy, 0.0]) {
+        assert_eq!(row[..2], [0.0, 0.0]);
+        assert!(
+            (row[2] - energy).abs() < 1e-10 && (row[3] - energy).abs() < 1e-15,
+            "{row:?}"
+        );
+    }
 }
 
 #[test]

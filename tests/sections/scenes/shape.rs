@@ -311,6 +311,40 @@ fn the_crawler_from_event_to_event_and_by_a_general_method() {
     }
 }
 
+/// Of feet of one weight none holds before the other: both slip, and come to rest together. The ground takes the way of both.
+#[test]
+fn a_crawler_with_equal_feet_pays_for_every_stroke() -> Result<()> {
+    let strokes = Strokes {
+        gap: 0.1,
+        length: 0.1,
+        push: 1.0,
+        pull: 0.5,
+    };
+    // The last but one is an ulp heavier.
+    for (front, mu) in [
+        (1.0, 0.02),
+        (1.0, 0.3),
+        (1.0_f64.next_up(), 0.3),
+        (1.0, 10.0),
+    ] {
+        let body = shape::Crawler::new(Crawler::new(1.0, front, strokes)?);
+        let scene = body.with(Coulomb::new(mu)?)?.with(Gravity::new(9.81)?)?;
+        for choice in [Choice::Auto, GENERAL] {
+            let asked = request(3.0, 1e-10).by(choice);
+            for (t, state) in scene.simulate(&asked)?.rows {
+                // Once 1.5 s, twice a cycle and a half of them: at every turn of the muscle all of its work is heat.
+                if [1.5, 3.0].contains(&t) {
+                    let heat = mu * 9.81 * 2.0 * 0.1 * t / 1.5;
+                    assert!((state.heat - heat).abs() < 1e-10 * heat, "{mu}: {state:?}");
+                    assert!((state.work - heat).abs() < 1e-10, "{mu}: {state:?}");
+                }
+                assert!(state.center.abs() < 1e-14, "{mu}: {state:?}");
+            }
+        }
+    }
+    Ok(())
+}
+
 /// On a rough ground both feet come to rest between two strokes: every cycle is like the first.
 #[test]
 fn every_cycle_of_a_crawler_that_comes_to_rest_is_like_the_first() {

@@ -311,6 +311,13 @@ fn s4_6_a_ball_that_lies_on_the_floor() {
     let still = thrown(0.0, 0.0, 0.0, 0.0);
     assert_eq!(lies(0.0, 0.0).exact(1e20).unwrap(), still);
     assert_eq!(lies(0.5, 0.5).followed(&[3.0]).unwrap()[0], rolls);
+    // A smooth one slides; bounces that lose nothing are infinitely many here, too.
+    for normal in [0.0, 0.5, 1.0] {
+        let smooth = (WEIGHT, Some(Restitution::new(normal, -1.0).unwrap()), None);
+        let slides = Flight::new(0.4, 1.0, smooth, thrown(0.0, 0.0, 0.5, 0.0)).unwrap();
+        let slides = slides.followed(&[3.0]).unwrap()[0];
+        assert_eq!(numbers(&slides), [1.5, 0.0, 0.0, 0.5, 0.0]);
+    }
     // A contact speed that would be reversed for ever.
     refused!(lies(0.5, 0.0).exact(1.0), Condition);
     refused!(lies(0.5, 0.0).followed(&[1.0]), Condition);

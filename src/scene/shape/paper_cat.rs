@@ -34,7 +34,7 @@ state! {
         tilt,
         /// Rate of the tilt, rad/s.
         tilt_rate,
-        /// Energy that the air has taken so far, J/kg.
+        /// Energy of the fall that the air has taken so far, J/kg.
         lost,
     }
 }

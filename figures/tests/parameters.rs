@@ -76,6 +76,28 @@ fn five_points_of_each_range_can_be_drawn() {
     walk(5);
 }
 
+/// All of them at once at the lower ends, and at the upper ones.
+#[test]
+fn two_corners_of_all_ranges_can_be_drawn() {
+    all().par_iter().for_each(|entry| {
+        for share in [0.0, 1.0] {
+            let values = entry
+                .parameters
+                .iter()
+                .fold(Values::default(), |values, one| {
+                    let at = one.at(share);
+                    values
+                        .with(one, at)
+                        .unwrap_or_else(|told| panic!("its own range: {told}"))
+                });
+            stays_on_the_canvas(
+                &drawn(entry, &values),
+                &format!("{} of {values:?}", entry.name),
+            );
+        }
+    });
+}
+
 #[test]
 #[ignore = "minutes: fifty points of each range"]
 fn fifty_points_of_each_range_can_be_drawn() {

@@ -23,7 +23,7 @@ fn followed(spin: f64, tilt: f64) -> Result<(Rows, bool)> {
         // Two hundred rows and more a shaking second.
         let samples = (100.0 * end).max(200.0) as u32;
         match run(&scene, end, samples, 1e-3) {
-            Err(Error::Integration { time, .. }) if time > 0.01 => {
+            Err(Error::Integration { time, .. }) if time > 0.0 => {
                 (end, leaves) = (0.98 * time.min(end), true);
             }
             // A motion that amplifies what is rounded: a shorter stretch can be told.
@@ -55,7 +55,7 @@ pub fn reversals(values: &Values) -> Result<Figure> {
     };
     let claim = match back {
         _ if wrong.min(right) < END => format!(
-            "So far off level and so fast, the stone {does}: the curves end after {wrong:.2} seconds spun the wrong way, {right:.2} the right way."
+            "So far off level and so fast, the stone {does}: the curves end after {wrong:.3} seconds spun the wrong way, {right:.3} the right way."
         ),
         [Some(wrong), Some(right)] if right > wrong => format!(
             "A rattleback spun the wrong way rattles, stops and turns back; spun the right way it takes {} times as long about it.",

@@ -100,6 +100,12 @@ fn listed(asked: &usage::Figures) -> Result<()> {
 
 fn figures(root: &Path, asked: usage::Figures) -> Result<()> {
     let entries = drawings::chosen(&asked.names)?;
+    pictures::can_be_made(asked.form)?;
+    if let (Form::Svg, Some(width)) = (asked.form, asked.width) {
+        let told =
+            format!("--width: an SVG has any width, expected --as pdf or --as png, got {width}");
+        return Err(Error::Input(told));
+    }
     let copying = Copying {
         look: Look {
             theme: match asked.theme.as_str() {
@@ -124,7 +130,11 @@ fn figures(root: &Path, asked: usage::Figures) -> Result<()> {
         return say(&format!("{count} figures agree with {folder}\n"));
     }
     can_be_written_into(&folder)?;
-    let table = asked.data.map(|file| Target::new(Some(&file), None));
+    let table = asked.data.map(|file| {
+        drawings::only(&entries, "--data")?;
+        Format::of(Some(Format::Csv), Some(&file))?;
+        Target::new(Some(&file), None)
+    });
     let table = table.transpose()?;
     let drawings = draw(&entries, &values)?;
     if let Some(table) = table {
@@ -211,6 +221,7 @@ fn drawn(
     figure: impl FnOnce() -> Result<Figure>,
 ) -> Result<()> {
     let form = plot::form(output, Form::value_variants())?;
+    pictures::can_be_made(form)?;
     let target = Target::new(output, input)?;
     target.put(pictures::file(&figure()?, form.into())?)
 }

@@ -8,6 +8,7 @@ use figures::{Entry, Figure, Look, Parameter, Values};
 use rayon::prelude::*;
 use serde_json::{Value as Json, json};
 use spinning_bodies::scene::files;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// A figure with its name.
@@ -19,7 +20,7 @@ pub struct Drawing {
     pub figure: Figure,
 }
 
-/// The registered figures with these names, all of them if no name is given.
+/// The registered figures with these names, each of them once; all of them if no name is given.
 pub fn chosen(names: &[String]) -> Result<Vec<Entry>> {
     let all = figures::all();
     if names.is_empty() {
@@ -29,7 +30,9 @@ pub fn chosen(names: &[String]) -> Result<Vec<Entry>> {
         let found = all.iter().find(|entry| entry.name == name);
         found.copied().ok_or_else(|| unknown_figure(name))
     };
-    names.iter().map(named).collect()
+    let mut once = BTreeSet::new();
+    let names = names.iter().filter(|name| once.insert(*name));
+    names.map(named).collect()
 }
 
 /// Writes the things of the page "On your table" for this paper into a folder, and returns where they are.
@@ -94,7 +97,10 @@ pub fn described(drawings: &[Drawing]) -> Json {
 }
 
 /// The one of which an option tells.
-fn only<'a, T>(list: &'a [T], option: &str) -> Result<&'a T> {
+///
+/// # Errors
+/// [`Error::Input`] for none or several.
+pub fn only<'a, T>(list: &'a [T], option: &str) -> Result<&'a T> {
     match list {
         [one] => Ok(one),
         _ => Err(Error::Input(format!(
@@ -110,9 +116,13 @@ pub fn values(entries: &[Entry], set: &[String]) -> Result<Values> {
     }
     let entry = only(entries, "--set")?;
     let told = |told: String| Error::Input(format!("--set: {told}"));
+    let mut keys = BTreeSet::new();
     set.iter().try_fold(Values::default(), |values, set| {
         let bare = || told(format!("'{set}' has no value, expected KEY=VALUE"));
         let (key, value) = set.split_once('=').ok_or_else(bare)?;
+        if !keys.insert(key) {
+            return Err(told(format!("{key} stands there twice")));
+        }
         let known = entry.parameters.iter().map(|parameter| parameter.key);
         let meant = |unknown| told(format!("{unknown}{}", files::meant(key, known)));
         let parameter = entry.parameter(key).map_err(meant)?;

@@ -50,24 +50,32 @@ impl From<Form> for Copying {
     }
 }
 
-/// The file of a figure.
+/// Nothing, if this build makes pictures of this form: to be asked before any work is done for them.
 ///
 /// # Errors
-/// [`Error::Input`] for another form than SVG in a build without the feature `pictures`; [`Error::Failed`] where no font is installed.
-pub fn file(figure: &Figure, copying: Copying) -> Result<Vec<u8>> {
-    let svg = figure.file(copying.look);
-    match copying.form {
-        Form::Svg => Ok(svg.into_bytes()),
-        form => converted(&svg, form, copying),
+/// [`Error::Input`] for another form than SVG in a build without the feature `pictures`.
+pub fn can_be_made(form: Form) -> Result<()> {
+    if form == Form::Svg || cfg!(feature = "pictures") {
+        return Ok(());
     }
-}
-
-#[cfg(not(feature = "pictures"))]
-fn converted(_: &str, form: Form, _: Copying) -> Result<Vec<u8>> {
     let form = form.ending();
     Err(Error::Input(format!(
         "{form}: this build writes SVG only, expected one with the feature: `cargo run --features book/pictures -- …`"
     )))
+}
+
+/// The file of a figure.
+///
+/// # Errors
+/// As for [`can_be_made`]; [`Error::Failed`] where no font is installed.
+pub fn file(figure: &Figure, copying: Copying) -> Result<Vec<u8>> {
+    can_be_made(copying.form)?;
+    let svg = figure.file(copying.look);
+    #[cfg(feature = "pictures")]
+    if copying.form != Form::Svg {
+        return converted(&svg, copying.form, copying);
+    }
+    Ok(svg.into_bytes())
 }
 
 /// Fonts with serifs, the book's first.

@@ -28,7 +28,7 @@ Examples:
   cargo run -- book --open               builds the book and opens it in the browser
   cargo run -- figures --list            the names of the figures and their chapters
   cargo run -- scene book/scenes/racket.toml    simulates a scene file
-  cargo run -- help scene                what a scene file may say; the other commands have examples, too
+  cargo run -- help scene                what a scene file may say; most commands have examples
   cargo test                             runs every example of the book
 
 Exit status: 0 success, 2 wrong usage or a wrong source (one line says which), 1 anything else.";
@@ -55,7 +55,7 @@ A scene file, in TOML and SI units; nothing acts that [effects] does not name:
   samples = 101
   accuracy = 1e-10                 # relative
   solver = \"auto\"                  # or one of those below
-  columns = [\"tilt\", \"energy\"]  # what a row tells after the time; the usual numbers of the kind if it is not there
+  columns = [\"tilt\", \"energy\"]     # what a row tells after the time; the usual numbers of the kind if it is not there
 
 A run gives up after 200 million evaluations of its equations, and has ten million rows at most; one that takes more than a
 moment tells how far it is. A body under gravity also needs mass and center_of_mass. Other kinds of scene name their kind at the top;
@@ -228,10 +228,10 @@ pub struct Scene {
     #[arg(long, conflicts_with_all = ["columns", "plot", "format"])]
     pub film: bool,
     /// Seconds of the motion in a second of the film [default: so that it takes ten seconds]
-    #[arg(long, value_name = "RATE", requires = "film", conflicts_with_all = ["plot", "frames"])]
+    #[arg(long, value_name = "RATE", allow_negative_numbers = true, requires = "film", conflicts_with_all = ["plot", "frames"])]
     pub speed: Option<f64>,
     /// Draws N pictures of the moving body into a new folder, at equal steps of time
-    #[arg(long, num_args = 2, value_names = ["DIR", "N"], conflicts_with_all = ["columns", "plot", "film", "format", "output"])]
+    #[arg(long, num_args = 2, allow_negative_numbers = true, value_names = ["DIR", "N"], conflicts_with_all = ["columns", "plot", "film", "format", "output"])]
     pub frames: Vec<OsString>,
     /// Form of these pictures; all but svg need a build with `--features book/pictures`
     #[arg(long = "as", value_enum, value_name = "FORM", default_value_t, requires = "frames", conflicts_with_all = ["plot", "film"])]
@@ -266,7 +266,7 @@ pub struct Written {
     /// Form of the rows [default: by the ending of the output's name, otherwise csv]
     #[arg(long, value_enum)]
     pub format: Option<Format>,
-    /// File to write; without it, standard output
+    /// File to write; without it, or for `-`, standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }

@@ -30,12 +30,12 @@ enum Place {
 type Writing<'a> = &'a mut dyn Write;
 
 impl Target {
-    /// This file, or without one the standard output. `input` is what it must not overwrite; `-` stands for the standard input.
+    /// This file, or without one, or for `-`, the standard output. `input` is what it must not overwrite; `-` stands for the standard input.
     ///
     /// # Errors
     /// [`Error::Input`] for a folder, a file in a folder that is not there, and the input itself; [`Error::File`].
     pub fn new(path: Option<&Path>, input: Option<&Path>) -> Result<Self> {
-        let (name, place) = match path {
+        let (name, place) = match path.filter(|path| *path != Path::new("-")) {
             None => (Path::new("standard output"), Place::StandardOutput),
             Some(path) => (path, Place::of(path, input)?),
         };
@@ -159,7 +159,8 @@ pub fn can_be_written_into(folder: &Path) -> Result<()> {
 /// # Errors
 /// [`Error::Input`] for a name that ends otherwise; `what` is written.
 pub fn by_ending<T: Copy>(path: Option<&Path>, what: &str, known: &[(&str, T)]) -> Result<T> {
-    let Some(file) = path.filter(|path| path.is_file() || !path.exists()) else {
+    let is_a_file = |path: &&Path| *path != Path::new("-") && (path.is_file() || !path.exists());
+    let Some(file) = path.filter(is_a_file) else {
         return Ok(known[0].1);
     };
     let ending = file.extension().unwrap_or_default().to_ascii_lowercase();

@@ -10,7 +10,7 @@ use spinning_bodies::scene::Sight;
 
 use super::{Motion, stem};
 use crate::interrupt::Unfinished;
-use crate::pictures::{Form, file};
+use crate::pictures::{Form, can_be_made, file};
 use crate::progress::counted;
 use crate::writer::{can_be_written_into, folder_of, tell};
 use crate::{Error, Result};
@@ -123,11 +123,12 @@ pub fn stills(
             "N is '{count}', expected a whole number from 1 to {MOST_STILLS}"
         ));
     };
+    can_be_made(form)?;
     let empty = std::fs::read_dir(folder).map(|mut inside| inside.next().is_none());
-    if folder.exists() && !empty.unwrap_or(false) {
+    if folder.as_os_str().is_empty() || folder.exists() && !empty.unwrap_or(false) {
         let folder = folder.display();
         return refused(format!(
-            "DIR is {folder}, expected an empty folder or a new one"
+            "DIR is '{folder}', expected an empty folder or a new one"
         ));
     }
     let parent = folder_of(folder);

@@ -268,7 +268,9 @@ pub fn key_table(of: &str, keys: &[KeyRow]) -> String {
 pub fn keys(kind: &str) -> Result<String> {
     match (files::keys("run"), files::keys(kind)) {
         (_, Some(sizes)) if kind == "shapes" => Ok(key_table("shape", &sizes)),
-        (Some(shared), Some(keys)) => Ok(key_table("table", &[shared, keys].concat())),
+        (Some(shared), Some(keys)) if kind != "run" => {
+            Ok(key_table("table", &[shared, keys].concat()))
+        }
         _ => {
             let (kinds, meant) = (files::kinds(), files::meant(kind, files::kinds()));
             let kinds = kinds.collect::<Vec<_>>().join(", ");

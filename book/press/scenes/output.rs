@@ -16,9 +16,9 @@ use crate::writer::by_ending;
 /// How a motion is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum Format {
-    /// A header line, and one row a time.
+    /// A header line, and a line for each row.
     Csv,
-    /// One object: plan, cost, ledger, units, rows.
+    /// One object: plan, cost, ledger, units and rows of a motion; rows and refused points of a scan.
     Json,
 }
 

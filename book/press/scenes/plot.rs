@@ -1,5 +1,6 @@
 //! A motion as a diagram: `--plot`.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use figures::Figure;
@@ -36,7 +37,8 @@ pub fn panel(text: &str) -> std::result::Result<Panel, String> {
 /// The columns that the panels need.
 pub fn columns(panels: &[Panel]) -> Vec<&str> {
     let names = panels.iter().flatten().map(String::as_str);
-    names.filter(|name| *name != "t").collect()
+    let names: BTreeSet<&str> = names.filter(|name| *name != "t").collect();
+    names.into_iter().collect()
 }
 
 /// The form of the picture, of these, that a file's name ends with; the first on the standard output.

@@ -1,5 +1,6 @@
 //! Scans: one scene file, some of its numbers varied over a grid, all cores at work.
 
+use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 use std::path::Path;
@@ -38,7 +39,7 @@ impl FromStr for Over {
         let refused = |told: &str| Err(format!("`{text}` {told}"));
         let Some(over) = Self::read(text).filter(|over| (1..=MOST).contains(&over.count)) else {
             return refused(
-                "should look like initial.omega.2=50..200:16, a number of the file, its range, and how many values; :log behind it for equal ratios, KEY=FROM..TO,KEY=FROM..TO:16 for numbers that vary together",
+                "should look like initial.omega.2=50..200:16, a number of the file, its range, and how many values, at most a million; :log behind it for equal ratios, KEY=FROM..TO,KEY=FROM..TO:16 for numbers that vary together",
             );
         };
         if over.count == 1 && over.ranges.iter().any(|(_, from, to)| from != to) {
@@ -199,27 +200,34 @@ impl Scan {
         let (name, text) = source(path)?;
         let motion = Motion::of(&name, &text)?;
         let refused = |told: String| Err(Error::Input(format!("{name}: {told}")));
-        let all: Vec<&str> = overs.iter().flat_map(Over::paths).collect();
-        for (place, path) in all.iter().enumerate() {
+        let mut all = BTreeSet::new();
+        for path in overs.iter().flat_map(Over::paths) {
             set(&name, &text, path, 0.0)?;
-            if all[..place].contains(path) {
+            if !all.insert(path.to_owned()) {
                 return refused(format!("`{path}` stands twice after --over"));
             }
+        }
+        if let Some(tell) = tells.iter().find(|tell| !all.insert(tell.to_string())) {
+            return refused(format!("`{tell}` stands twice after --tell"));
         }
         let counts = overs.iter().map(|over| over.count);
         if counts.fold(1_usize, usize::saturating_mul) > MOST {
             return refused(format!("a scan has at most {MOST} points"));
         }
-        let named: Vec<&str> = tells.iter().map(|tell| tell.column.as_str()).collect();
-        let motion = motion.telling("--tell, --plot", &named)?;
+        let named: BTreeSet<&str> = tells.iter().map(|tell| tell.column.as_str()).collect();
+        let motion = motion.telling("--tell, --plot", &Vec::from_iter(named))?;
         let columns: Vec<Column> = motion.scene.told().collect();
+        let place = |tell: Tell| {
+            let place = columns.iter().position(|column| column.name == tell.column);
+            place.map(|place| (1 + place, tell))
+        };
         let tells = match tells.is_empty() {
             true => {
                 let names = columns.iter().map(|column| column.name);
                 let all = std::iter::once("t").chain(names);
                 all.map(Tell::last).enumerate().collect()
             }
-            false => (1..).zip(tells).collect(),
+            false => tells.into_iter().filter_map(place).collect(),
         };
         Ok(Self {
             name,

@@ -90,7 +90,8 @@ fn figures_are_written_to_the_folder_asked_for() {
     for entry in ::figures::all().iter().take(1) {
         let into = out.to_str().unwrap();
         let check = || book(&["figures", entry.name, "--check", "--out", into]);
-        printed(&book(&["figures", entry.name, "--out", into]));
+        let told = printed(&book(&["figures", entry.name, entry.name, "--out", into]));
+        assert!(told.starts_with("1 figure in "), "{told}");
         let names = names(&out);
         assert_eq!(names, [format!("{}.svg", entry.name)]);
         printed(&check());

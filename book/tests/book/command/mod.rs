@@ -23,6 +23,42 @@ fn wrong_usage_is_told_in_one_line_and_status_2() {
         (&["figures", "--list", "--check"], "--check"),
         (&["book", "extra"], "'extra'"),
         (&["claims", "--all"], "'--all'"),
+        // None of them begins to work.
+        (&["figures", "--data", "x.csv"], "the NAME of one figure"),
+        (&["figures", "spool-dial", "--data", "x.svg"], "`.csv`"),
+        (
+            &["figures", "spool-dial", "--set", "axle=0.5,axle=0.6"],
+            "axle stands there twice",
+        ),
+        (
+            &["figures", "spool-dial", "--as", "svg", "--width", "100"],
+            "got 100",
+        ),
+        (&["scene", "--keys", "run"], "no kind `run`"),
+        (
+            &["scene", "racket", "--columns", "tilt,l,tilt"],
+            "column `tilt` twice",
+        ),
+        (
+            &["scene", "racket", "--film", "--speed", "-1"],
+            "expected a speed from",
+        ),
+        (&["scene", "racket", "--frames", "", "3"], "DIR is ''"),
+        (
+            &["scene", "racket", "--frames", "stills", "-1"],
+            "N is '-1'",
+        ),
+        (
+            &[
+                "scan",
+                "racket",
+                "--over",
+                "body.moments.0=1..2:2",
+                "--tell",
+                "l,l",
+            ],
+            "`l` stands twice",
+        ),
     ] {
         let output = book(arguments);
         let told = text(&output.stderr);

@@ -55,6 +55,8 @@ fn the_name_of_the_output_tells_its_format() {
         let head = if json { "{" } else { "t,qw" };
         assert!(read(name).starts_with(head), "{name}");
     }
+    let printed_rows = printed(&scene(&file, &["--output", "-"]));
+    assert_eq!(printed_rows, read("a.csv"));
     let before = names(folder.path());
     for arguments in [
         &["--output", &out("x.svg")][..],

@@ -66,8 +66,7 @@ pub fn path(values: &Values) -> Result<Figure> {
         pen.label(shifted(c, [8.0, 12.0]), Start, "*C*");
         let first = view.project(&path[0]);
         pen.dot(first, 4.0);
-        pen.note([474.0, 316.0], Start, "starts here");
-        pen.line([[470.0, 312.0], [first[0] + 6.0, first[1]]], inked(HAIR));
+        pen.note(shifted(first, [10.0, 4.0]), Start, "start");
     });
     let columns = "time (s) | x over R | y over R | z over R";
     let table = rows.iter().zip(&path).step_by(10);

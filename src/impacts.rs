@@ -239,14 +239,10 @@ impl Strike {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn tilt(&self) -> Result<f64> {
-        let before = self
-            .planet
-            .omega
-            .direction("the angular velocity before the impact")?;
-        self.omega_after
-            .direction("the angular velocity after the impact")?;
-        let (sine, cosine) = (before.cross(&self.change), before.dot(&self.omega_after));
-        Ok(sine.norm().atan2(cosine))
+        let (before, after) = (self.planet.omega, self.omega_after);
+        let before = before.direction("the angular velocity before the impact")?;
+        after.direction("the angular velocity after the impact")?;
+        Ok(before.cross(&self.change).norm().atan2(before.dot(&after)))
     }
 
     /// The tutorial's approximation Ω' ≈ Ω + I⁻¹(x∧mv), rad/s, exactly as printed in 4.2.

@@ -69,17 +69,6 @@ impl<N: Number> Landen<N> {
         }
     }
 
-    /// √q for the modulus k, as a double: still there where q underflows.
-    #[inline(always)]
-    pub(crate) fn root_of_nome(&self, k: f64) -> f64 {
-        k * self.nome_over_square.value().sqrt()
-    }
-
-    /// The quarter period K = π/(2 mean).
-    pub(crate) fn quarter(&self) -> Dd {
-        RIGHT_ANGLE.quotient(self.mean)
-    }
-
     /// The quarter period of the complementary modulus, K′ = (K/π) ln(1/q), also where q itself underflows; infinite for k = 0.
     pub(crate) fn complementary_quarter(&self) -> Dd {
         if self.parameter.is_zero() {

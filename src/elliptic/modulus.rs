@@ -109,30 +109,6 @@ impl Modulus {
         }
     }
 
-    /// The modulus from a transformation of the lesser of m and mc; both are wanted, and √mc.
-    pub(crate) fn from_landen<N: Number>(
-        side: Side,
-        parameter: Parameter,
-        complementary_modulus: f64,
-        landen: &Landen<N>,
-    ) -> Self {
-        let mean = landen.mean;
-        let (quarter, series) = match side {
-            Side::Circular => (
-                landen.quarter(),
-                Series::circular(landen.nome.value(), complementary_modulus),
-            ),
-            Side::Hyperbolic => {
-                let half = landen.root_of_nome(complementary_modulus);
-                (
-                    landen.complementary_quarter(),
-                    Series::hyperbolic(half, complementary_modulus, mean.value()),
-                )
-            }
-        };
-        Self::assemble(parameter, side, quarter, mean, series)
-    }
-
     /// π/(2K), or π/(2K′) beyond m = 1/2.
     pub(crate) fn pace(&self) -> f64 {
         self.rate.high()
@@ -225,12 +201,25 @@ impl<N: Number> Descent<N> {
             (Side::Circular, m, mc)
         };
         let landen = Landen::new(lesser, greater.narrow().square_root());
-        let parameter = Parameter::from_both(m.narrow(), mc.narrow());
         let complementary_modulus = mc.root_of_quotient(N::from_double(1.0));
+        let (quarter, series) = match side {
+            Side::Circular => (
+                RIGHT_ANGLE.quotient(landen.mean),
+                Series::circular(landen.nome.value(), complementary_modulus),
+            ),
+            Side::Hyperbolic => {
+                // √q is still there where q underflows.
+                let half = complementary_modulus * landen.nome_over_square.value().sqrt();
+                let rate = landen.mean.value();
+                let series = Series::hyperbolic(half, complementary_modulus, rate);
+                (landen.complementary_quarter(), series)
+            }
+        };
+        let parameter = Parameter::from_both(m.narrow(), mc.narrow());
         Self {
             m,
             mc,
-            modulus: Modulus::from_landen(side, parameter, complementary_modulus, &landen),
+            modulus: Modulus::assemble(parameter, side, quarter, landen.mean, series),
             landen,
         }
     }

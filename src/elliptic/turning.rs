@@ -170,7 +170,12 @@ impl Turning {
         let landen = &descent.landen;
         if descent.modulus.side == Side::Hyperbolic {
             let (sine, cosine) = elevation.angle(landen, descent.mc);
-            return Self::dual(landen, [sine, cosine], [-cosine, sine]);
+            let (s, c) = (-cosine, sine);
+            return Self {
+                lag: Dd::angle(sine, cosine),
+                slope: dual_slope(landen, s, c),
+                theta: Theta::dual(landen.nome.value(), s.value(), c.value()),
+            };
         }
         let one = Dd::from(1.0);
         let q = landen.nome;
@@ -229,15 +234,6 @@ impl Turning {
                 even: [real, imaginary],
                 odd: [real_slope, imaginary_slope],
             },
-        }
-    }
-
-    /// From the sine and cosine of the lag, and those of v in ϑ₂(ix − v).
-    fn dual<N: Number>(landen: &Landen<N>, lag: [Dd; 2], [s, c]: [Dd; 2]) -> Self {
-        Self {
-            lag: Dd::angle(lag[0], lag[1]),
-            slope: dual_slope(landen, s, c),
-            theta: Theta::dual(landen.nome.value(), s.value(), c.value()),
         }
     }
 }

@@ -118,16 +118,10 @@ impl Poinsot {
             picture.units.omega,
         );
         picture.plane_distance = picture.in_units(root * (root / norm(picture.l)));
-        if picture.sector == Sector::AroundSmallest {
-            picture.moments.reverse();
-            picture.l.reverse();
-            picture.axes.reverse();
-            picture.roots.reverse();
-        }
         Ok(picture)
     }
 
-    /// The three differences, and the sector.
+    /// The three differences, the sector, and the order of the axes that goes with it.
     fn decide(&mut self) {
         let ([i1, i2, i3], [l1, l2, l3]) = (self.moments, self.l);
         let weight = |more: f64, less: f64, over: f64| ((more - less) / over).sqrt();
@@ -152,6 +146,10 @@ impl Poinsot {
             Sector::AroundLargest
         } else if middle < 0.0 || i2 == i3 {
             // With I₂ = I₃ the equator is the widest of the circles about x₁, and no separatrix.
+            self.moments.reverse();
+            self.l.reverse();
+            self.axes.reverse();
+            self.roots.reverse();
             Sector::AroundSmallest
         } else {
             Sector::Separatrix

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::{InertiaMatrix, MassProperties};
-use crate::error::{Error, Result, each_finite, positive};
+use crate::error::{Error, Result, positive};
 use crate::frame::BodyVector;
 
 mod formats;
@@ -12,7 +12,7 @@ mod sums;
 
 pub use formats::{mesh_of_obj, mesh_of_stl};
 pub use icosphere::{Mesh, icosphere};
-use sums::{PAIRS, Scale, Sums, largest_rounding_of_volume, sums};
+use sums::{PAIRS, Scale, Sums, Surface};
 
 /// Relative slack in I₁ + I₂ ≥ I₃ for a thin body whose moments come out of sums over many triangles.
 pub(super) const SLACK: f64 = 1e-12;
@@ -62,31 +62,29 @@ pub fn mesh_mass_properties(
     let first = triangles.first().ok_or(Error::Empty {
         quantity: "the list of triangles",
     })?;
-    let missing = || bad_index(vertices, triangles);
-    let apex = *vertices.get(first[0] as usize).ok_or_else(missing)?;
+    let surface = Surface {
+        vertices,
+        triangles,
+        // One that does not exist is found with the others.
+        apex: vertices.get(first[0] as usize).copied().unwrap_or_default(),
+    };
     let mut scale = Scale::ONE;
-    let mut total = sums(vertices, triangles, apex, scale).ok_or_else(missing)?;
+    let mut total = surface.sums(scale)?;
     if total.edges != 0 {
-        all_finite(vertices, triangles)?;
+        surface.all_finite()?;
         return Err(Error::OpenMesh);
     }
     if !total.in_normal_range() {
-        all_finite(vertices, triangles)?;
-        scale = Scale::fitting(vertices, triangles, apex);
-        total = sums(vertices, triangles, apex, scale).ok_or_else(missing)?;
+        surface.all_finite()?;
+        scale = Scale::fitting(&surface);
+        total = surface.sums(scale)?;
     }
-    solid(&total, scale, vertices, triangles, apex)?;
-    finish(&total, scale, apex, density)
+    solid(&total, scale, &surface)?;
+    finish(&total, scale, surface.apex, density)
 }
 
 /// Refuses a mesh that encloses nothing, or whose volume is not above what rounding can make of a flat one.
-fn solid(
-    total: &Sums,
-    scale: Scale,
-    vertices: &[[f64; 3]],
-    triangles: &[[u32; 3]],
-    apex: [f64; 3],
-) -> Result<()> {
+fn solid(total: &Sums, scale: Scale, surface: &Surface) -> Result<()> {
     let determinant = total.determinant;
     let refuse = |hint| {
         Err(Error::NoVolume {
@@ -99,7 +97,7 @@ fn solid(
     let size = (total.trace() / determinant).abs().sqrt();
     // NaN, from a determinant of zero, is suspicious too.
     let plump = determinant.abs() > 1e-6 * size * size * size;
-    if !plump && determinant.abs() <= largest_rounding_of_volume(vertices, triangles, apex, scale) {
+    if !plump && determinant.abs() <= surface.largest_rounding_of_volume(scale) {
         return refuse("; its triangles lie in one plane");
     }
     if determinant < 0.0 {
@@ -127,29 +125,4 @@ fn finish(total: &Sums, scale: Scale, apex: [f64; 3], density: f64) -> Result<Ma
         BodyVector::from_components(center),
         InertiaMatrix::with_slack(inertia, SLACK)?,
     )
-}
-
-/// The error that names the first triangle with a vertex number out of range.
-fn bad_index(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> Error {
-    for (triangle, corners) in triangles.iter().enumerate() {
-        for &index in corners {
-            if index as usize >= vertices.len() {
-                return Error::VertexIndex {
-                    triangle,
-                    index,
-                    vertices: vertices.len(),
-                };
-            }
-        }
-    }
-    // Only called after an index was out of range.
-    Error::OpenMesh
-}
-
-/// Refuses a mesh one of whose triangles has a corner that is not finite.
-fn all_finite(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> Result<()> {
-    for &index in triangles.as_flattened() {
-        each_finite("a coordinate of a vertex", vertices[index as usize])?;
-    }
-    Ok(())
 }

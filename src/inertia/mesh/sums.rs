@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use crate::error::{Error, Result, each_finite};
 use crate::precise::{Extended, Number, power, shifted};
 
 /// Triangles gathered in registers before they are added to the next level.
@@ -74,20 +75,18 @@ impl Scale {
     };
 
     /// The power of two that is the size of the mesh. All coordinates and indices must have been checked.
-    pub(super) fn fitting(vertices: &[[f64; 3]], triangles: &[[u32; 3]], apex: [f64; 3]) -> Self {
-        let corners = || {
-            triangles
-                .as_flattened()
-                .iter()
-                .flat_map(|&index| vertices[index as usize].into_iter().zip(apex))
+    pub(super) fn fitting(surface: &Surface) -> Self {
+        let pairs = || {
+            let corners = surface.corners();
+            corners.flat_map(|corner| corner.into_iter().zip(surface.apex))
         };
-        let farthest = corners().fold(0.0, |m: f64, (x, _)| m.max(x.abs()));
+        let farthest = pairs().fold(0.0, |m: f64, (x, _)| m.max(x.abs()));
         let (shrink, undo) = if farthest > 1e300 {
             (0.25, 2)
         } else {
             (1.0, 0)
         };
-        let size = corners().fold(0.0, |m: f64, (x, o)| m.max((x * shrink - o * shrink).abs()));
+        let size = pairs().fold(0.0, |m: f64, (x, o)| m.max((x * shrink - o * shrink).abs()));
         if size == 0.0 {
             return Self::ONE;
         }
@@ -122,37 +121,82 @@ impl Scale {
     }
 }
 
-/// One pass over the triangles; `None` if one names a vertex that does not exist.
-pub(super) fn sums(
-    vertices: &[[f64; 3]],
-    triangles: &[[u32; 3]],
-    apex: [f64; 3],
-    scale: Scale,
-) -> Option<Sums> {
-    if scale.exponent == 0 && scale.shrink == 1.0 {
-        gather(vertices, triangles, |corner| {
-            [0, 1, 2].map(|i| corner[i] - apex[i])
-        })
-    } else {
-        gather(vertices, triangles, |corner| scale.relative(corner, apex))
-    }
+/// A mesh and the corner from which it is seen.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Surface<'a> {
+    pub vertices: &'a [[f64; 3]],
+    pub triangles: &'a [[u32; 3]],
+    pub apex: [f64; 3],
 }
 
-/// Three levels of summation: triangles into blocks, blocks into groups, groups into the total.
-fn gather(
-    vertices: &[[f64; 3]],
-    triangles: &[[u32; 3]],
-    relative: impl Fn([f64; 3]) -> [f64; 3] + Copy,
-) -> Option<Sums> {
-    let mut total = Sums::default();
-    for group in triangles.chunks(BLOCK * BLOCKS) {
-        let mut sum = Sums::default();
-        for block in group.chunks(BLOCK) {
-            sum.add(&block_sums(vertices, block, relative)?);
+impl Surface<'_> {
+    /// One pass over the triangles.
+    pub(super) fn sums(&self, scale: Scale) -> Result<Sums> {
+        let apex = self.apex;
+        if scale.exponent == 0 && scale.shrink == 1.0 {
+            self.gather(|corner| [0, 1, 2].map(|i| corner[i] - apex[i]))
+        } else {
+            self.gather(|corner| scale.relative(corner, apex))
         }
-        total.add(&sum);
+        .ok_or_else(|| self.bad_index())
     }
-    Some(total)
+
+    /// Three levels of summation: triangles into blocks, blocks into groups, groups into the total; none if a vertex does not exist.
+    fn gather(&self, relative: impl Fn([f64; 3]) -> [f64; 3] + Copy) -> Option<Sums> {
+        let mut total = Sums::default();
+        for group in self.triangles.chunks(BLOCK * BLOCKS) {
+            let mut sum = Sums::default();
+            for block in group.chunks(BLOCK) {
+                sum.add(&block_sums(self.vertices, block, relative)?);
+            }
+            total.add(&sum);
+        }
+        Some(total)
+    }
+
+    /// The error that names the first triangle with a vertex number out of range.
+    fn bad_index(&self) -> Error {
+        let vertices = self.vertices.len();
+        for (triangle, corners) in self.triangles.iter().enumerate() {
+            for &index in corners {
+                if index as usize >= vertices {
+                    return Error::VertexIndex {
+                        triangle,
+                        index,
+                        vertices,
+                    };
+                }
+            }
+        }
+        // Only called after an index was out of range.
+        Error::OpenMesh
+    }
+
+    /// The vertices of all triangles, whose numbers must have been checked.
+    fn corners(&self) -> impl Iterator<Item = [f64; 3]> {
+        let indices = self.triangles.as_flattened().iter();
+        indices.map(|&index| self.vertices[index as usize])
+    }
+
+    /// Refuses a mesh one of whose triangles has a corner that is not finite.
+    pub(super) fn all_finite(&self) -> Result<()> {
+        each_finite("a coordinate of a vertex", self.corners().flatten())
+    }
+
+    /// Bound on what rounding can make of six times the volume: 8 eps times the sum of |p| |q| |r|, whatever way the mesh is turned.
+    ///
+    /// The products of a determinant come to at most 2/√3 of it. Three roundings each, one for each difference of coordinates, make 6 eps.
+    pub(super) fn largest_rounding_of_volume(&self, scale: Scale) -> f64 {
+        let mut bound = 0.0;
+        for corners in self.triangles {
+            let [p, q, r] = corners.map(|index| {
+                let corner = self.vertices[index as usize];
+                Vector3::from(scale.relative(corner, self.apex)).norm()
+            });
+            bound += p * q * r;
+        }
+        8.0 * f64::EPSILON * bound
+    }
 }
 
 /// The sums over one block of triangles.
@@ -200,22 +244,4 @@ fn edge(from: u32, to: u32) -> u64 {
     // +1, −1, or 0 for an edge from a vertex to itself.
     let sign = u64::from(from < to).wrapping_sub(u64::from(from > to));
     hash.wrapping_mul(sign)
-}
-
-/// Bound on what rounding can make of six times the volume: 8 eps times the sum of |p| |q| |r|, whatever way the mesh is turned.
-///
-/// The products of a determinant come to at most 2/√3 of it. Three roundings each, one for each difference of coordinates, make 6 eps.
-pub(super) fn largest_rounding_of_volume(
-    vertices: &[[f64; 3]],
-    triangles: &[[u32; 3]],
-    apex: [f64; 3],
-    scale: Scale,
-) -> f64 {
-    let mut bound = 0.0;
-    for corners in triangles {
-        let [p, q, r] = corners
-            .map(|index| Vector3::from(scale.relative(vertices[index as usize], apex)).norm());
-        bound += p * q * r;
-    }
-    8.0 * f64::EPSILON * bound
 }

@@ -111,7 +111,11 @@ impl Flight {
             looked(after)?;
             let gap = self.gap(after)?;
             if gap <= 0.0 {
-                let [_, touches] = halved([before, after], 0.0, |t| Ok(self.gap(t)? > 0.0))?;
+                let open = |t| {
+                    looked(t)?;
+                    Ok(self.gap(t)? > 0.0)
+                };
+                let [_, touches] = halved([before, after], 0.0, open)?;
                 return Ok(Some(touches));
             }
             if after >= until {

@@ -41,7 +41,8 @@ pub struct QuasiSteady {
 /// residuals of rounding, about 1e-12 relative. Cost: some fifty Jacobians of 4 × 4, a fraction of a millisecond.
 ///
 /// # Errors
-/// [`Error::NotFinite`], [`Error::NotPositive`]; [`Error::Condition`] where Newton's method finds no such state or its eigenvalues cannot be found.
+/// [`Error::NotFinite`]; [`Error::NotPositive`] for gravity, and for Coulomb's law itself and pure rolling, which have no derivative;
+/// [`Error::Condition`] where Newton's method finds no such state or its eigenvalues cannot be found, as without spin.
 ///
 /// ```
 /// use spinning_bodies::tippe_top::{Regularised, bodies, quasi_steady};
@@ -61,6 +62,12 @@ pub fn quasi_steady(
     spin: f64,
 ) -> Result<QuasiSteady> {
     let friction = friction.into();
+    if friction.sharpness() == 0.0 {
+        return Err(Error::NotPositive {
+            quantity: "the slip over which friction bends",
+            value: 0.0,
+        });
+    }
     let mut table = Table {
         body: *body,
         gravity: positive("gravity", gravity)?,

@@ -5,7 +5,7 @@ use core::f64::consts::FRAC_PI_2;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use super::path::{Turnover, next_of};
-use crate::error::Result;
+use crate::error::{Result, finite};
 use crate::frame::{Attitude, BodyVector, SpaceVector, finite_vector};
 use crate::integrators::Kept;
 use crate::phenomena::quadrature::integral;
@@ -185,7 +185,7 @@ impl Cat {
             None => self.omega(t, &attitude)?,
         };
         let fallen = self.gravity.map_or(0.0, |g| 0.5 * g * t * t);
-        let center = SpaceVector::new(0.0, 0.0, -fallen);
+        let center = SpaceVector::new(0.0, 0.0, -finite("the height fallen", fallen)?);
         let l = self.body.angular_momentum(&bend, omega);
         Ok(CatState {
             attitude,

@@ -9,7 +9,7 @@ use spinning_bodies::scene::contact::{State, Support, TableTop};
 use spinning_bodies::scene::effects::{
     AirDrag, Coulomb, Effect, Gravity, NoSlip, Regularised, Resistance, Viscous,
 };
-use spinning_bodies::scene::{Choice, Motion, Request, Scene, Solver};
+use spinning_bodies::scene::{Choice, Motion, Progress, Request, Scene, Solver};
 use spinning_bodies::tippe_top::{ConvexBody, Start, Surface, bodies};
 use spinning_bodies::{Error, Result};
 use support::refused;
@@ -254,6 +254,11 @@ fn a_body_hops_rather_than_be_pulled() -> Result<()> {
     let dry = table.with(Coulomb::new(0.3)?)?;
     check(dry.simulate(&request)?, dry.phases(&request)?.len());
     check(table.simulate(&request)?, table.phases(&request)?.len());
+    // All that the search for a landing looks at is counted, the fifty halvings in which each is located too: without them it is 2985.
+    let progress = Progress::default();
+    table.simulate(&request.watched(&progress))?;
+    let looks = progress.reached().evaluations;
+    assert!((3080..3300).contains(&looks), "{looks}");
     Ok(())
 }
 

@@ -444,3 +444,28 @@ fn times_come_in_the_order_asked_for() {
     assert_eq!(rows[0].1, rows[3].1);
     assert_eq!(rows[1].1.bend.angle, 0.0);
 }
+
+#[test]
+fn a_fall_and_a_cycle_beyond_the_doubles_are_refused() -> Result<()> {
+    let half = Half {
+        mass: 2.0,
+        axial: 0.01,
+        transverse: 0.03,
+        to_joint: 0.2,
+    };
+    let cat = shape::Cat::new(Cat::new([half; 2])?, Attitude::identity());
+    let falling = cat.with(Gravity::new(9.81)?)?;
+    let late = Request::at([1e200])?;
+    refused!(falling.simulate(&late), NotFinite, "the height fallen");
+    let still = FourPhases {
+        arms_out: 2.0,
+        arms_in: 0.7,
+        twist: 0.0,
+        duration: 1e-3,
+        pace: Pace::Even,
+    };
+    let swivel = shape::Swivel::new(0.6, 2.0)?.with(still)?;
+    let late = Request::at([f64::MAX])?;
+    refused!(swivel.simulate(&late), NotFinite, "the number of rounds");
+    Ok(())
+}

@@ -1,7 +1,8 @@
 //! The chiral tippe top: turned over one way only, its mirror image the other way, its symmetric relatives alike both ways.
 
 use super::*;
-use spinning_bodies::tippe_top::{beads, chirality_index};
+use spinning_bodies::rolling::Coulomb;
+use spinning_bodies::tippe_top::{Friction, beads, chirality_index};
 
 const SPIN: f64 = 132.9;
 
@@ -210,4 +211,14 @@ fn a_handedness_beyond_the_doubles_is_refused() {
         NotFinite,
         "the chirality index"
     );
+}
+
+/// Where friction has a corner there is nothing to differentiate, and no state without it stands for one.
+#[test]
+fn a_law_without_a_derivative_has_no_growth_rates() {
+    let top = bodies::chiral_top().unwrap();
+    for law in [Coulomb::new(0.3).unwrap().into(), Friction::NoSlip] {
+        let state = quasi_steady(&top, 9.82, law, SPIN);
+        refused!(state, NotPositive, "the slip over which friction bends");
+    }
 }

@@ -113,7 +113,7 @@ pub fn speeds(values: &Values) -> Result<Figure> {
                 pen.note([x(0.0) - 8.0, y + 5.0], End, &text);
             }
         }
-        pen.note([8.0, 12.0], Start, "speed, m/s");
+        pen.note([8.0, 15.0], Start, "speed, m/s");
         let milliseconds = Axis::linear([0.0, 1e3 * until], time.ends);
         for (t, text) in milliseconds.ticks(80.0).into_iter().skip(1) {
             let x = milliseconds.at(t);

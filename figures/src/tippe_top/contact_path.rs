@@ -66,7 +66,9 @@ pub fn path(values: &Values) -> Result<Figure> {
         pen.label(shifted(c, [8.0, 12.0]), Start, "*C*");
         let first = view.project(&path[0]);
         pen.dot(first, 4.0);
-        pen.note(shifted(first, [10.0, 4.0]), Start, "start");
+        let beside = [[28.0, 0.0], [28.0, -18.0], [-28.0, -18.0], [0.0, -24.0]];
+        let places = beside.map(|by| shifted(first, by));
+        pen.name(places, "start", small(Ink));
     });
     let columns = "time (s) | x over R | y over R | z over R";
     let table = rows.iter().zip(&path).step_by(10);

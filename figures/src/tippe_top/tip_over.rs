@@ -85,22 +85,19 @@ pub fn tip_over(values: &Values) -> Result<Figure> {
         for (rows, role) in runs.iter().zip([Muted, Ink]) {
             frame.curve(pen, tilts(rows), stroke(role, DATA));
         }
-        // Each name beside its curve, above the one on the left and below the one on the right.
-        let on = |k: usize, level: f64| {
-            // Clay that is too light for it stays at the foot of the picture.
-            let foot = frame.at(end * [0.55, 0.95][k], 18.0);
-            let row = runs[k].iter().find(|(_, s)| degrees(s) >= level);
-            row.map_or(foot, |(t, s)| frame.at(*t, degrees(s)))
-        };
         let estimate = frame.at(75_f64.to_radians() / rate, 75.0 + START.to_degrees());
-        let [light, heavy] = named.each_ref().map(|alpha| format!("*α* = {alpha}"));
-        let formula = "the estimate, *RμMg*/*IΩ*";
-        for (at, anchor, beside, text, lettering) in [
-            (on(1, 140.0), End, [-10.0, -4.0], heavy.as_str(), label(Ink)),
-            (on(0, 100.0), Start, [10.0, 14.0], &light, label(Muted)),
-            (estimate, End, [-10.0, -4.0], formula, small(Ink)),
-        ] {
-            pen.text(shifted(at, beside), anchor, text, lettering);
+        let spot = shifted(estimate, [-10.0, -4.0]);
+        pen.text(spot, End, "the estimate, *RμMg*/*IΩ*", small(Ink));
+        // Each name beside its curve, the lighter clay's rather below it, the heavier's above.
+        for (k, side, role) in [(0, 1.0, Muted), (1, -1.0, Ink)] {
+            let places = [165, 130, 200, 90, 240, 50].into_iter().flat_map(|row| {
+                let (t, state) = &runs[k][row];
+                let on = frame.at(*t, degrees(state));
+                [side, -side].map(|side| shifted(on, [42.0 * side, 10.0 * side]))
+            });
+            let inside = within([100.0, 540.0], [44.0, 338.0]);
+            let text = format!("*α* = {}", named[k]);
+            pen.name(places.filter(inside), &text, label(role));
         }
     });
     let columns = "time (s) | tilt (°)";

@@ -47,6 +47,7 @@ impl PrincipalAxes {
     }
 
     /// The same with no moment below zero: an inertia matrix has none, but a rounded one may.
+    #[inline]
     pub(super) fn not_negative(mut self) -> Self {
         self.moments = self.moments.map(|moment| moment.max(0.0));
         self
@@ -119,8 +120,7 @@ const GUESS: [f64; 4] = [
 /// Moments and axes of a finite symmetric matrix whose trace is finite; only the upper triangle is read.
 pub(super) fn symmetric_axes(matrix: &Matrix3<f64>) -> PrincipalAxes {
     let (m00, m11, m22) = (matrix.m11, matrix.m22, matrix.m33);
-    let (m01, m02, m12) = (matrix.m12, matrix.m13, matrix.m23);
-    if m01 == 0.0 && m02 == 0.0 && m12 == 0.0 {
+    if matrix.m12 == 0.0 && matrix.m13 == 0.0 && matrix.m23 == 0.0 {
         return coordinate_axes([m00, m11, m22]);
     }
     // The deviator. Any number near the mean will do as the shift; the subtraction is exact where entries are close.
@@ -141,24 +141,23 @@ pub(super) fn symmetric_axes(matrix: &Matrix3<f64>) -> PrincipalAxes {
         Side::Smallest => ([alone, low, high], [apart, first, second]),
         Side::Largest => ([low, high, alone], [first, second, apart]),
     };
-    let mut moments = values.map(|value| mean + value * up);
-    let sizes = moments.map(f64::abs);
-    if sizes[0].min(sizes[1]).min(sizes[2]) < NEEDLE * sizes[0].max(sizes[2]) {
-        let entries = [m00, m11, m22, m01, m02, m12];
-        let scaled = entries.map(|x| x * down);
+    let mut moments = (V::from(values) * up).add_scalar(mean);
+    let sizes = moments.abs();
+    if sizes.x.min(sizes.y).min(sizes.z) < NEEDLE * sizes.x.max(sizes.z) {
+        let scaled = matrix * down;
         if scaled.iter().all(|x| *x == 0.0 || x.abs() > LEAST) {
-            moments = moments.map(|moment| moment * down);
-            found_again::<DoubleDouble>(scaled, &mut moments, &mut axes, side);
-            moments = moments.map(|moment| moment * up);
+            moments *= down;
+            found_again::<DoubleDouble>(&scaled, &mut moments, &mut axes, side);
+            moments *= up;
         } else {
-            found_again::<Extended>(entries, &mut moments, &mut axes, side);
+            found_again::<Extended>(matrix, &mut moments, &mut axes, side);
         }
     }
     // Equal moments may have been rounded into the wrong order by one unit.
     moments[1] = moments[1].max(moments[0]);
     moments[2] = moments[2].max(moments[1]);
     PrincipalAxes {
-        moments,
+        moments: moments.into(),
         axes: Matrix3::from_columns(&axes),
     }
 }
@@ -170,8 +169,8 @@ pub(super) fn symmetric_axes(matrix: &Matrix3<f64>) -> PrincipalAxes {
 ///
 /// Out of line: within its caller the registers do not suffice for either.
 #[inline(never)]
-fn found_again<N: Number>(a: [f64; 6], moments: &mut [f64; 3], axes: &mut [V; 3], side: Side) {
-    let [x, y, z, xy, xz, yz] = a;
+fn found_again<N: Number>(a: &Matrix3<f64>, moments: &mut V, axes: &mut [V; 3], side: Side) {
+    let [x, y, z, xy, xz, yz] = [a.m11, a.m22, a.m33, a.m12, a.m13, a.m23];
     let minor = |a: f64, b: f64, c: f64, d: f64| N::product(a, b).add_alike(N::product(-c, d));
     // det(A − v) = cube − v (squares − v (trace − v)).
     let first = minor(y, z, yz, yz);
@@ -186,7 +185,7 @@ fn found_again<N: Number>(a: [f64; 6], moments: &mut [f64; 3], axes: &mut [V; 3]
         Side::Smallest => (0, [1, 2]),
         Side::Largest => (2, [0, 1]),
     };
-    let sizes = moments.map(f64::abs);
+    let sizes = moments.abs();
     if sizes[apart] < NEEDLE * sizes[low].max(sizes[high]) {
         // v (1 − v (trace − v)/squares) = cube/squares; the other two moments lie so close that 4 · whole · slope is at most 3/4.
         let whole = cube.ratio(squares);
@@ -194,7 +193,7 @@ fn found_again<N: Number>(a: [f64; 6], moments: &mut [f64; 3], axes: &mut [V; 3]
         moments[apart] = 2.0 * whole / (1.0 + (1.0 - 4.0 * whole * slope).sqrt());
         return;
     }
-    let [x, y, z, xy, xz, yz] = a.map(N::from_double);
+    let [x, y, z, xy, xz, yz] = [x, y, z, xy, xz, yz].map(N::from_double);
     let trace = x.add_alike(y).add_alike(z);
     // A step of Newton's for the separated root, from a few eps to their square, then the quadratic that is left.
     let [u, v, near] = [low, high, apart].map(|k| N::from_double(moments[k]));
@@ -312,7 +311,7 @@ fn separated_root(b: &Matrix3<f64>) -> (f64, Side) {
 #[inline]
 fn axis_of(b: &Matrix3<f64>, root: f64) -> V {
     let shifted = b - Matrix3::from_diagonal_element(root);
-    let [x, y, z] = [0, 1, 2].map(|k| V::from(shifted.column(k)));
+    let (x, y, z) = (shifted.column(0), shifted.column(1), shifted.column(2));
     // Together they are the adjugate, a multiple of v vᵀ: its largest diagonal entry marks the longest.
     let [x, y, z] = [y.cross(&z), z.cross(&x), x.cross(&y)];
     let sizes = [x.x.abs(), y.y.abs(), z.z.abs()];

@@ -15,7 +15,7 @@ use shared::{head, numbers, only_tested};
 use spinning_bodies::Result;
 use spinning_bodies::elliptic::{
     Characteristic, Modulus, Parameter, incomplete_first, incomplete_second, incomplete_third, rc,
-    rd, rf, rj, sn_cn_dn,
+    rd, rf, rg, rj, sn_cn_dn,
 };
 use support::Uniform;
 
@@ -75,7 +75,7 @@ type Integral = (
     fn(&[f64; 4]) -> Result<f64>,
 );
 
-const INTEGRALS: [Integral; 11] = [
+const INTEGRALS: [Integral; 13] = [
     ("F", "phi < pi/2", angle, first),
     ("F", "|phi| < 100", long_angle, first),
     ("E", "phi < pi/2", angle, |[phi, m, ..]| {
@@ -85,12 +85,16 @@ const INTEGRALS: [Integral; 11] = [
     ("Pi", "-1 < n < 0", negative_angle, third),
     ("RF", "0 to 1", four, |[x, y, z, _]| rf(*x, *y, *z)),
     ("RF", "1e-20 to 1e20", wide, |[x, y, z, _]| rf(*x, *y, *z)),
+    ("RF", "1e-300 to 1e300", anywhere, |[x, y, z, _]| {
+        rf(*x, *y, *z)
+    }),
     ("RC", "0 to 1", four, |[x, y, ..]| rc(*x, *y)),
     ("RD", "0 to 1", four, |[x, y, z, _]| rd(*x, *y, *z)),
     ("RJ", "0 to 1", four, |[x, y, z, p]| rj(*x, *y, *z, *p)),
     ("RJ", "1e-20 to 1e20", wide, |[x, y, z, p]| {
         rj(*x, *y, *z, *p)
     }),
+    ("RG", "0 to 1", four, |[x, y, z, _]| rg(*x, *y, *z)),
 ];
 
 fn four(u: &mut Uniform) -> [f64; 4] {
@@ -99,6 +103,10 @@ fn four(u: &mut Uniform) -> [f64; 4] {
 
 fn wide(u: &mut Uniform) -> [f64; 4] {
     four(u).map(|x| 10_f64.powf(40.0 * x - 20.0))
+}
+
+fn anywhere(u: &mut Uniform) -> [f64; 4] {
+    four(u).map(|x| 10_f64.powf(600.0 * x - 300.0))
 }
 
 /// φ, m and n.

@@ -7,7 +7,7 @@
 
 use crate::error::{Error, Result, finite, not_negative, positive};
 use crate::precise::quick::polynomial;
-use crate::precise::{DoubleDouble as Dd, Extended, Number};
+use crate::precise::{DoubleDouble as Dd, Extended, Number, power, power_of_two_below};
 
 /// Spread of the arguments below which their series are right to 2·10⁻²².
 /// A double needs less; principal values, in which two such integrals nearly cancel, need it.
@@ -106,19 +106,34 @@ impl<N: Number, const COUNT: usize> Spread<N, COUNT> {
 /// The arguments after one duplication, four times as great; and the root of the last of those before.
 #[inline(always)]
 fn following<N: Number>([x, y, z]: [N; 3]) -> ([N; 3], N) {
-    let [a, b, c] = [x.square_root(), y.square_root(), z.square_root()];
+    let roots = [x.square_root(), y.square_root(), z.square_root()];
+    (of_roots(roots), roots[2])
+}
+
+/// What a duplication makes of the roots of its arguments.
+#[inline(always)]
+fn of_roots<N: Number>([a, b, c]: [N; 3]) -> [N; 3] {
     let (ab, ac, bc) = (a.add_alike(b), a.add_alike(c), b.add_alike(c));
-    let products = [
+    [
         ab.quick_product(ac),
         ab.quick_product(bc),
         ac.quick_product(bc),
-    ];
-    (products, c)
+    ]
 }
 
 /// R_F of arguments of which at most one is zero.
 pub(super) fn first<N: Number>(x: [N; 3]) -> N {
     first_within(WIDE_SPREAD, x)
+}
+
+/// The same of doubles of any size: their roots have room for a second word, and what a duplication makes of those has, where the greatest is near 2¹⁰⁰.
+fn first_of_any_size([x, y, z]: [f64; 3]) -> f64 {
+    let unit = power(100) / power_of_two_below(x.max(y).max(z).sqrt());
+    let root = |x: f64| {
+        let [up, down] = if x < 1.0 { [600, -300] } else { [-600, 300] }.map(power);
+        Dd::from(x * up).square_root().scaled(down * unit)
+    };
+    first(of_roots([root(x), root(y), root(z)])).value() * (2.0 * unit)
 }
 
 /// The same by the series for arguments up to this spread.
@@ -338,8 +353,7 @@ fn not_zero(last: f64) -> Result<f64> {
 
 /// R_F(x, y, z) = ½∫₀^∞ dt/√((t+x)(t+y)(t+z)), symmetric, of degree −1/2; R_F(x, x, x) = 1/√x.
 ///
-/// Any arguments from 0 (one of them) to the greatest double. Error 0.43 ε at most of 77 rows over the whole range. Cost 0.15–0.3 µs; four
-/// times as much beyond 10^±60, where an exponent is carried along. Source: B. C. Carlson, Numerical computation of real or complex elliptic integrals (1995); Digital
+/// Any arguments from 0 (one of them) to the greatest double. Error 0.43 ε at most of 77 rows over the whole range. Cost 0.15–0.35 µs. Source: B. C. Carlson, Numerical computation of real or complex elliptic integrals (1995); Digital
 /// Library of Mathematical Functions, 19.36.
 ///
 /// ```
@@ -355,7 +369,12 @@ fn not_zero(last: f64) -> Result<f64> {
 pub fn rf(x: f64, y: f64, z: f64) -> Result<f64> {
     let a = arguments(x, y, z)?;
     at_most_one_zero(&a)?;
-    value!("R_F", a, first)
+    let value = if ordinary(&a) {
+        first(a.map(Dd::from)).value()
+    } else {
+        first_of_any_size(a)
+    };
+    finite("the value of R_F", value)
 }
 
 /// R_C(x, y) = R_F(x, y, y) = arctan(√(y/x − 1))/√(y − x), the principal value for y < 0.

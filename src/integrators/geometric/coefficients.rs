@@ -1,6 +1,7 @@
 //! Lengths of the part steps of a symmetric splitting, from Blanes and Moan (2002), "Practical symplectic partitioned Runge–Kutta and
 //! Runge–Kutta–Nyström methods", J. Comput. Appl. Math. 142, tables 2 and 3: S6 and S10 for any two parts, SRKN 6 and 11 of type b for kicks by a
-//! torque that depends on the attitude alone between free motions.
+//! torque that depends on the attitude alone between free motions. That three such kicks in a row commute counts beyond order 4 only, so all but the last
+//! hold for any two parts, and for any three where a step and its mirror image follow each other.
 
 /// Part steps A B A B … A: `outer` has one more than `inner`, both are symmetric and have the sum 1.
 pub(super) struct Splitting {
@@ -54,7 +55,7 @@ pub(super) const S10: Splitting = {
     }
 };
 
-/// Order 4 for kicks (outer) and free motions (inner).
+/// Order 4 for any two parts; its error is least for kicks and free motions.
 pub(super) const NYSTROM_6: Splitting = {
     let [b1, b2, b3] = [
         0.082_984_406_417_405_2,

@@ -4,7 +4,7 @@ use super::stepper::{Run, checked_moments};
 use super::{Integrator, Phase, Stepper, Torque};
 use crate::error::Result;
 use crate::integrators::Cost;
-use crate::integrators::real::{Real, cross, dot, product};
+use crate::integrators::real::{Real, cross, exponential, product};
 
 /// The classical Runge–Kutta method for the rotation vector u since the start of the step and for L along the axes of that start, order 4.
 ///
@@ -133,20 +133,6 @@ impl<T: Real, N: Torque<T>> Stepper<T> for Steps<'_, T, N> {
             steps: self.steps,
         }
     }
-}
-
-/// The quaternion of the rotation vector u, less 1.
-#[inline(always)]
-fn exponential<T: Real>(u: [T; 3]) -> [T; 4] {
-    let half = u.map(|component| T::from_double(0.5) * component);
-    let square = dot(half, half);
-    let (sine, versine) = square.turn_of_square();
-    [
-        -(square * versine),
-        sine * half[0],
-        sine * half[1],
-        sine * half[2],
-    ]
 }
 
 /// How a vector at rest changes for a rider who is turned by the rotation 1 + `turn`.

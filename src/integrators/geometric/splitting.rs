@@ -5,7 +5,7 @@ use super::stepper::{Run, checked_moments, unit};
 use super::{Integrator, Phase, Stepper, Torque};
 use crate::error::Result;
 use crate::integrators::Cost;
-use crate::integrators::real::{Real, Sums, dot, product};
+use crate::integrators::real::{Real, Sums, dot, exponential, product};
 use crate::precise::{DoubleDouble, Number};
 
 /// Order of a splitting; `as u32` it is the number.
@@ -22,15 +22,6 @@ pub enum Order {
 impl Order {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Two, Self::Four, Self::Six];
-
-    /// For any two parts, and any three.
-    const fn splitting(self) -> Splitting {
-        match self {
-            Self::Two => STRANG,
-            Self::Four => S6,
-            Self::Six => S10,
-        }
-    }
 }
 
 /// The energy of a body without torque, split as |L|²/2I₂ + ½(1/I₁ − 1/I₂)L₁² + ½(1/I₃ − 1/I₂)L₃², I₁ ≤ I₂ ≤ I₃.
@@ -123,12 +114,12 @@ impl<T: Real> Integrator<T> for FreeSplitting {
             outer: self.axes.rate(self.axes.outer),
             inner: self.axes.rate(self.axes.inner),
         };
-        Ok(Alternating::boxed(
-            parts,
-            run,
-            &self.order.splitting(),
-            step,
-        ))
+        let splitting = match self.order {
+            Order::Two => STRANG,
+            Order::Four => S6,
+            Order::Six => S10,
+        };
+        Ok(Alternating::boxed(parts, run, &splitting, step))
     }
 }
 
@@ -136,8 +127,9 @@ impl<T: Real> Integrator<T> for FreeSplitting {
 ///
 /// Of a body with two equal moments the free motion is exact, a turn about L and one about the axis; kicks stand between such motions, in
 /// Blanes' and Moan's Nyström splittings with six and eleven kicks for orders 4 and 6. Other bodies are split in three, as [`FreeSplitting`] does it:
-/// rotations about the axis of least moment, kicks, rotations about L and the axis of greatest moment, to and fro, in Blanes' and Moan's
-/// splittings with six and ten stages. The error carries the torque or the differences of the moments as factors.
+/// rotations about the axis of least moment, kicks, rotations about L and the axis of greatest moment, to and fro. Order 4 has the Nyström
+/// splitting there, too, for what kicks are spared begins at order 5, and at that order the axis whose moment is nearer the middle one comes first;
+/// order 6 has the splitting with ten stages. The error carries the torque or the differences of the moments as factors.
 ///
 /// Kept, under weight: L along the vertical and the phase volume (symplectic), to rounding; time symmetry; the energy oscillates by
 /// O(stepᵖ) and does not drift; for Lagrange's top also L along the axis.
@@ -167,8 +159,11 @@ impl<N> HeavySplitting<N> {
     /// ```
     pub fn new(moments: [f64; 3], torque: N, order: Order) -> Result<Self> {
         let mut axes = Axes::new(moments)?;
-        // Of two equal moments.
-        if axes.inner.1 == axes.middle {
+        let [outer, inner] =
+            [axes.outer, axes.inner].map(|(_, moment)| (moment - axes.middle).abs());
+        // What turns nothing comes first, to be left out; at order 4 what turns less, which takes 0.85 of the steps for the same error (geometric mean
+        // of 300 bodies).
+        if inner == 0.0 || order == Order::Four && inner < outer {
             (axes.outer, axes.inner) = (axes.inner, axes.outer);
         }
         Ok(Self {
@@ -183,7 +178,7 @@ impl<N> HeavySplitting<N> {
         Kicked {
             outer: axes.rate(axes.outer),
             inner: axes.rate(axes.inner),
-            about_momentum: T::from_double(0.5) * T::from_double(axes.middle).reciprocal(),
+            about_momentum: T::from_double(axes.middle).reciprocal(),
             torque: &self.torque,
         }
     }
@@ -201,18 +196,20 @@ impl<T: Real, N: Torque<T>> Integrator<T> for HeavySplitting<N> {
     fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {
         let run = Run::new(phase, step)?;
         // What turns nothing is left out.
-        if self.axes.outer.1 == self.axes.middle {
-            let splitting = match self.order {
-                Order::Two => STRANG,
-                Order::Four => NYSTROM_6,
-                Order::Six => NYSTROM_11,
-            };
+        let unequal = self.axes.outer.1 != self.axes.middle;
+        let splitting = match self.order {
+            Order::Two => STRANG,
+            Order::Four => NYSTROM_6,
+            Order::Six if unequal => S10,
+            Order::Six => NYSTROM_11,
+        };
+        if unequal {
+            let parts: Kicked<T, N, true> = self.parts();
+            Ok(Alternating::boxed(parts, run, &splitting, step))
+        } else {
             let parts: Kicked<T, N, false> = self.parts();
-            return Ok(Alternating::boxed(parts, run, &splitting, step));
+            Ok(Alternating::boxed(parts, run, &splitting, step))
         }
-        let parts: Kicked<T, N, true> = self.parts();
-        let splitting = self.order.splitting();
-        Ok(Alternating::boxed(parts, run, &splitting, step))
     }
 }
 
@@ -266,7 +263,7 @@ impl<T: Real> Parts<T> for Free<T> {
 struct Kicked<'a, T, N, const UNEQUAL: bool> {
     outer: (usize, T),
     inner: (usize, T),
-    /// Half the turn per unit of L and time.
+    /// The turn per unit of L and time.
     about_momentum: T,
     torque: &'a N,
 }
@@ -299,11 +296,7 @@ impl<T: Real, N: Torque<T>, const UNEQUAL: bool> Parts<T> for Kicked<'_, T, N, U
 
     #[inline(always)]
     fn inner(&self, run: &mut Run<T>, h: T) {
-        let half = run.l.values.map(|x| x * (self.about_momentum * h));
-        let square = dot(half, half);
-        let (sine, versine) = square.turn_of_square();
-        let [x, y, z] = half.map(|component| sine * component);
-        let turn = [-(square * versine), x, y, z];
+        let turn = exponential(run.l.values.map(|x| x * (self.about_momentum * h)));
         run.q.add_all(product(run.q.values, turn));
         about_axis(run, self.inner, h);
     }

@@ -134,11 +134,8 @@ impl<'a> Walk<'a> {
         let step = rest.clamp(-reach, reach);
         let next = self.time + step;
         // A stretch too short to move the clock cannot be; if it were, this ends the walk.
-        let next = if step == rest || next == self.time {
-            target
-        } else {
-            next
-        };
+        let last = step == rest || next == self.time;
+        let next = if last { target } else { next };
         let h = DoubleDouble::difference(next, self.time);
         let (rounded, carried) = series.carried(h.value());
         let grown = series.nearby(c.value(), &self.off, h.value());

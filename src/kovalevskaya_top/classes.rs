@@ -48,7 +48,9 @@ pub(super) fn classify(constants: &Constants) -> Kind {
     let spread = second.from(&third).re.hypot(2.0 * second.imaginary.value());
     // The square of the distance is what a rounded start determines.
     let greatest = first.real.value().abs();
-    if small(k) {
+    if c.high() == 0.0 {
+        Kind::EulerSymmetric
+    } else if small(k) {
         Kind::Delaunay
     } else if small(energy + k - doubled) || meets(&fourth) {
         Kind::SharedUpper

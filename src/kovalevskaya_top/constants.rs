@@ -1,10 +1,13 @@
 //! What stays the same, and the five roots that follow from it (8.2).
 
-use nalgebra::Complex;
-
 use crate::precise::{DoubleDouble, Number};
 
 type Wide = DoubleDouble;
+
+/// A complex number of two doubles.
+pub(super) type Complex = nalgebra::Complex<f64>;
+
+pub(super) const I: Complex = Complex::new(0.0, 1.0);
 
 /// Angular velocity and vertical, (p, q, r, z₁, z₂, z₃), in units where I = (2, 2, 1) and C = (C₁, 0, 0).
 pub(super) type Phase = [f64; 6];
@@ -29,10 +32,6 @@ pub(super) struct Constants {
     pub upright: bool,
 }
 
-fn wide(x: f64) -> Wide {
-    Wide::from(x)
-}
-
 impl Constants {
     /// Of a start with |z| = 1.
     pub fn of(c: Wide, &[p, q, r, z1, z2, z3]: &WidePhase) -> Self {
@@ -44,7 +43,7 @@ impl Constants {
         let k_squared = square(real) + square(imaginary);
         Self {
             c,
-            l1: twice_energy / wide(6.0),
+            l1: twice_energy / Wide::from(6.0),
             l: vertical.scaled(0.5),
             k: k_squared.square_root(),
             d: square(c) - k_squared,
@@ -97,14 +96,14 @@ impl Constants {
                 .abs()
                 .sqrt()
                 .max((0.5 * rest.high().abs()).cbrt());
-        let mut first = wide(bound.copysign(rest.high()));
+        let mut first = Wide::from(bound.copysign(rest.high()));
         for _ in 0..60 {
             let step = value(first).value() / slope(first.high());
             // The last steps are down in the 106th bit, or 0/0 if all roots are zero.
             if !step.is_finite() || step.abs() < 1e-32 * bound {
                 break;
             }
-            first = first - wide(step);
+            first = first - Wide::from(step);
         }
         self.beside(first)
     }
@@ -159,7 +158,7 @@ impl Root {
     pub fn on_axis(real: Wide) -> Self {
         Self {
             real,
-            imaginary: wide(0.0),
+            imaginary: Wide::from(0.0),
         }
     }
 
@@ -168,12 +167,12 @@ impl Root {
     }
 
     /// `self` − `other`, rounded once.
-    pub fn from(&self, other: &Self) -> Complex<f64> {
+    pub fn from(&self, other: &Self) -> Complex {
         let [re, im] = [self.real - other.real, self.imaginary - other.imaginary];
         Complex::new(re.value(), im.value())
     }
 
-    pub fn value(&self) -> Complex<f64> {
+    pub fn value(&self) -> Complex {
         Complex::new(self.real.value(), self.imaginary.value())
     }
 }

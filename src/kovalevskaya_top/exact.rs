@@ -1,5 +1,7 @@
 //! Ω and z by separation, and the trial that decides between her road and the power series.
 
+use core::iter::successors;
+
 use super::constants::{Constants, Phase, WidePhase};
 use super::periods::Curve;
 use super::separation::{Separation, Variables};
@@ -33,12 +35,15 @@ pub(super) struct Exact {
     pub closed: bool,
 }
 
-/// States with attitudes by power series soon after time 0.
+/// States with attitudes by power series from time 0 on.
 pub(super) type Trial = Vec<(f64, Carried)>;
 
 /// The largest disagreement with which separation is trusted, over c where that is below 1, and whatever c: of 1000 random starts none had more than 1e-14 at the
 /// start; beside double roots more.
 const TRUSTED: [f64; 2] = [3e-13, 1e-12];
+
+/// States that tell which half periods belong to a, and from which α is taken as a mean, where its whole turns are all that is in question as a rule.
+const STATES: i32 = 6;
 
 /// How long the trial lasts, in units of the motion.
 const TRIAL: f64 = 3.0;
@@ -52,17 +57,15 @@ impl Exact {
     ) -> Result<(Self, Trial), Reason> {
         let exact = Self::nearest(constants, wide, &whole.0).ok_or(Reason::DoubleRoot)?;
         let c = constants.c.value();
-        let trusted = (TRUSTED[0] / c.min(1.0)).min(TRUSTED[1]);
-        let mut worst = distance(&exact.state(constants, 0.0), &whole.0);
-        let (mut carried, mut t, mut trial) = (*whole, 0.0, Vec::new());
-        while t < TRIAL && worst <= trusted {
-            let series = Series::<f64, 10>::of(c, &carried);
+        let path = successors(Some((0.0, *whole)), |(t, here)| {
+            let series = Series::<f64, 10>::of(c, here);
             let step = series.reach.min(TRIAL - t);
-            carried = series.carried(step);
-            t += step;
-            worst = worst.max(distance(&exact.state(constants, t), &carried.0));
-            trial.push((t, carried));
-        }
+            (step > 0.0).then(|| (t + step, series.carried(step)))
+        });
+        let trial: Trial = path.collect();
+        let off = |(t, (state, _)): &(f64, Carried)| distance(&exact.state(constants, *t), state);
+        let worst = trial.iter().map(off).fold(0.0, f64::max);
+        let trusted = (TRUSTED[0] / c.min(1.0)).min(TRUSTED[1]);
         if worst <= trusted {
             Ok((exact, trial))
         } else if exact.separation.narrowest < 1e-2 * c.min(1.0).powi(2) {
@@ -87,19 +90,12 @@ impl Exact {
         let [one, two] = separation.phases(places.each_ref());
         let signs = [[0.5, 0.5], [0.5, -0.5], [-0.5, 0.5], [-0.5, -0.5]];
         let origins = signs.map(|[x, y]| [0, 1].map(|i| x * one[i] + y * two[i]));
-        let system =
-            Reconstruction::prepare(constants, &separation.roots, separation.differences());
-        let (quotients, origin) = system.fitted(
-            constants,
-            torus.constants(&separation),
-            torus.split(),
-            origins,
-            |v| torus.parts(v),
-            start,
-        );
+        let system = Reconstruction::prepare(constants, &separation);
+        let factors = torus.constants(&separation);
+        let (quotients, origin) = system.fitted(constants, &torus, factors, origins, start)?;
         let closed = separation.touching();
         if closed {
-            torus.at_double_root(origin);
+            torus.family.at_double_root(origin);
         }
         Some(Self {
             separation,
@@ -112,9 +108,17 @@ impl Exact {
         })
     }
 
-    /// Turns of the two phases a unit of time, halved.
-    pub fn advance(&self) -> [f64; 2] {
-        self.advance.map(DoubleDouble::value)
+    /// Phases, halved, that are spread over the torus; on a double root, of times about 0.
+    pub fn spread(&self) -> impl Iterator<Item = [f64; 2]> {
+        (0..STATES).map(|n| {
+            // Multiples of the plastic number's powers spread most evenly.
+            let part = |x: f64| (0.1 + f64::from(n) * x).fract();
+            if self.closed {
+                self.halved(f64::from(n) - 2.5)
+            } else {
+                [part(0.754_877_666_246_692_7), part(0.569_840_290_998_053_2)]
+            }
+        })
     }
 
     pub fn state(&self, constants: &Constants, t: f64) -> Phase {
@@ -125,7 +129,7 @@ impl Exact {
     pub fn halved(&self, t: f64) -> [f64; 2] {
         let v = [0, 1].map(|i| self.advance[i].times(t) + DoubleDouble::from(self.origin[i]));
         let high = v.map(DoubleDouble::high);
-        let whole = match self.torus.pinched() {
+        let whole = match self.torus.family.pinched() {
             Some(functions) if self.closed => functions.whole(high),
             _ => high.map(f64::floor),
         };

@@ -1,12 +1,8 @@
 //! The rest of the curve w² = P(s): its period matrix, and the point that the vertical belongs to (8.2).
 
-use nalgebra::Complex;
-
-use super::constants::Constants;
-use super::separation::{Place, Separation, in_order};
+use super::constants::{Complex, Constants};
+use super::separation::{Separation, beside, in_order};
 use crate::precise::{DoubleDouble, Number as _};
-
-type Number = Complex<f64>;
 
 /// A half period ½(n + τm) of the curve, n and m even or odd.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -44,8 +40,8 @@ pub(super) const MEASURES: [[u8; 2]; 4] = [[0, 0], [0, 1], [1, 0], [1, 1]];
 pub(super) struct Curve {
     /// Y = Im τ.
     pub y: [[f64; 2]; 2],
-    /// Whether two roots are complex: Re τ is ½ everywhere then, 0 otherwise.
-    pub twisted: bool,
+    /// Re τ: ½ everywhere if two roots are complex, and 0 otherwise.
+    pub real: f64,
     /// The half periods from ∞ to the roots e₁ … e₅.
     pub roots: [Half; 5],
     /// The one with which θ vanishes where s₁ or s₂ is infinite, counted from where s₁ = A and s₂ = C.
@@ -57,34 +53,28 @@ impl Curve {
     /// Gaps and cuts in turn from −∞: the cut of s₂, a gap, a band, and if all roots are real another gap and another band.
     pub fn prepare(separation: &Separation) -> Option<Self> {
         let real = in_order(&separation.roots);
-        let twisted = real.len() < 5;
         let [a, _, c] = separation.ends;
         // The band of s₁ is the second cut or the third.
         let far = real[1] != a;
         let over_gap = |from: usize, to: usize, sign: usize| {
-            let place = (separation.apart[to], 1.0);
-            let whole = across(separation, real[from], &place);
+            let whole = across(separation, real[from], separation.apart[to]);
             let sign = 1.0_f64.copysign(whole[sign].im);
             whole.map(|x| x * sign)
         };
         let gap = || over_gap(0, real[1], 1).map(|x| x.im);
         let plus = |a: [f64; 2], b: [f64; 2]| [a[0] + b[0], a[1] + b[1]];
         // The upper one of two complex roots, and how many real ones are to its left: only where that is one it is seen under the near gap.
-        let upper = separation.upper();
         let mut pair = Half::default();
-        let [first, second] = if let Some(upper) = upper {
-            let left = real
-                .iter()
-                .filter(|&&i| separation.apart[upper][i].re > 0.0);
-            let left = left.count();
-            let (from, sign) = (left.max(1) - 1, usize::from(left == 0));
-            let from = if left == 1 { 1 } else { from };
+        let [first, second] = if let Some(upper) = separation.upper() {
+            let left = |i: &&usize| separation.apart[upper][**i].re > 0.0;
+            let left = real.iter().filter(left).count();
+            let (from, sign) = [(0, 1), (1, 0), (1, 0), (2, 0)][left];
             let whole = over_gap(from, upper, sign);
-            let column = whole.map(|x| x.im);
-            let m = if sign == 0 { [1, 0] } else { [0, 1] };
             // On the way to it half of τ is passed, and real parts of a quarter.
             let n = whole.map(|x| (x.re - 0.5).round().rem_euclid(2.0) as u8);
+            let m = [1 - sign as u8, sign as u8];
             pair = to(far, from).plus(Half { n, m });
+            let column = whole.map(|x| x.im);
             match left {
                 0 => [plus(column, gap().map(|x| -x)), column],
                 1 => [column, over_gap(0, upper, 1).map(|x| x.im)],
@@ -94,13 +84,11 @@ impl Curve {
             let first = over_gap(2, real[3], 0).map(|x| x.im);
             [first, if far { gap() } else { plus(first, gap()) }]
         };
+        // The complex ones are e₂ and e₃.
         let mut roots = [pair; 5];
+        roots[2] = pair.plus(Half::along([1, 1]));
         for (place, root) in real.iter().enumerate() {
             roots[*root] = to(far, place);
-        }
-        if let Some(upper) = upper {
-            let lower = (0..5).find(|&i| i != upper && !real.contains(&i))?;
-            roots[lower] = pair.plus(Half::along([1, 1]));
         }
         // With it and with all of its sums with these, θ is odd.
         let odd = |half: Half| (half.n[0] & half.m[0]) ^ (half.n[1] & half.m[1]) == 1;
@@ -112,40 +100,33 @@ impl Curve {
             .find(|&half| odd(half) && roots.iter().all(|&r| odd(half.plus(r))))?;
         Some(Self {
             y: [[first[0], first[1]], [first[1], second[1]]],
-            twisted,
+            real: if real.len() < 5 { 0.5 } else { 0.0 },
             roots,
             infinite: constant.plus(roots[a]).plus(roots[c]),
         })
     }
     // ANCHOR_END: curve
 
-    /// Half of the integrals from ∞ to Z, real and imaginary parts, from where s₁ = A and s₂ = C.
+    /// Half of the integrals from ∞ to Z, from where s₁ = A and s₂ = C.
     ///
     /// Z lies in a gap between s₂ and s₁.
-    pub fn point(&self, separation: &Separation) -> [[f64; 2]; 2] {
+    pub fn point(&self, separation: &Separation) -> [Complex; 2] {
         let real = in_order(&separation.roots);
-        let over = |root: usize| separation.vertical[root].re;
+        let over = |root: usize| -separation.apart[root][5].re;
         // In which of the gaps Z lies.
         let far = real[1] != separation.ends[0];
-        let base = if far && over(real[2]) > -over(real[1]) {
-            2
-        } else {
-            0
-        };
+        let base = 2 * usize::from(far && over(real[2]) > -over(real[1]));
         // From the end that is nearer, or on this side of the complex roots; which sign the roots have is open as long as the half periods are.
         let upper = separation.upper();
         let from = separation.apart[real[base + 1]];
         let middle = upper.map_or(0.5 * from[real[base]].re, |upper| from[upper].re);
         let nearer = base + usize::from(-over(real[base + 1]) < middle);
-        let inside = across(separation, real[nearer], &(separation.vertical, 1.0));
+        let place = beside(separation.apart.map(|row| -row[5]));
+        let inside = across(separation, real[nearer], place);
         let Half { n, m } = self.roots[real[nearer]].plus(self.roots[4]);
-        let twist = if self.twisted { 0.5 } else { 0.0 };
-        let [n, m] = [n, m].map(|x| x.map(f64::from));
-        [
-            // A quarter of a turn of each besides: v is counted from where s₁ = A and s₂ = C.
-            [0, 1].map(|i| 0.25 * (1.0 + n[i] + twist * (m[0] + m[1]))),
-            [0, 1].map(|i| 0.25 * (inside[i].im + self.y[i][0] * m[0] + self.y[i][1] * m[1])),
-        ]
+        let across = self.tau(m.map(f64::from));
+        // A quarter of a turn of each besides: v is counted from where s₁ = A and s₂ = C.
+        [0, 1].map(|i| 0.25 * (across[i] + Complex::new(1.0 + f64::from(n[i]), inside[i].im)))
     }
 
     /// α but for whole turns of v: l − ½ of the mean of N/((s₁−s)(s₂−s)), s that of Z.
@@ -155,34 +136,35 @@ impl Curve {
         constants.l - (separation.residue * separation.third_kind()).scaled(0.5)
     }
 
-    /// Re τx in one component, which is the same in both, from the sum of those of x.
-    pub fn twist(&self, sum: f64) -> f64 {
-        if self.twisted { 0.5 * sum } else { 0.0 }
+    /// τx.
+    pub fn tau(&self, x: [f64; 2]) -> [Complex; 2] {
+        let real = self.real * (x[0] + x[1]);
+        let imaginary = self.y.map(|row| row[0] * x[0] + row[1] * x[1]);
+        imaginary.map(|y| Complex::new(real, y))
     }
 
-    /// y − Yx and x, whole numbers, so that the greatest terms of a theta function with imaginary part y are those about n = 0.
-    ///
-    /// Rounding of n·w would show if they were elsewhere; and all that changes is a factor e^{2πi x·v}, that is α by whole turns.
-    pub fn reduced(&self, [y1, y2]: [f64; 2]) -> ([f64; 2], [f64; 2]) {
+    /// Y⁻¹y.
+    pub fn along(&self, [y1, y2]: [f64; 2]) -> [f64; 2] {
         let [[a, b], [_, c]] = self.y;
         let determinant = a * c - b * b;
-        let x = [c * y1 - b * y2, a * y2 - b * y1].map(|x| (x / determinant).round());
-        ([y1 - a * x[0] - b * x[1], y2 - b * x[0] - c * x[1]], x)
+        [c * y1 - b * y2, a * y2 - b * y1].map(|x| x / determinant)
     }
 }
 
 /// Twice the normalized integrals from a root to a place.
-fn across(separation: &Separation, from: usize, place: &Place) -> [Number; 2] {
-    if place.0[from].norm() == 0.0 {
-        return [Number::default(); 2];
+fn across(separation: &Separation, from: usize, mut place: [Complex; 6]) -> [Complex; 2] {
+    if place[from].norm() == 0.0 {
+        return [Complex::default(); 2];
     }
-    let [a, b, _] = separation.straight(from, place, None);
+    // Z does not count.
+    place[5] = f64::INFINITY.into();
+    let [a, b, _] = separation.straight(from, &(place, 1.0));
     let [real, imaginary] = [0, 1].map(|part| {
         separation
             .normalized([a[part], b[part]])
             .map(|x| 2.0 * x.value())
     });
-    [0, 1].map(|i| Number::new(real[i], imaginary[i]))
+    [0, 1].map(|i| Complex::new(real[i], imaginary[i]))
 }
 
 /// The half period from ∞ to the real root that is number `place` from below, over the cuts and gaps between.

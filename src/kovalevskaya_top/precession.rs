@@ -14,35 +14,34 @@
 //! With z₃ = 1 the same comes out but for a half period added to a. So the azimuth of the third axis, the phase of ξ₃, is αt − arg G₊G₋.
 
 use core::f64::consts::{PI, TAU};
-use std::sync::Arc;
 
-use nalgebra::{Complex, Quaternion};
+use nalgebra::{Quaternion, UnitQuaternion};
 
-use super::constants::{Constants, Phase, WidePhase};
+use super::constants::{Complex, Constants, I, Phase, WidePhase};
 use super::exact::{Exact, Reason, Trial};
 use super::periods::{Curve, Half, MEASURES};
 use super::taylor::{Carried, Series, about_third, shortest};
-use super::theta::{Pinched, Theta, join, unit};
+use super::theta::Family;
 use crate::precise::{DoubleDouble, Number as _, RIGHT_ANGLE};
-
-type Number = Complex<f64>;
 
 /// A motion solved by separation, attitude and all.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Precession {
     pub exact: Exact,
-    /// G₊ and G₋, two factors each.
-    products: [Product; 2],
-    /// α₊ and α₋; their mean is α.
-    rates: [DoubleDouble; 2],
-    /// arg ξ₃G₊G₋ at time 0.
-    angle: f64,
-    /// 2 arg η₂²G₊²√K and 2 arg η₁²G₋²/√K at time 0.
-    doubled: [f64; 2],
+    /// The factors of G₊ and of G₋.
+    family: Family,
+    places: [Option<Half>; 4],
+    /// α, 2α₊ and 2α₋; α is the mean of the last two.
+    rates: [DoubleDouble; 3],
+    /// The arguments at time 0 of what advances at these rates.
+    angles: [f64; 3],
 }
 
-/// The largest disagreement about the angles at time 0, relative to the sine of the tilt.
+/// The largest disagreement about the angle at time 0, relative to the sine of the tilt.
 const TRUSTED: f64 = 1e-11;
+
+/// The largest disagreement about α between states.
+const AGREEING: f64 = 1e-9;
 
 /// Where the sine of the tilt and K are both as small as this, their directions are rounding, a digit of the attitude.
 const POINTING: f64 = 1e-3;
@@ -50,90 +49,130 @@ const POINTING: f64 = 1e-3;
 impl Precession {
     pub fn find(constants: &Constants, wide: &WidePhase, whole: &Carried) -> Result<Self, Reason> {
         let (exact, trial) = Exact::find(constants, wide, whole)?;
-        let products = products(constants, &exact).ok_or(Reason::DoubleRoot)?;
-        let known = Curve::rate(constants, &exact.separation);
-        let rates = products.each_ref().map(|product| {
-            let known = settled(known, product.rate, exact.advance);
-            // Beside a double root the integrals may lose digits, and the states know better.
-            let off = (known.value() - product.rate).abs();
-            if off <= 16.0 * product.scatter {
-                known
-            } else {
-                DoubleDouble::from(product.rate)
-            }
-        });
-        let mut precession = Self {
-            exact,
-            products,
-            rates,
-            angle: 0.0,
-            doubled: [0.0; 2],
-        };
-        if precession.set_out(constants, &trial) {
-            Ok(precession)
-        } else {
-            Err(Reason::DoubleRoot)
-        }
+        let quadrature = Self::quadrature(constants, exact);
+        let set_out = quadrature.and_then(|found| found.set_out(constants, &trial));
+        set_out.ok_or(Reason::DoubleRoot)
     }
 
-    /// The angles at time 0, from several states soon after: at one instant the third axis may be nearly upright, or rounding just there the
-    /// worst. Says whether they agree.
-    fn set_out(&mut self, constants: &Constants, trial: &Trial) -> bool {
-        let seen: Vec<[Number; 3]> = trial
-            .iter()
-            .map(|&(t, (state, attitude))| {
-                let sight = self.sight(constants, t, &state, attitude);
-                let [a, b] = self.rates.map(|rate| 2.0 * rate.value() * t);
-                [
-                    sight.third * Number::cis(-0.25 * (a + b)),
-                    sight.doubled[0] * Number::cis(-a),
-                    sight.doubled[1] * Number::cis(-b),
-                ]
-            })
-            .collect();
-        let [third, first, second] =
-            [0, 1, 2].map(|i| seen.iter().map(|all| all[i]).sum::<Number>());
-        self.angle = third.arg();
-        self.doubled = [first.arg(), second.arg()];
-        let mean = third.conj() / third.norm();
+    // ANCHOR: choice
+    /// G₊ and G₋: a is half of the integrals to Z, on the sheet that the sign of N tells, and one of sixteen half periods, of which h makes eight pairs; for G₋ the one to e₄ besides.
+    ///
+    /// Which of the eight it is depends on the signs of the roots with which the start was found; the one that fits is told by A′/2 + 2 d arg G/dt being the same α everywhere.
+    fn quadrature(constants: &Constants, exact: Exact) -> Option<Self> {
+        let sheet = -(1_f64.copysign(exact.separation.residue.high()));
+        let a = exact.curve.point(&exact.separation).map(|x| sheet * x);
+        let advance = exact.advance.map(DoubleDouble::value);
+        let pinched = exact.torus.family.pinched().cloned();
+        let family = Family::prepare(&exact.curve, pinched, a, 1, advance)?;
+        let all: [Half; 16] = core::array::from_fn(|i| Half {
+            m: MEASURES[i / 4],
+            n: MEASURES[i % 4],
+        });
+        let l = constants.l.value();
+        // 1 ± z₃, A±′/2 times that, and the rates of the arguments.
+        let seen = exact.spread().map(|v| {
+            let [_, _, r, .., z3] = exact.at_turns(constants, v);
+            let functions = family.at(v, &all.map(Some), [0, 0]);
+            let turning = functions.map(|[a, b]| ((a[1] + b[1]) / (a[0] + b[0])).im);
+            [1.0, -1.0].map(|side| (1.0 + side * z3, l + side * 0.5 * r, turning))
+        });
+        let seen: Vec<_> = seen.collect();
+        // α as a mean, each state trusted as far as its quotient is well-conditioned, and how far one of them is from it, roughly.
+        let fit = |side: usize, pair: [Half; 2]| {
+            let told = seen.iter().map(|both| {
+                let (height, turn, turning) = &both[side];
+                let own = all
+                    .iter()
+                    .zip(turning)
+                    .filter(|(half, _)| pair.contains(half));
+                let own: f64 = own.map(|(_, rate)| rate).sum();
+                (*height, turn + height * (2.0 * own))
+            });
+            let weights: f64 = told.clone().map(|(height, _)| height * height).sum();
+            let rate = told.clone().map(|(height, x)| height * x).sum::<f64>() / weights;
+            let off = told.map(|(height, x)| height * (x - height * rate).abs());
+            (rate, off.sum::<f64>() / weights)
+        };
+        let [.., fourth, fifth] = exact.curve.roots;
+        let both = all.map(|half| {
+            let other = half.plus(fourth);
+            let pairs = [[half, other.plus(fifth)], [other, half.plus(fifth)]];
+            (pairs, [0, 1].map(|side| fit(side, pairs[side])))
+        });
+        let off = |fits: &[(f64, f64); 2]| {
+            let parts = fits.map(|(rate, scatter)| scatter / (1.0 + rate.abs()));
+            parts[0].max(parts[1])
+        };
+        let best = both.iter().min_by(|x, y| off(&x.1).total_cmp(&off(&y.1)))?;
+        let &([[a, b], [c, d]], fits) = Some(best).filter(|best| off(&best.1) < AGREEING)?;
+        let known = Curve::rate(constants, &exact.separation);
+        let [plus, minus] = fits.map(|(rough, scatter)| {
+            let known = settled(known, rough, exact.advance);
+            // Beside a double root the integrals may lose digits, and the states know better; of an upright start they are those of the double root itself.
+            let off = (known.value() - rough).abs();
+            if constants.upright || off <= 16.0 * scatter {
+                known
+            } else {
+                rough.into()
+            }
+        });
+        let mean = (plus + minus).scaled(0.5);
+        Some(Self {
+            exact,
+            family,
+            places: [a, b, c, d].map(Some),
+            rates: [mean, plus.scaled(2.0), minus.scaled(2.0)],
+            angles: [0.0; 3],
+        })
+    }
+    // ANCHOR_END: choice
+
+    /// With the angles at time 0, from several states soon after: at one instant the third axis may be nearly upright, or rounding just there the
+    /// worst. None if they do not agree.
+    fn set_out(self, constants: &Constants, trial: &Trial) -> Option<Self> {
+        let seen = trial[1..].iter().map(|&(t, (state, attitude))| {
+            let sight = self.sight(constants, t, &state, attitude);
+            [0, 1, 2].map(|i| sight[i] * Complex::cis(-gained(self.rates[i], t)))
+        });
+        let seen: Vec<[Complex; 3]> = seen.collect();
+        let sums = [0, 1, 2].map(|i| seen.iter().map(|all| all[i]).sum::<Complex>());
+        let mean = sums[0].conj() / sums[0].norm();
         // The attitude is as uncertain as the azimuth where the axis leans most: next to the vertical all the time it points nowhere.
         let most = seen
             .iter()
             .fold(0.0_f64, |most, all| most.max(all[0].norm()));
-        seen.iter()
-            .all(|all| (all[0] * mean).im.abs() < TRUSTED * most)
+        let agreed = seen
+            .iter()
+            .all(|all| (all[0] * mean).im.abs() < TRUSTED * most);
+        agreed.then_some(Self {
+            angles: sums.map(Complex::arg),
+            ..self
+        })
     }
 
-    /// What keeps pace with the time, seen from an attitude.
+    /// What advances evenly, seen from an attitude, where it is not rounding: ξ₃G₊G₋, η₂⁴G₊⁴K and η₁⁴G₋⁴K̄, G± of length 1, and K as a part of the largest that it may be.
     fn sight(
         &self,
         constants: &Constants,
         t: f64,
         &[p, q, _, z1, z2, _]: &Phase,
         attitude: Quaternion<f64>,
-    ) -> Sight {
-        let v = self.exact.halved(t);
-        let place = (v, v.map(unit));
-        let products = self.products.each_ref().map(|Product { factors, .. }| {
-            let product = factors[0].value(&place) * factors[1].value(&place);
-            product / product.norm()
-        });
+    ) -> [Complex; 3] {
+        let functions = self.family.at(self.exact.halved(t), &self.places, [0, 0]);
+        let [a, b, c, d] = functions.map(|[a, b]| a[0] + b[0]);
+        let [plus, minus] = [a * b, c * d].map(|product| product / product.norm());
+        let turn = UnitQuaternion::new_unchecked(attitude).to_rotation_matrix();
+        let [first, second, third] =
+            [0, 1, 2].map(|axis| Complex::new(turn[(0, axis)], turn[(1, axis)]));
         let c = constants.c.value();
-        let x = Number::new(p, q);
-        let k = x * x - c * Number::new(z1, z2);
-        let size = p * p + q * q + c;
-        let [third, first, second] = horizontal(attitude);
-        let fourth = |eta: Number, g: Number| {
-            let square = eta * g * g;
-            square * square
-        };
-        Sight {
-            third: third * products[0] * products[1],
-            doubled: [
-                fourth(second, products[0]) * k / size,
-                fourth(first, products[1]) * k.conj() / size,
-            ],
-        }
+        let x = Complex::new(p, q);
+        let k = (x * x - c * Complex::new(z1, z2)) / (p * p + q * q + c);
+        let fourth = |square: Complex| square * square;
+        [
+            third * plus * minus,
+            fourth((I * second - first) * plus * plus) * k,
+            fourth((first + I * second) * minus * minus) * k.conj(),
+        ]
     }
 
     /// The state and how it stands, from the exact Ω and z: z upright, and the third axis at its azimuth.
@@ -161,15 +200,17 @@ impl Precession {
         let &[.., z1, z2, z3] = state;
         let upright = shortest([z1, z2, z3]);
         let sight = self.sight(constants, t, state, upright);
-        let mean = (self.rates[0] + self.rates[1]).scaled(0.5);
-        let third = self.angle + gained(mean, t) - sight.third.arg();
+        let angle = |i: usize| self.angles[i] + gained(self.rates[i], t) - sight[i].arg();
+        let third = angle(0);
         // Near the poles the third axis points nowhere; there η₁ or η₂ tells the angle, but for half a turn, unless K is small. Which is better is told by the sine of the
         // tilt and the size of K.
-        let side = usize::from(z3 < 0.0);
-        let other = sight.doubled[side];
-        let [tilt, size] = [sight.third.norm(), other.norm() / (1.0 + z3.abs()).powi(2)];
+        let side = if z3 < 0.0 { 2 } else { 1 };
+        let [tilt, size] = [
+            sight[0].norm(),
+            sight[side].norm() / (1.0 + z3.abs()).powi(2),
+        ];
         let angle = if tilt < size {
-            let half = 0.5 * (self.doubled[side] - other.arg()) + gained(self.rates[side], t);
+            let half = 0.5 * angle(side);
             half + PI * ((third - half) / PI).round()
         } else {
             third
@@ -187,233 +228,15 @@ fn gained(rate: DoubleDouble, t: f64) -> f64 {
 
 /// The rate that is nearest to a rough one among those that half turns of v set apart.
 fn settled(known: DoubleDouble, rough: f64, advance: [DoubleDouble; 2]) -> DoubleDouble {
-    const MOST: i32 = 8;
-    let turns = advance.map(|x| x * RIGHT_ANGLE.scaled(2.0));
-    let all = (-MOST..=MOST).flat_map(|i| (-MOST..=MOST).map(move |j| [i, j].map(f64::from)));
+    const MOST: i32 = 16;
+    let [first, second] = advance.map(|x| x * RIGHT_ANGLE.scaled(2.0));
     let off = |x: &DoubleDouble| (x.value() - rough).abs();
-    all.map(|[i, j]| known + turns[0].times(i) + turns[1].times(j))
+    (-MOST..=MOST)
+        .map(|i| {
+            let rate = known + first.times(f64::from(i));
+            let rest = (rough - rate.value()) / second.value();
+            rate + second.times(rest.round())
+        })
         .min_by(|x, y| off(x).total_cmp(&off(y)))
         .unwrap_or(known)
 }
-
-/// ξ₃, η₁² and η₂² as they follow from an attitude: the horizontal parts of the body's axes.
-fn horizontal(q: Quaternion<f64>) -> [Number; 3] {
-    let third = 2.0 * Number::new(q.i * q.k + q.w * q.j, q.j * q.k - q.w * q.i);
-    let axis1 = Number::new(
-        1.0 - 2.0 * (q.j * q.j + q.k * q.k),
-        2.0 * (q.i * q.j + q.w * q.k),
-    );
-    let axis2 = Number::new(
-        2.0 * (q.i * q.j - q.w * q.k),
-        1.0 - 2.0 * (q.i * q.i + q.k * q.k),
-    );
-    let i = Number::new(0.0, 1.0);
-    [third, axis1 + i * axis2, i * axis2 - axis1]
-}
-
-/// What advances evenly, where it is not rounding.
-struct Sight {
-    /// ξ₃G₊G₋, G± of length 1.
-    third: Number,
-    /// η₂⁴G₊⁴K and η₁⁴G₋⁴K̄, as parts of the largest that K may be.
-    doubled: [Number; 2],
-}
-
-/// θ(v − a) for one a.
-#[derive(Debug, Clone, PartialEq)]
-struct Factor {
-    function: Arc<Function>,
-    half: Half,
-}
-
-/// That without half periods along the real directions, and after the modular transformation without any.
-#[derive(Debug, Clone, PartialEq)]
-enum Function {
-    Plain {
-        theta: Theta,
-        /// e^{−2πi Re a}.
-        turn: [Number; 2],
-        twisted: bool,
-    },
-    Pinched {
-        functions: Pinched,
-        a: [Number; 2],
-    },
-}
-
-/// v and e^{2πiv}.
-type Place = ([f64; 2], [Number; 2]);
-
-/// What tells a fit at a state.
-struct Witness {
-    place: Place,
-    /// A₊′/2 and A₋′/2.
-    rates: [f64; 2],
-    /// 1 + z₃ and 1 − z₃.
-    heights: [f64; 2],
-}
-
-/// States that tell which half periods belong to a, and from which α is taken as a mean, where its whole turns are all that is in question as a rule.
-const WITNESSES: i32 = 6;
-
-/// The largest disagreement about α between them.
-const AGREEING: f64 = 1e-9;
-
-/// G₊ or G₋.
-#[derive(Debug, Clone, PartialEq)]
-struct Product {
-    factors: [Factor; 2],
-    /// α by the witnesses, each trusted as far as its quotient is well-conditioned; and how far one of them is from it, roughly.
-    rate: f64,
-    scatter: f64,
-}
-
-impl Factor {
-    fn value(&self, (v, z): &Place) -> Number {
-        match &*self.function {
-            Function::Plain {
-                theta,
-                turn,
-                twisted,
-            } => {
-                let sums = theta.at([turn[0] * z[0], turn[1] * z[1]]);
-                join(&sums, self.half.n, *twisted)
-            }
-            Function::Pinched { functions, a } => {
-                let ([[one, _], [other, _]], _) = functions.parts(self.half, *v, 1.0, *a, [0.0; 2]);
-                one + other
-            }
-        }
-    }
-}
-
-impl Function {
-    /// d arg θ/dt for each of four half periods n if v changes at these rates.
-    fn turning(&self, m: [u8; 2], (v, z): &Place, rates: [f64; 2]) -> [f64; 4] {
-        match self {
-            Self::Plain {
-                theta,
-                turn,
-                twisted,
-            } => {
-                let sums = theta.with_rates([turn[0] * z[0], turn[1] * z[1]], rates);
-                MEASURES.map(|n| {
-                    let [value, rate] = sums.each_ref().map(|sums| join(sums, n, *twisted));
-                    (rate / value).im
-                })
-            }
-            Self::Pinched { functions, a } => MEASURES.map(|n| {
-                let ([one, other], _) = functions.parts(Half { n, m }, *v, 1.0, *a, rates);
-                ((one[1] + other[1]) / (one[0] + other[0])).im
-            }),
-        }
-    }
-}
-
-impl Witness {
-    /// States spread over the torus.
-    fn some(constants: &Constants, exact: &Exact) -> Vec<Self> {
-        let l = constants.l.value();
-        (0..WITNESSES)
-            .filter_map(|n| {
-                // Multiples of the plastic number's powers spread most evenly.
-                let part = |x: f64| (0.1 + f64::from(n) * x).fract();
-                let v = if exact.closed {
-                    exact.halved(f64::from(n) - 2.5)
-                } else {
-                    [part(0.754_877_666_246_692_7), part(0.569_840_290_998_053_2)]
-                };
-                let [_, _, r, .., z3]: Phase = exact.at_turns(constants, v);
-                let heights = [1.0 + z3, 1.0 - z3];
-                let rates = [(l + 0.5 * r) / heights[0], (l - 0.5 * r) / heights[1]];
-                rates.iter().all(|x| x.is_finite()).then_some(Self {
-                    place: (v, v.map(unit)),
-                    rates,
-                    heights,
-                })
-            })
-            .collect()
-    }
-}
-
-// ANCHOR: choice
-/// G₊ and G₋: a is half of the integrals to Z, on the sheet that the sign of N tells, and one of sixteen half periods, of which h makes eight pairs; for G₋ the one to e₄ besides.
-///
-/// Which of the eight it is depends on the signs of the roots with which the start was found; the one that fits is told by A′/2 + 2 d arg G/dt being the same α everywhere.
-fn products(constants: &Constants, exact: &Exact) -> Option<[Product; 2]> {
-    let (curve, advance) = (&exact.curve, exact.advance());
-    let sheet = -(1_f64.copysign(exact.separation.residue.high()));
-    let [real, imaginary] = curve
-        .point(&exact.separation)
-        .map(|part| part.map(|x| sheet * x));
-    let witnesses = Witness::some(constants, exact);
-    let mut factors = Vec::with_capacity(16);
-    for m in MEASURES {
-        let function = Arc::new(if let Some(functions) = exact.torus.pinched() {
-            let (imaginary, whole) = curve.reduced(imaginary);
-            let twist = curve.twist(-whole[0] - whole[1]);
-            Function::Pinched {
-                functions: functions.clone(),
-                a: [0, 1].map(|i| Number::new(real[i] + twist, imaginary[i])),
-            }
-        } else {
-            let moved = m.map(|x| 0.5 * f64::from(x));
-            let (imaginary, whole) = curve.reduced(
-                [0, 1].map(|i| imaginary[i] + curve.y[i][0] * moved[0] + curve.y[i][1] * moved[1]),
-            );
-            // Re τ(m/2 − whole), the same in both components.
-            let twist = curve.twist(moved[0] + moved[1] - whole[0] - whole[1]);
-            Function::Plain {
-                theta: Theta::prepare(curve.y, imaginary)?,
-                turn: real.map(|x| unit(-x - twist)),
-                twisted: curve.twisted,
-            }
-        });
-        let turning: Vec<[f64; 4]> = witnesses
-            .iter()
-            .map(|witness| function.turning(m, &witness.place, advance))
-            .collect();
-        for (i, n) in MEASURES.into_iter().enumerate() {
-            let half = Half { n, m };
-            let factor = Factor {
-                function: function.clone(),
-                half,
-            };
-            let turning: Vec<f64> = turning.iter().map(|all| all[i]).collect();
-            factors.push((half, factor, turning));
-        }
-    }
-    let product = |side: usize, halves: [Half; 2]| {
-        let pair = halves.map(|half| factors.iter().find(|(of, ..)| *of == half));
-        let [Some((_, one, turning)), Some((_, other, besides))] = pair else {
-            return None;
-        };
-        let seen = || {
-            let both = turning.iter().zip(besides).map(|(x, y)| 2.0 * (x + y));
-            let rates = witnesses.iter().zip(both);
-            rates.map(|(w, rate)| (w.heights[side].powi(2), w.rates[side] + rate))
-        };
-        let weights: f64 = seen().map(|(weight, _)| weight).sum();
-        let rate = seen().map(|(weight, x)| weight * x).sum::<f64>() / weights;
-        let off = |(weight, x): (f64, f64)| weight * (x - rate).abs();
-        Some(Product {
-            factors: [one.clone(), other.clone()],
-            rate,
-            scatter: seen().map(off).sum::<f64>() / weights,
-        })
-    };
-    let [.., fourth, fifth] = curve.roots;
-    factors
-        .iter()
-        .filter_map(|&(half, ..)| {
-            let other = half.plus(fourth);
-            let plus = product(0, [half, other.plus(fifth)])?;
-            Some([plus, product(1, [other, half.plus(fifth)])?])
-        })
-        .filter(|both| {
-            both.iter()
-                .all(|one| one.scatter < AGREEING * (1.0 + one.rate.abs()))
-        })
-        .min_by(|x, y| x[0].scatter.total_cmp(&y[0].scatter))
-}
-// ANCHOR_END: choice

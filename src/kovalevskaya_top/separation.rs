@@ -2,15 +2,11 @@
 
 use core::f64::consts::TAU;
 
-use nalgebra::Complex;
-
-use super::constants::{Constants, Root};
+use super::constants::{Complex, Constants, I, Root};
 use crate::precise::{DoubleDouble, Number as _, power_of_two_below};
 
-type Number = Complex<f64>;
-
-/// A place on the line of s, counted from the five roots: ω(s − e) of each, and ω ≥ 0, which is 0 at −∞.
-pub(super) type Place = ([Number; 5], f64);
+/// A place on the line of s, counted from the five roots and from Z, the point that the vertical belongs to: ω(s − e) of each, infinite where Z does not count, and ω ≥ 0, which is 0 at −∞.
+pub(super) type Place = ([Complex; 6], f64);
 
 /// The band of s₁, the end of s₂, and the real periods.
 ///
@@ -21,16 +17,14 @@ pub(super) struct Separation {
     pub roots: [Root; 5],
     /// Which root is A, B and C.
     pub ends: [usize; 3],
-    /// The distances e_i − e_j, each rounded once. Where e₄ and e₅ are one, they are taken apart by what no digit of the motion shows.
-    pub apart: [[Number; 5]; 5],
+    /// The distances e_i − e_j, each rounded once, and that from Z. Where e₄ and e₅ are one, they are taken apart by what no digit of the motion shows.
+    pub apart: [[Complex; 6]; 5],
     /// The smallest distance of two roots, as a part of the greatest; e₄ and e₅ may meet at no loss.
     pub narrowest: f64,
     widest: f64,
     /// A − σ = σ − C. Integrals of (s − σ)ds/√P grow in s₁ and fall in s₂, so that nothing cancels in the determinant of the four.
     half_way: f64,
-    /// s − e of Z, the point that the vertical belongs to, for each root e.
-    pub vertical: [Number; 5],
-    /// N there, √−P.
+    /// N at Z, √−P.
     pub residue: DoubleDouble,
     /// ∫ds/√P, ∫(s−σ)ds/√P and ∫ds/((s−c)√P), c that of Z, from A to B, and from −∞ to C.
     halves: [[DoubleDouble; 3]; 2],
@@ -50,14 +44,13 @@ impl Separation {
             .chunks_exact(2)
             .map(|pair| (pair[0], pair[1]))
             .min_by(|x, y| outside(x.0, x.1).total_cmp(&outside(y.0, y.1)))?;
-        let apart = apart(&roots);
+        let (apart, residue) = apart(constants, &roots);
         let c = real[0];
         let half_line = apart[a][c];
-        let widest = apart.iter().flatten();
+        let widest = apart.iter().flat_map(|row| &row[..5]);
         let widest = widest.fold(f64::MIN_POSITIVE, |most, x| most.max(x.norm()));
         let nearest = pairs().map(|[i, j]| apart[i][j].norm());
         let nearest = nearest.fold(f64::INFINITY, f64::min);
-        let (vertical, residue) = vertical(constants, &roots, &apart);
         let mut separation = Self {
             roots,
             ends: [a, b, c],
@@ -66,7 +59,6 @@ impl Separation {
             apart,
             narrowest: nearest / widest,
             widest,
-            vertical,
             residue,
         };
         let cubic = separation.pinched() == Some([1, 2]);
@@ -87,13 +79,10 @@ impl Separation {
         if !pairs().all(told) {
             return None;
         }
-        let over = |root: usize| -vertical[root];
-        let upper = separation.upper().map_or(Number::from(1.0), over);
-        let far = Number::from(-widest);
-        let far_away = ([far; 5], 0.0);
+        let far_away = ([Complex::from(-widest); 6], 0.0);
         separation.halves = [
-            separation.ahead(a, &(apart[b], 1.0), Some([over(a), upper, over(b)])),
-            separation.ahead(c, &far_away, Some([over(c), upper, far])),
+            separation.ahead(a, &(apart[b], 1.0)),
+            separation.ahead(c, &far_away),
         ];
         Some(separation)
     }
@@ -101,21 +90,19 @@ impl Separation {
     /// Two roots that nearly meet where s₁ or s₂ turns at one of them, the other beyond a gap, or passes between them.
     pub fn pinched(&self) -> Option<[usize; 2]> {
         let near = |&[i, j]: &[usize; 2]| self.apart[i][j].norm();
-        let passed = pairs().filter(|&pair| self.passes(pair));
-        let mut passed: Vec<_> = passed
-            .filter(|pair| near(pair) < NEAR * self.widest)
-            .collect();
-        passed.sort_by(|x, y| near(x).total_cmp(&near(y)));
-        let first = *passed.first()?;
+        let close = |pair: &[usize; 2]| self.passes(*pair) && near(pair) < NEAR * self.widest;
+        let first = pairs()
+            .filter(close)
+            .min_by(|x, y| near(x).total_cmp(&near(y)))?;
         // Where two of the cubic meet besides, the sums must be told apart there.
-        let cubic = near(&first) != TORN && passed.contains(&[1, 2]);
+        let cubic = near(&first) != TORN && close(&[1, 2]);
         Some(if cubic { [1, 2] } else { first })
     }
 
     /// Whether two roots between which s₁ or s₂ passes are one.
     pub fn touching(&self) -> bool {
-        let one = |&[i, j]: &[usize; 2]| self.apart[i][j].norm() == TORN;
-        self.pinched().as_ref().is_some_and(one)
+        let pinched = self.pinched();
+        pinched.is_some_and(|[i, j]| self.apart[i][j].norm() == TORN)
     }
 
     fn passes(&self, [i, j]: [usize; 2]) -> bool {
@@ -129,35 +116,24 @@ impl Separation {
         }
     }
 
-    /// e₂ − e₃, e₃ − e₁ and e₁ − e₂.
-    pub fn differences(&self) -> [Number; 3] {
-        [(1, 2), (2, 0), (0, 1)].map(|(i, j)| self.apart[i][j])
-    }
-
     // ANCHOR: straight
-    /// ∫ds/√P, ∫(s−σ)ds/√P and, where s − c is given at both, that at the place times ω, ∫ds/((s−c)√P) straight from a root to a place.
+    /// ∫ds/√P, ∫(s−σ)ds/√P and, c that of Z, ∫ds/((s−c)√P) straight from a root to a place.
     ///
     /// With s = (root + ωg place)/(1 + ωg), g = e^x, every root beyond the ends is at Im x = ±π, however near it is to an end, and one that sees the way at an angle φ at ±(π−φ).
     /// With x = 3 sinh y besides, or more than 3 where two roots nearly meet, the trapezoidal rule takes some forty steps, or some hundred: it errs by e^{−2πd/step} where nothing is nearer to the line
     /// than d, and what is left out is e^{−40}.
     /// Each s − e is a sum of two distances, rounded once.
-    pub fn straight(
-        &self,
-        from: usize,
-        (place, weight): &Place,
-        pole: Option<[Number; 2]>,
-    ) -> [[DoubleDouble; 2]; 3] {
+    pub fn straight(&self, from: usize, (place, weight): &Place) -> [[DoubleDouble; 2]; 3] {
         const DIGITS: f64 = 40.0;
         let depth = -self.narrowest.ln();
         let stretch = depth.max(3.0);
         let start = &self.apart[from];
         let first = start[self.ends[0]] + self.half_way;
         let length = place[from];
-        let beyond = [Number::from(1.0), Number::from(*weight)];
+        let beyond = [Complex::from(1.0), Complex::from(*weight)];
         let ends = start.iter().zip(place).map(|(u, t)| [*u, *t]);
         let clear = ends
             .chain([beyond])
-            .chain(pole)
             .map(|[u, t]| -u / t)
             // What rounding has put on the way, or at its ends, is not at a distance.
             .filter(|ratio| ratio.is_finite() && (ratio.im != 0.0 || ratio.re < 0.0))
@@ -181,31 +157,24 @@ impl Separation {
             // 1 and g, or both over g: only their ratio counts.
             let sides = [(1.0, small), (small, 1.0)];
             for (last, (near, far)) in last.iter_mut().zip(sides).skip(usize::from(n == 0)) {
-                let product: Number = start
-                    .iter()
-                    .zip(place)
-                    .map(|(u, t)| u * near + t * far)
-                    .product();
+                let here = |i: usize| start[i] * near + place[i] * far;
+                let product: Complex = (0..5).map(here).product();
                 let denominator = near + far * weight;
                 // The root that continues the one before.
                 let next = root(product * denominator);
                 let before = last.unwrap_or(next);
-                let next = if (next * before.conj()).re < 0.0 {
-                    -next
-                } else {
-                    next
-                };
+                let next = next * 1_f64.copysign((next * before.conj()).re);
                 *last = Some(next);
                 // √P = 2i√Π(s−e).
-                let value = length * (small * cosh * denominator) / (next * Number::new(0.0, 2.0));
-                let mut add = |to: usize, value: Number| {
+                let value = length * (small * cosh * denominator) / (2.0 * I * next);
+                let mut add = |to: usize, value: Complex| {
                     let sum = [value.re, value.im].map(DoubleDouble::from);
                     sums[to] = [0, 1].map(|part| sums[to][part].add_alike(sum[part]));
                 };
                 add(0, value);
                 add(1, value * (first + length * (far / denominator)));
-                if let Some([start, end]) = pole {
-                    add(2, value * (denominator / (start * near + end * far)));
+                if place[5].is_finite() {
+                    add(2, value * (denominator / here(5)));
                 }
             }
             if n == 0 {
@@ -217,10 +186,10 @@ impl Separation {
     }
     // ANCHOR_END: straight
 
-    /// The same along the real line, the first counted upward; `over` is s − c at the three.
+    /// The same along the real line, the first counted upward.
     ///
     /// Where a complex root is on the way, by way of it: next to the line it would be as many steps as it is near.
-    fn ahead(&self, from: usize, place: &Place, over: Option<[Number; 3]>) -> [DoubleDouble; 3] {
+    fn ahead(&self, from: usize, place: &Place) -> [DoubleDouble; 3] {
         let on_the_way = self.upper().filter(|&upper| {
             let [here, there] = [self.apart[from][upper].re, place.0[upper].re];
             here * there < 0.0 && self.pinched() == Some([1, 2])
@@ -232,17 +201,17 @@ impl Separation {
         match on_the_way {
             Some(root) => {
                 let to_it = (self.apart[root], 1.0);
-                let first = upward(self.straight(from, &to_it, over.map(|[a, b, _]| [a, b])));
-                let second = upward(self.straight(root, place, over.map(|[_, b, c]| [b, c])));
+                let first = upward(self.straight(from, &to_it));
+                let second = upward(self.straight(root, place));
                 [0, 1, 2].map(|i| first[i] + second[i])
             }
-            None => upward(self.straight(from, place, over.map(|[a, _, c]| [a, c]))),
+            None => upward(self.straight(from, place)),
         }
     }
 
     /// Which root is above the real line.
     pub fn upper(&self) -> Option<usize> {
-        (0..5).find(|&i| self.roots[i].imaginary.high() > 0.0)
+        (!self.roots[1].is_real()).then_some(1)
     }
 
     /// ∫ds/√P and ∫(s−σ)ds/√P in turns of two phases that advance evenly: the first gains 1 as s₁ goes round its band, the second as s₂ does.
@@ -264,7 +233,7 @@ impl Separation {
         let integrals = |from: usize, place: &Place, side: f64| {
             // At an end rounding may put a place outside.
             if place.0[from].re * side > 0.0 {
-                let [first, second, _] = self.ahead(from, place, None);
+                let [first, second, _] = self.ahead(from, place);
                 let turns = self.normalized([first, second]);
                 turns.map(|turn| side * turn.value())
             } else {
@@ -283,30 +252,26 @@ impl Separation {
     // ANCHOR_END: abel
 
     /// The two places of a start.
-    pub fn places(&self, variables: &Variables, l1: DoubleDouble) -> [Place; 2] {
-        let Variables {
-            s1,
-            numerator,
-            q_squared,
-        } = *variables;
-        let first = self.roots.map(|root| Root::on_axis(s1).from(&root));
-        let eight = q_squared.scaled(8.0);
+    pub fn places(&self, of: &Variables, l1: DoubleDouble) -> [Place; 2] {
+        let first = self.roots.map(|root| Root::on_axis(of.s1).from(&root));
+        let eight = of.q_squared.scaled(8.0);
         let second = self.roots.map(|root| {
-            let real = eight * (l1.scaled(0.5) - root.real) - numerator;
-            Number::new(real.value(), -(eight * root.imaginary).value())
+            let real = eight * (l1.scaled(0.5) - root.real) - of.numerator;
+            Complex::new(real.value(), -(eight * root.imaginary).value())
         });
         let size = second.iter().fold(eight.value(), |m, x| m.max(x.norm()));
         let weight = eight.value() / size;
         // So near to −∞ that no phase shows it.
         let weight = if weight < 1e-36 { 0.0 } else { weight };
-        [(first, 1.0), (second.map(|x| x / size), weight)]
+        let second = beside(second.map(|x| x / size));
+        [(beside(first), 1.0), (second, weight)]
     }
 
     /// (s₁−e)(s₂−e) for a complex root where s₁ = A and s₂ = C; for a real one the sign that it has everywhere.
-    pub fn product(&self, root: usize) -> Number {
+    pub fn product(&self, root: usize) -> Complex {
         let [first, _, second] = self.ends.map(|end| self.apart[end][root]);
         if self.roots[root].is_real() {
-            Number::from(if first.re < 0.0 { 1.0 } else { -1.0 })
+            Complex::from(if first.re < 0.0 { 1.0 } else { -1.0 })
         } else {
             first * second
         }
@@ -346,13 +311,13 @@ const NEAR: f64 = 3e-3;
 const LONGEST: f64 = 16_384.0;
 
 /// The sine of the imaginary part of asinh x, in size.
-fn sine_of_area(x: Number) -> f64 {
+fn sine_of_area(x: Complex) -> f64 {
     let [one, other] = [1.0, -1.0].map(|side| x.re.hypot(x.im + side));
     2.0 * x.im.abs() / (one + other)
 }
 
 /// The root with a positive real part, straight from the parts: twice as fast as by way of the angle.
-fn root(z: Number) -> Number {
+fn root(z: Complex) -> Complex {
     let norm = (z.re * z.re + z.im * z.im).sqrt();
     let large = (0.5 * (norm + z.re.abs())).sqrt();
     let small = 0.5 * z.im.abs() / large;
@@ -361,54 +326,54 @@ fn root(z: Number) -> Number {
     } else {
         (large, small)
     };
-    Number::new(re, im.copysign(z.im))
+    Complex::new(re, im.copysign(z.im))
 }
 
 /// How far two roots are taken apart that are one: what is left of it, the fourth root, shows in no digit.
 const TORN: f64 = 1e-28;
 
-/// s − e of Z for each root, and N; the smallest of them by −P(s) = N², which tells it to all digits.
-///
-/// Where e₅ is a root of the cubic Z is there, too. Nearby N is −2lk(s−e₅), which tells where between the two.
-fn vertical(
-    constants: &Constants,
-    roots: &[Root; 5],
-    apart: &[[Number; 5]; 5],
-) -> ([Number; 5], DoubleDouble) {
-    if !constants.upright {
-        let (point, residue) = (constants.vertical_point(), constants.residue());
-        let mut vertical = roots.map(|root| Root::on_axis(point).from(&root));
-        let real = (0..5).filter(|&i| roots[i].is_real());
-        if let Some(i) = real.min_by(|&i, &j| vertical[i].norm().total_cmp(&vertical[j].norm())) {
-            vertical[i] = Number::from(1.0);
-            let square = (residue * residue).scaled(0.25).value();
-            vertical[i] = square / vertical.iter().product::<Number>();
-        }
-        return (vertical, residue);
-    }
-    let mut vertical = apart[4];
-    let slope = constants.l.value() * constants.k.value();
-    let others = vertical[..4].iter().filter(|x| x.norm() != TORN);
-    let ratio = slope * slope / others.product::<Number>().re;
-    let rest = TORN / (ratio - 1.0);
-    for x in vertical.iter_mut().filter(|x| x.norm() == TORN) {
-        *x = (ratio * rest).into();
-    }
-    vertical[4] = rest.into();
-    (vertical, DoubleDouble::from(-2.0 * slope * rest))
+/// A place counted from the roots alone.
+pub(super) fn beside([a, b, c, d, e]: [Complex; 5]) -> [Complex; 6] {
+    [a, b, c, d, e, f64::INFINITY.into()]
 }
 
-/// The distances of the roots. Two that are one are taken apart, in the order in which they are counted.
-fn apart(roots: &[Root; 5]) -> [[Number; 5]; 5] {
-    let mut apart = roots.map(|one| roots.map(|other| one.from(&other)));
+/// The distances of the roots from each other, two that are one taken apart in the order in which they are counted, and from Z; and N there. The smallest distance from Z by −P(s) = N², which
+/// tells it to all digits.
+///
+/// Where e₅ is a root of the cubic Z is there, too. Nearby N is −2lk(s−e₅), which tells where between the two.
+fn apart(constants: &Constants, roots: &[Root; 5]) -> ([[Complex; 6]; 5], DoubleDouble) {
+    let mut apart = roots.map(|one| beside(roots.map(|other| one.from(&other))));
     for (i, j) in (0..5).flat_map(|j| (0..j).map(move |i| (i, j))) {
         if apart[i][j].norm() == 0.0 {
             // Between e₄ and e₅ nothing passes.
             let torn = if i == 3 { 1e-40 } else { TORN };
-            [apart[i][j], apart[j][i]] = [-torn, torn].map(Number::from);
+            [apart[i][j], apart[j][i]] = [-torn, torn].map(Complex::from);
         }
     }
-    apart
+    let (point, mut residue) = (constants.vertical_point(), constants.residue());
+    let mut vertical = roots.map(|root| Root::on_axis(point).from(&root));
+    let real = (0..5).filter(|&i| roots[i].is_real());
+    if constants.upright {
+        vertical.copy_from_slice(&apart[4][..5]);
+        let slope = constants.l.value() * constants.k.value();
+        let others = vertical[..4].iter().filter(|x| x.norm() != TORN);
+        let ratio = slope * slope / others.product::<Complex>().re;
+        let rest = TORN / (ratio - 1.0);
+        for x in vertical.iter_mut().filter(|x| x.norm() == TORN) {
+            *x = (ratio * rest).into();
+        }
+        vertical[4] = rest.into();
+        residue = DoubleDouble::from(-2.0 * slope * rest);
+    } else if let Some(i) = real.min_by(|&i, &j| vertical[i].norm().total_cmp(&vertical[j].norm()))
+    {
+        vertical[i] = Complex::from(1.0);
+        let square = (residue * residue).scaled(0.25).value();
+        vertical[i] = square / vertical.iter().product::<Complex>();
+    }
+    for (row, x) in apart.iter_mut().zip(vertical) {
+        row[5] = -x;
+    }
+    (apart, residue)
 }
 
 /// The real ones of five roots in ascending order.

@@ -113,12 +113,8 @@ fn grown<N: Numeral, const K: usize>(
         let place = N::from((n + 1) as f64);
         // Ω₁, Ω₂ and the quaternion change at half of this.
         terms.push(core::array::from_fn(|i| {
-            let whole = next[i] / place;
-            if !(2..6).contains(&i) {
-                whole * N::from(0.5)
-            } else {
-                whole
-            }
+            let part = if (2..6).contains(&i) { 1.0 } else { 0.5 };
+            next[i] / place * N::from(part)
         }));
     }
     terms

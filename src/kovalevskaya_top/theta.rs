@@ -3,18 +3,15 @@
 use core::f64::consts::{PI, TAU};
 use core::ops::{Add, Mul};
 
-use nalgebra::Complex;
-
-use super::periods::Half;
-
-type Number = Complex<f64>;
+use super::constants::{Complex, I};
+use super::periods::{Curve, Half, MEASURES};
 
 /// Σ exp(−π(n−n₀)·Y(n−n₀)) e^{2πi n·w} over whole n₁, n₂, apart by whether n₁ and n₂ are even: θ(w − iy) with n₀ = Y⁻¹y, but for a constant factor.
 ///
 /// The terms fall like a Gauss curve, so that some sixty are enough; the series of a quotient of two such sums would take a thousand.
 /// They are summed outward from n = 0, next to which the greatest are, so that rounding of the high powers does not show.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Theta {
+struct Theta {
     /// n₁ = 0, 1, … and n₁ = −1, −2, ….
     rows: [Vec<Row>; 2],
 }
@@ -23,10 +20,10 @@ pub(super) struct Theta {
 type Row = Vec<[[f64; 4]; 2]>;
 
 /// A function of time and its derivative.
-pub(super) type Moving = [Number; 2];
+pub(super) type Moving = [Complex; 2];
 
 /// The four partial sums, of even and odd n₁ by even and odd n₂: (0,0), (0,1), (1,0), (1,1).
-pub(super) type Sums = [Number; 4];
+type Sums = [Complex; 4];
 
 /// Exponents −πx beyond which a term is left out: e^{−πx} is 1e-19.
 const REACH: f64 = 14.0;
@@ -36,16 +33,14 @@ const LARGEST: f64 = 4096.0;
 
 impl Theta {
     /// For |n₀| not above ½ in either component. None if Y is not positive or so small that more than 4096 terms count.
-    pub fn prepare([[a, b], [_, c]]: [[f64; 2]; 2], [y1, y2]: [f64; 2]) -> Option<Self> {
+    fn prepare(curve: &Curve, y: [f64; 2]) -> Option<Self> {
+        let [[a, b], [_, c]] = curve.y;
         let determinant = a * c - b * b;
         // A Y that is not a number is refused as well.
         if !(a > 0.0 && determinant > 0.0 && PI * REACH < LARGEST * determinant.sqrt()) {
             return None;
         }
-        let center = [
-            (c * y1 - b * y2) / determinant,
-            (a * y2 - b * y1) / determinant,
-        ];
+        let center = curve.along(y);
         if !center.iter().all(|x| x.is_finite()) {
             return None;
         }
@@ -79,51 +74,34 @@ impl Theta {
         })
     }
 
-    /// The sums for e^{2πiw₁} and e^{2πiw₂}.
-    pub fn at(&self, z: [Number; 2]) -> Sums {
-        let mut sums = Sums::default();
-        self.each_row(z[0], |n1, power, row| {
-            let place = 2 * (n1 & 1) as usize;
-            for (k, value) in along(z[1], row)[0].iter().enumerate() {
-                sums[place + k] += power * value;
-            }
-        });
-        sums
-    }
-
-    /// The sums, and their rates if w changes at these rates.
-    pub fn with_rates(&self, z: [Number; 2], [r1, r2]: [f64; 2]) -> [Sums; 2] {
+    /// The sums for e^{2πiw₁} and e^{2πiw₂}, and their rates if w changes at these rates.
+    fn at(&self, z: [Complex; 2], [r1, r2]: [f64; 2]) -> [Sums; 2] {
         let [mut sums, mut rates] = [Sums::default(); 2];
-        self.each_row(z[0], |n1, power, row| {
-            let place = 2 * (n1 & 1) as usize;
-            let [values, slopes] = along(z[1], row);
-            for k in 0..2 {
-                sums[place + k] += power * values[k];
-                rates[place + k] += power * (values[k] * (r1 * f64::from(n1)) + slopes[k] * r2);
-            }
-        });
-        [sums, rates.map(|rate| Number::new(0.0, TAU) * rate)]
-    }
-
-    /// Every row with its n₁ and the power z^{n₁}.
-    fn each_row(&self, z: Number, mut take: impl FnMut(i32, Number, &Row)) {
         let [upward, downward] = &self.rows;
-        let mut power = Number::new(1.0, 0.0);
-        for (n, row) in (0..).zip(upward) {
-            take(n, power, row);
-            power *= z;
+        let back = z[0].conj();
+        let sides = [
+            (upward, 0, Complex::from(1.0), z[0]),
+            (downward, -1, back, back),
+        ];
+        for (rows, first, mut power, step) in sides {
+            for (n, row) in (0..).zip(rows) {
+                let n1 = if first < 0 { first - n } else { n };
+                let place = 2 * (n1 & 1) as usize;
+                let [values, slopes] = along(z[1], row);
+                for k in 0..2 {
+                    sums[place + k] += power * values[k];
+                    rates[place + k] += power * (values[k] * (r1 * f64::from(n1)) + slopes[k] * r2);
+                }
+                power *= step;
+            }
         }
-        power = z.conj();
-        for (n, row) in (1..).zip(downward) {
-            take(-n, power, row);
-            power *= z.conj();
-        }
+        [sums, rates.map(|rate| I * TAU * rate)]
     }
 }
 
 /// The sums over even and over odd n₂ of the terms times z^{n₂}, |z| = 1, and those of n₂ times each.
 #[inline(always)]
-fn along(z: Number, row: &Row) -> [[Number; 2]; 2] {
+fn along(z: Complex, row: &Row) -> [[Complex; 2]; 2] {
     let ratio = z * z;
     let turn = [ratio.im, ratio.im, -ratio.im, -ratio.im];
     let mut re = [1.0, z.re, ratio.re, z.re];
@@ -144,7 +122,7 @@ fn along(z: Number, row: &Row) -> [[Number; 2]; 2] {
     }
     let sum = |of: usize, k: usize| {
         let [re, im] = [sums[of], sums[of + 1]].map(|x| x[k] + x[k + 2]);
-        Number::new(re, im)
+        Complex::new(re, im)
     };
     [[sum(0, 0), sum(0, 1)], [sum(2, 0), sum(2, 1)]]
 }
@@ -158,46 +136,46 @@ fn along(z: Number, row: &Row) -> [[Number; 2]; 2] {
 /// Where Re τ is ½ everywhere, that is a sum over two shifts of w by a half apart, and the two sums are those of either.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Pinched {
-    /// m of the half period ½τm that is small.
-    measure: [u8; 2],
-    side: f64,
-    /// a, b/a.
+    /// The direction in which Y is small, and another one.
+    basis: [[f64; 2]; 2],
+    /// In this basis a and b/a.
     width: f64,
     slope: f64,
     /// ½, and e^{−πn²(c − b²/a)} for n = ½, 1, ….
     terms: Vec<f64>,
     twisted: bool,
+    /// How far the k are apart that count: half as far where Re τ tells odd ones apart in this direction.
+    spacing: f64,
     /// On a double root, the first phase, halved, where terms compete.
     passage: Option<f64>,
 }
 
 impl Pinched {
-    pub fn prepare(
-        [[a, b], [_, c]]: [[f64; 2]; 2],
-        measure: [u8; 2],
-        twisted: bool,
-    ) -> Option<Self> {
-        // m and −m are alike, and so are [1, 1] and [1, −1]: the one that is small.
-        let side = -1_f64.copysign(b);
-        // Y in a basis of which the measure is the first.
-        let [width, mixed] = match measure {
-            [1, 0] => [a, b],
-            [0, 1] => [c, b],
-            _ => [a + 2.0 * side * b + c, b + side * c],
+    /// For the m of the half period ½τm that is small.
+    pub fn prepare(curve: &Curve, measure: [u8; 2]) -> Option<Self> {
+        let [[a, b], [_, c]] = curve.y;
+        let basis = match measure {
+            [1, 0] => [[1.0, 0.0], [0.0, 1.0]],
+            [0, 1] => [[0.0, 1.0], [-1.0, 0.0]],
+            // m and −m are alike, and so are [1, 1] and [1, −1]: the one that is small.
+            _ => [[1.0, -1_f64.copysign(b)], [0.0, 1.0]],
         };
+        let small = curve.tau(basis[0]);
+        let [width, mixed] = basis.map(|[x, y]| x * small[0].im + y * small[1].im);
         let rest = (a * c - b * b) / width;
         if !(width > 0.0 && rest > 0.0 && REACH / rest < LARGEST) {
             return None;
         }
         let term = |n: i32| (-0.25 * PI * rest * f64::from(n * n)).exp();
         let terms = (0..4 + (4.0 * REACH / rest).sqrt() as i32).map(term);
+        let half = curve.real > 0.0 && measure != [1, 1];
         Some(Self {
-            measure,
-            side,
+            basis,
             width,
             slope: mixed / width,
             terms: [0.5].into_iter().chain(terms.skip(1)).collect(),
-            twisted,
+            twisted: curve.real > 0.0,
+            spacing: if half { 0.5 } else { 1.0 },
             passage: None,
         })
     }
@@ -209,118 +187,92 @@ impl Pinched {
 
     /// Phases in that basis.
     fn along<T: Copy + Add<Output = T> + Mul<f64, Output = T>>(&self, [x, y]: [T; 2]) -> [T; 2] {
-        match self.measure {
-            [1, 0] => [x, y],
-            [0, 1] => [y, x],
-            _ => [x + y * self.side, y],
-        }
-    }
-
-    /// How far the k are apart that count: half as far where Re τ tells odd ones apart in this direction.
-    fn spacing(&self) -> f64 {
-        if self.twisted && self.measure != [1, 1] {
-            0.5
-        } else {
-            1.0
-        }
+        self.basis.map(|[a, b]| x * a + y * b)
     }
 
     /// For a curve with a double root: only the terms that compete where these phases, halved, are. All others belong to times that never come.
     pub fn at_double_root(&mut self, v: [f64; 2]) {
-        let offset = if self.spacing() < 1.0 { 0.5 } else { 0.0 };
+        let offset = if self.spacing < 1.0 { 0.5 } else { 0.0 };
         let [first, _] = self.along(v);
         self.passage = Some(0.25 * ((4.0 * first - offset).round() + offset));
     }
 
     /// Whole turns that leave the first phase as it is, and less than one of the second.
     pub fn whole(&self, v: [f64; 2]) -> [f64; 2] {
-        let turns = self.along(v)[1].floor();
-        match self.measure {
-            [1, 0] => [0.0, turns],
-            [0, 1] => [turns, 0.0],
-            _ => [-self.side * turns, turns],
-        }
+        let [[a, b], turns] = [self.basis[0], self.along(v)];
+        let turns = turns[1].floor();
+        [-b * turns, a * turns]
     }
 
-    /// How far from the passage through a double root the phases are, halved, and the logarithm of the greatest of the functions there.
-    pub fn since(&self, v: [f64; 2]) -> [f64; 2] {
-        let [first, _] = self.along(v);
-        let since = self.passage.map_or(0.0, |passage| first - passage);
-        [since, TAU * self.spacing() * since.abs() / self.width]
-    }
-
-    /// The two sums of the function with this half period at v times `turns` less a, each with its rate if v changes at these rates; and the logarithm of what they are multiplied by besides.
-    pub fn parts(
+    /// The two sums of the function with this half period at v times `turns` less a, each with its rate if v changes at these rates; all but for a positive factor, the same for all half periods where a = 0.
+    fn parts(
         &self,
         Half { n, m }: Half,
         v: [f64; 2],
         turns: f64,
-        a: [Number; 2],
+        a: [Complex; 2],
         rates: [f64; 2],
-    ) -> ([Moving; 2], f64) {
+    ) -> [Moving; 2] {
         let [r1, r2] = self.along(rates).map(|rate| turns * rate);
         let turn = r2 - self.slope * r1;
-        let [signed, odd] = match self.measure {
-            [1, 0] => m,
-            [0, 1] => [m[1], m[0]],
-            _ => [m[0], m[0] ^ m[1]],
+        let [[x, y], [z, w]] = self.basis.map(|of| of.map(|part| part.abs() as u8));
+        let [signed, odd] = [w * m[0] + z * m[1], y * m[0] + x * m[1]].map(|m| m & 1);
+        // By how much w is moved, and what stands before the function there.
+        let shifts = match (self.twisted, m[0] == m[1]) {
+            (false, _) => [(0.0, Complex::from(1.0)); 2],
+            (true, true) => [0.0, 0.5].map(|x| (x, Complex::new(0.5, 0.5 - 2.0 * x))),
+            (true, false) => [0.25, -0.25].map(|x| (x, Complex::from(0.5_f64.sqrt()))),
         };
-        let shifts = if !self.twisted {
-            [(0.0, Number::from(1.0)); 2]
-        } else if m[0] == m[1] {
-            [(0.0, Number::new(0.5, 0.5)), (0.5, Number::new(0.5, -0.5))]
-        } else {
-            [0.25, -0.25].map(|x| (x, Number::from(0.5_f64.sqrt())))
-        };
-        let since = turns * self.since(v)[0];
+        let shifts = &shifts[..1 + usize::from(self.twisted)];
+        let [u1, u2] = self.along(v).map(|u| turns * u);
+        // How far the passage through a double root is.
+        let since = self.passage.map_or(0.0, |passage| u1 - turns * passage);
         let reach = match self.passage {
-            Some(_) => 0.6 * self.spacing(),
+            Some(_) => 0.6 * self.spacing,
             None => (REACH * self.width).sqrt() + 1.0,
         };
-        let [u1, u2] = self.along(v).map(|u| turns * u);
         let [a1, a2] = self.along(a);
-        let places = shifts.map(|(shift, _)| {
+        // Whether k is odd, the two places, and the exponent of e^{−π(d+since)²/a} but for what all have.
+        let terms = |shift: f64| {
             let [h1, h2] = self.along(n.map(|n| shift + 0.5 * f64::from(n)));
-            [u1 - since + h1 - a1, u2 + h2 - self.slope * since - a2]
-        });
-        // e^{−π(d+since)²/a} but for what all have.
-        let terms = |class: usize| {
-            let [w1, _] = places[class];
+            let [w1, w2] = [u1 - since + h1 - a1, u2 + h2 - self.slope * since - a2];
             let range = (-w1.re - reach).ceil() as i32..=(reach - w1.re).floor() as i32;
-            let counted = move |k: &i32| self.twisted || (k & 1 == 0) == (class == 0);
-            range.filter(counted).map(move |k| {
+            range.map(move |k| {
                 let d = w1 + f64::from(k);
-                (k, d, d * (d + 2.0 * since) * (-PI / self.width))
+                let exponent = d * (d + 2.0 * since) * (-PI / self.width);
+                ((k & 1) as u8, d, w2 - d * self.slope, exponent)
             })
         };
-        let greatest = match self.passage {
-            Some(_) => {
-                let all = [0, 1].into_iter().flat_map(terms);
-                all.map(|(.., x)| x.re).fold(f64::NEG_INFINITY, f64::max)
-            }
-            None => 0.0,
-        };
-        let sums = [0, 1].map(|class| {
-            let mut sum = Moving::default();
-            for (k, d, exponent) in terms(class) {
-                let height = (exponent - greatest).exp();
-                let height = if k & 1 == 0 || signed == 0 {
-                    height
+        let all = shifts.iter().flat_map(|(shift, _)| terms(*shift));
+        let greatest = all.map(|(.., x)| x.re).fold(f64::NEG_INFINITY, f64::max);
+        // The greatest of the functions that give Ω and z are of this size; of others the direction is to remain.
+        let size = PI * self.spacing * since.abs() / self.width;
+        let scale = (greatest - size).clamp(-300.0, 0.0).exp();
+        let mut sums = [Moving::default(); 2];
+        for (class, &(shift, before)) in shifts.iter().enumerate() {
+            for (alternate, d, w2, exponent) in terms(shift) {
+                let sign = if alternate & signed == 1 {
+                    -scale
                 } else {
-                    -height
+                    scale
                 };
-                let [single, slope] = self.single(odd, places[class][1] - d * self.slope);
-                sum[0] += height * single;
-                sum[1] += height * (slope * turn - d * (TAU / self.width * r1) * single);
+                let height = before * sign * (exponent - greatest).exp();
+                let [single, slope] = self.single(odd, w2);
+                let part = if self.twisted {
+                    class
+                } else {
+                    alternate.into()
+                };
+                sums[part][0] += height * single;
+                sums[part][1] += height * (slope * turn - d * (TAU / self.width * r1) * single);
             }
-            sum.map(|x| shifts[class].1 * x)
-        });
-        (sums, greatest)
+        }
+        sums
     }
 
     /// The theta function of one variable, over whole n or over those with a half, and its derivative.
-    fn single(&self, odd: u8, w: Number) -> Moving {
-        let turned = |w: Number| (w * Number::new(0.0, TAU)).exp();
+    fn single(&self, odd: u8, w: Complex) -> Moving {
+        let turned = |w: Complex| (I * TAU * w).exp();
         let mut up = turned(w * (0.5 * f64::from(odd)));
         let step = turned(w);
         let (mut down, back) = (up.inv(), step.inv());
@@ -330,24 +282,123 @@ impl Pinched {
             sum[1] += (up - down) * (PI * n as f64 * term);
             (up, down) = (up * step, down * back);
         }
-        [sum[0], sum[1] * Number::new(0.0, 1.0)]
+        [sum[0], I * sum[1]]
     }
 }
 
-/// The partial sums put together: signs from a half period n/2 along the real directions, i from the real part ½ of τ.
-pub(super) fn join(sums: &Sums, half: [u8; 2], twisted: bool) -> Number {
-    let [whole, _] = parts(sums, half, twisted, [0, 0]);
-    whole
+/// θ(w − a) with half periods, w the turns of the two phases, or half of them.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Family {
+    /// For each m, e^{2πi Re(τκ − a)} and the series of θ(w − a + τκ), κ being m/2 but for whole numbers.
+    tables: Vec<([u8; 2], [Complex; 2], Theta)>,
+    /// Or the sums after the modular transformation, and a.
+    pinched: Option<(Pinched, [Complex; 2])>,
+    /// 2 or 1: w in halved turns.
+    multiple: u8,
+    twisted: bool,
+    /// Turns of the phases a unit of time, halved.
+    advance: [f64; 2],
 }
 
-/// The same in two parts, of which the second changes its sign with another half period along the real directions.
-pub(super) fn parts(sums: &Sums, half: [u8; 2], twisted: bool, other: [u8; 2]) -> [Number; 2] {
-    let mut parts = [Number::default(); 2];
+impl Family {
+    pub fn prepare(
+        curve: &Curve,
+        pinched: Option<Pinched>,
+        a: [Complex; 2],
+        multiple: u8,
+        advance: [f64; 2],
+    ) -> Option<Self> {
+        let place = curve.along(a.map(|a| a.im));
+        let moved = |m: [u8; 2]| {
+            // The greatest terms of each theta function are to be those about n = 0.
+            let kappa = [0, 1].map(|i| {
+                let half = 0.5 * f64::from(m[i]);
+                half + (place[i] - half).round_ties_even()
+            });
+            let across = curve.tau(kappa);
+            [0, 1].map(|i| a[i] - across[i])
+        };
+        let mut tables = Vec::new();
+        for m in MEASURES.into_iter().filter(|_| pinched.is_none()) {
+            let a = moved(m);
+            let theta = Theta::prepare(curve, a.map(|a| a.im))?;
+            tables.push((m, a.map(|a| unit(-a.re)), theta));
+        }
+        Some(Self {
+            tables,
+            pinched: pinched.map(|functions| (functions, moved([0, 0]))),
+            multiple,
+            twisted: curve.real > 0.0,
+            advance,
+        })
+    }
+
+    /// The functions with these half periods and their rates, each in two parts, of which the second changes its sign with one more half period: along the real directions this one, or the one
+    /// in whose direction the modular transformation is.
+    ///
+    /// Each is multiplied by e^{πi m·w} where w is whole turns, for these are halved in v; of half turns that factor would not return, and is left out.
+    pub fn at<const N: usize>(
+        &self,
+        v: [f64; 2],
+        places: &[Option<Half>; N],
+        between: [u8; 2],
+    ) -> [[Moving; 2]; N] {
+        let mut found = [[Moving::default(); 2]; N];
+        if let Some((functions, a)) = &self.pinched {
+            let multiple = f64::from(self.multiple);
+            for (found, place) in found.iter_mut().zip(places) {
+                if let Some(half) = place {
+                    *found = functions.parts(*half, v, multiple, *a, self.advance);
+                }
+            }
+            return found;
+        }
+        let once = v.map(unit);
+        let [turned, halved] = [self.multiple, self.multiple - 1].map(i32::from);
+        let rates = self.advance.map(|x| f64::from(turned) * x);
+        for (m, turn, table) in &self.tables {
+            let here = |half: &Half| half.m == *m;
+            if !places.iter().flatten().any(here) {
+                continue;
+            }
+            let sums = table.at([0, 1].map(|i| once[i].powi(turned) * turn[i]), rates);
+            let [first, second] = m.map(|m| halved * i32::from(m));
+            let factor = once[0].powi(first) * once[1].powi(second);
+            let growth = f64::from(first) * self.advance[0] + f64::from(second) * self.advance[1];
+            let growth = I * TAU * growth;
+            for (found, place) in found.iter_mut().zip(places) {
+                if let Some(half) = place.filter(here) {
+                    let [x, rate] = sums
+                        .each_ref()
+                        .map(|sums| parts(sums, half.n, self.twisted, between));
+                    *found = [0, 1].map(|k| [factor * x[k], factor * (rate[k] + growth * x[k])]);
+                }
+            }
+        }
+        found
+    }
+
+    /// Those after the modular transformation, where they are needed.
+    pub fn pinched(&self) -> Option<&Pinched> {
+        self.pinched.as_ref().map(|(functions, _)| functions)
+    }
+
+    /// With a double root where the phases are so far, halved.
+    pub fn at_double_root(&mut self, v: [f64; 2]) {
+        if let Some((functions, _)) = &mut self.pinched {
+            functions.at_double_root(v);
+        }
+    }
+}
+
+/// The partial sums put together in two parts, of which the second changes its sign with the other half period along the real directions: signs from a half period n/2, i from the real part ½ of τ.
+fn parts(sums: &Sums, half: [u8; 2], twisted: bool, other: [u8; 2]) -> [Complex; 2] {
+    let mut parts = [Complex::default(); 2];
     for (place, sum) in sums.iter().enumerate() {
         let odd = [place >> 1, place & 1].map(|x| x as u8);
         let sign = |half: [u8; 2]| (odd[0] & half[0]) ^ (odd[1] & half[1]);
         let term = if twisted && odd[0] != odd[1] {
-            Number::new(-sum.im, sum.re)
+            Complex::new(-sum.im, sum.re)
         } else {
             *sum
         };
@@ -357,7 +408,7 @@ pub(super) fn parts(sums: &Sums, half: [u8; 2], twisted: bool, other: [u8; 2]) -
 }
 
 /// e^{2πix}.
-pub(super) fn unit(turns: f64) -> Number {
+fn unit(turns: f64) -> Complex {
     let (sine, cosine) = (TAU * (turns - turns.round())).sin_cos();
-    Number::new(cosine, sine)
+    Complex::new(cosine, sine)
 }

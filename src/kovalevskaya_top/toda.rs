@@ -5,7 +5,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, each_finite, finite};
 
 /// How the line ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -54,9 +54,8 @@ impl Lattice {
                 value: momenta.len() as f64,
             });
         }
-        for value in positions.iter().chain(momenta) {
-            finite("a position or momentum", *value)?;
-        }
+        let all = positions.iter().chain(momenta);
+        each_finite("a position or momentum", all.copied())?;
         Ok(Self {
             ends,
             positions: positions.to_vec(),
@@ -154,9 +153,7 @@ impl Lattice {
     /// ```
     pub fn eigenvalues(&self) -> Result<Vec<f64>> {
         let matrix = self.lax_matrix();
-        for entry in matrix.iter() {
-            finite("an entry of the Lax matrix", *entry)?;
-        }
+        each_finite("an entry of the Lax matrix", matrix.iter().copied())?;
         let mut values: Vec<f64> = matrix.symmetric_eigenvalues().iter().copied().collect();
         values.sort_by(f64::total_cmp);
         Ok(values)
@@ -188,10 +185,8 @@ impl Lattice {
                 self.drift(0.5 * weight * step);
             }
         }
-        for value in self.positions.iter().chain(&self.momenta) {
-            finite("a position or momentum", *value)?;
-        }
-        Ok(())
+        let all = self.positions.iter().chain(&self.momenta);
+        each_finite("a position or momentum", all.copied())
     }
 
     fn drift(&mut self, h: f64) {

@@ -9,7 +9,7 @@ use super::pendulum::Pendulum;
 use super::precession::Precession;
 use super::separation::{Separation, Variables};
 use super::taylor::{Carried, about_third, shortest};
-use crate::error::{Error, Result, finite, not_negative, positive};
+use crate::error::{Error, Result, finite, not_negative, positive, too_long, within};
 use crate::euler_equations::{AxisMoments, HeavyTop, TopState};
 use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector, finite_vector};
@@ -194,14 +194,12 @@ impl KovalevskayaTop {
         }
         let strength = finite("the lever over I3", lever.x().hypot(lever.y()) / axial)?;
         let fastest = omega.components().amax().max(strength.sqrt());
-        if fastest > FASTEST {
-            return Err(Error::OutOfRange {
-                quantity: "the angular velocity, or the square root of MgC/I3",
-                value: fastest,
-                least: 0.0,
-                greatest: FASTEST,
-            });
-        }
+        within(
+            "the angular velocity, or the square root of MgC/I3",
+            fastest,
+            0.0,
+            FASTEST,
+        )?;
         let unit = power_of_two_below(fastest);
         // In two quotients: the square of the unit may overflow or underflow where the result does not.
         let rounded = strength / unit / unit;
@@ -233,11 +231,7 @@ impl KovalevskayaTop {
             start,
             wide,
             constants,
-            kind: if rounded == 0.0 {
-                Kind::EulerSymmetric
-            } else {
-                classify(&constants)
-            },
+            kind: classify(&constants),
             motion,
         })
     }
@@ -457,15 +451,10 @@ impl KovalevskayaTop {
 
     pub(super) fn inward_time(&self, t: f64, longest: f64) -> Result<f64> {
         let time = finite("the time", t)? * self.unit;
-        if time.abs() <= longest {
-            return Ok(time);
+        if time.abs() > longest {
+            return Err(too_long(t, longest / self.unit));
         }
-        Err(Error::OutOfRange {
-            quantity: "the time",
-            value: t,
-            least: -longest / self.unit,
-            greatest: longest / self.unit,
-        })
+        Ok(time)
     }
 
     pub(super) fn outward(&self, &[p, q, r, z1, z2, z3]: &Phase) -> TopState {

@@ -31,7 +31,7 @@ pub(super) struct Precession {
     /// The factors of G₊ and of G₋.
     family: Family,
     places: [Option<Half>; 4],
-    /// α, 2α₊ and 2α₋; α is the mean of the last two.
+    /// α, which is the mean of α₊ and α₋, and 2α₊ and 2α₋.
     rates: [DoubleDouble; 3],
     /// The arguments at time 0 of what advances at these rates.
     angles: [f64; 3],

@@ -26,20 +26,24 @@ pub struct Request {
 impl Request {
     /// The same at other times.
     ///
-    /// `times` are one at least, and within its own.
+    /// # Errors
+    /// As for [`at`](Self::at).
     ///
     /// ```
     /// use spinning_bodies::scene::Request;
     /// let request = Request::at([0.0, 1.0])?.to_accuracy(1e-6)?;
-    /// assert_eq!(request.of_times(&[0.5]).times(), [0.5]);
+    /// assert_eq!(request.of_times(&[0.5])?.times(), [0.5]);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
-    pub fn of_times(&self, times: &[f64]) -> Self {
-        Self {
-            times: times.to_vec(),
-            furthest: furthest(times),
+    pub fn of_times(&self, times: &[f64]) -> Result<Self> {
+        let Self {
+            times, furthest, ..
+        } = Self::at(times)?;
+        Ok(Self {
+            times,
+            furthest,
             ..self.clone()
-        }
+        })
     }
 
     /// States at these times (s, any order), to a relative accuracy of 1e-10, by the solver that the scene's plan picks.

@@ -110,12 +110,17 @@ impl Motion {
         Err(Error::Input(format!("{option}: {name}: {told}")))
     }
 
+    fn asked(&self, times: &[f64]) -> Result<Request> {
+        let asked = self.request.of_times(times);
+        asked.map_err(|error| told(&self.name, times, error))
+    }
+
     /// The motion at these times, s.
     ///
     /// # Errors
     /// As for [`run`].
     pub fn at(&self, times: &[f64]) -> Result<Table> {
-        run(&self.name, &self.scene, &self.request.of_times(times))
+        run(&self.name, &self.scene, &self.asked(times)?)
     }
 
     /// The same, with a bar for whoever waits.
@@ -124,7 +129,7 @@ impl Motion {
     /// As for [`run`].
     pub fn awaited(&self, times: &[f64]) -> Result<Table> {
         let progress = Progress::default();
-        let request = self.request.of_times(times).watched(&progress);
+        let request = self.asked(times)?.watched(&progress);
         let how_far = || how_far(&progress);
         watched(how_far, || run(&self.name, &self.scene, &request))
     }

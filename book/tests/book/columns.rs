@@ -7,7 +7,7 @@ use spinning_bodies::scene::files::kinds;
 fn rows<const N: usize>(file: &str, names: [&str; N], times: &[f64]) -> Vec<[f64; N]> {
     let text = std::fs::read_to_string(format!("scenes/{file}.toml")).unwrap();
     let (scene, request) = parse(file, &text).unwrap();
-    let request = request.of_times(times).to_accuracy(1e-10).unwrap();
+    let request = request.of_times(times).unwrap().to_accuracy(1e-10).unwrap();
     let table = scene.telling(&names).unwrap().simulate(&request);
     table.unwrap().numbers(names).unwrap()
 }

@@ -86,7 +86,8 @@ impl<'a, const N: usize> Watch<'a, N> {
             let next = (part - here / slope).clamp(reach[0], until);
             let gain = (next - part).abs() * taken.length.abs();
             let falls = slope < 0.0;
-            if here == 0.0 || !falls || gain <= f64::EPSILON * time(part).abs() {
+            let done = gain.is_nan() || gain <= f64::EPSILON * time(part).abs();
+            if here == 0.0 || !falls || done {
                 break;
             }
             part = next;

@@ -13,7 +13,7 @@ mod tableau;
 mod walk;
 
 use super::{Cost, Effort, Event, Passage, Solution, Stop, System, both_ways};
-use crate::error::{Result, each_finite, finite, positive};
+use crate::error::{Result, each_finite, finite, not_negative, positive};
 use event::Watch;
 use walk::{MOST_STEPS, Taken, Walk, too_many};
 
@@ -35,7 +35,7 @@ impl<const N: usize, S: System<N> + ?Sized> Leg<'_, N, S> {
     /// step, eleven a sample or three a step with more than two, some thirty an event; no allocation but for the samples.
     ///
     /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite) for times and start; [`Error::NotPositive`](crate::Error::NotPositive) for the effort; [`Error::Integration`](crate::Error::Integration) where the step would become
+    /// [`Error::NotFinite`](crate::Error::NotFinite) for times and start; [`Error::Negative`](crate::Error::Negative) for a scale; [`Error::NotPositive`](crate::Error::NotPositive) for the effort; [`Error::Integration`](crate::Error::Integration) where the step would become
     /// nothing, or there are more than 2·10⁸ of them; those of [`System::reached`].
     ///
     /// Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, II.5, II.6 and II.10.
@@ -59,6 +59,9 @@ impl<const N: usize, S: System<N> + ?Sized> Leg<'_, N, S> {
         each_finite("the time", self.times.iter().copied())?;
         each_finite("the time", [self.start.0, self.end])?;
         each_finite("the state at the start", *self.start.1)?;
+        for &scale in self.scales.iter().filter(|&&scale| scale != f64::INFINITY) {
+            not_negative("the scale of a component", scale)?;
+        }
         match effort {
             Effort::Step(step) => positive("the step", step)?,
             Effort::Tolerance(tolerance) => positive("the tolerance", tolerance)?,

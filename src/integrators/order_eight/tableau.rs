@@ -69,7 +69,11 @@ impl<const N: usize> Step<N> {
     pub fn error(&self, state: &[f64; N], scales: &[f64; N], tolerance: f64, h: f64) -> f64 {
         let weights: [f64; N] = core::array::from_fn(|n| {
             let size = state[n].abs().max(self.after[n].abs());
-            1.0 / (tolerance * (size + scales[n]))
+            match size + scales[n] {
+                // Neither here nor there and without a scale: nothing to be relative to.
+                0.0 => 0.0,
+                room => 1.0 / (tolerance * room),
+            }
         });
         let (mut fifth, mut third) = (0.0, 0.0);
         for ((five, three), weight) in self.fifth.iter().zip(&self.third).zip(weights) {

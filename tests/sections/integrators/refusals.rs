@@ -1,6 +1,7 @@
 //! What cannot be followed is refused with a reason, and never with a panic.
 
 use super::*;
+use spinning_bodies::integrators::Stop;
 
 #[test]
 fn numbers_that_are_none() {
@@ -74,4 +75,31 @@ fn the_length_of_the_quaternion_does_not_matter() {
         none.q = [0.0; 4];
         assert!(of(&none).is_err(), "{}", method.name());
     }
+}
+
+/// An event that leaps from one infinity to the other is found as any other leap, and a component that neither moves nor has a scale stops no step.
+#[test]
+fn infinite_events_and_components_without_a_scale() -> Result<()> {
+    let swing = |_: f64, y: &[f64; 2]| [y[1], -y[0]];
+    let leap = |t: f64, _: &[f64; 2]| f64::INFINITY.copysign(2.0 - t);
+    let run = leg(&swing, (&[1.0, 0.0], &[1.0; 2]), (&[], 5.0));
+    let passage = run.follow(Some(&leap), Effort::Tolerance(1e-12))?;
+    observed!((passage.time - 2.0).abs(), 0.0..=1e-15);
+    assert_eq!(passage.stopped, Stop::AtTheEvent);
+    let aside = |_: f64, y: &[f64; 2]| [-y[0], 0.0];
+    let run = leg(&aside, (&[1.0, 0.0], &[0.0; 2]), (&[], 1.0));
+    let end = run.follow(None, Effort::Tolerance(1e-12))?.end;
+    observed!((end[0] - (-1.0_f64).exp()).abs(), 1e-14..=1e-11);
+    assert_eq!(end[1], 0.0);
+    for scale in [f64::NAN, -1.0] {
+        let scales = [1.0, scale];
+        let run = leg(&aside, (&[1.0, 0.0], &scales), (&[], 1.0));
+        let run = run.follow(None, Effort::Tolerance(1e-12));
+        assert!(
+            run.unwrap_err()
+                .to_string()
+                .starts_with("the scale of a component")
+        );
+    }
+    Ok(())
 }

@@ -3,6 +3,7 @@
 use super::units::files;
 use spinning_bodies::scene::files::parse;
 use spinning_bodies::scene::{Choice, Geometric, Request, Solver, Table};
+use support::refused;
 
 /// The greatest difference of a number in two tables, in units of the greatest with the same unit.
 fn apart(a: &Table, b: &Table) -> f64 {
@@ -30,7 +31,7 @@ fn no_error_is_more_than_is_told() {
         let all = request.times();
         let some = all.iter().copied().step_by(all.len().div_ceil(6));
         let times: Vec<f64> = some.chain([all[all.len() - 1]]).collect();
-        let request = request.of_times(&times);
+        let request = request.of_times(&times).unwrap();
         let run = |accuracy: f64, solver: Choice| {
             let request = request.clone().to_accuracy(accuracy).unwrap();
             scene.simulate(&request.by(solver))
@@ -45,7 +46,11 @@ fn no_error_is_more_than_is_told() {
         if rough.error_estimate < 1e-5 && rough.cost.evaluations > 0 {
             better += 1;
         }
-        let half = request.of_times(&times[..4]).to_accuracy(1e-5).unwrap();
+        let half = request
+            .of_times(&times[..4])
+            .unwrap()
+            .to_accuracy(1e-5)
+            .unwrap();
         let sooner = scene.simulate(&half).unwrap().error_estimate;
         let asked = Request::at(&times[..4]).unwrap().to_accuracy(1e-5);
         let asked = scene.simulate(&asked.unwrap()).unwrap();
@@ -56,4 +61,11 @@ fn no_error_is_more_than_is_told() {
     }
     // Most are better than the accuracy, and say so.
     assert!(better > 10, "{better}");
+}
+
+#[test]
+fn no_times_at_all_are_refused() {
+    let request = Request::at([1.0]).unwrap();
+    refused!(request.of_times(&[]), Empty);
+    refused!(request.of_times(&[f64::NAN]), NotFinite);
 }

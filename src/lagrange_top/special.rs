@@ -269,7 +269,8 @@ pub fn dip(transverse: f64, weight_moment: f64, l3: f64, tilt: f64) -> Result<Di
     let depth = if half < 0.5 {
         2.0 * half.asin()
     } else {
-        lowest_tilt - tilt
+        // Half of the least tilt is none.
+        (lowest_tilt - tilt).max(0.0)
     };
     let sine = tilt.sin();
     Ok(Dip {

@@ -10,7 +10,7 @@ use crate::scenes::output::Format;
 use crate::scenes::scan::Scan;
 use crate::scenes::{Motion, film, plot};
 use crate::usage::{self, Cli, Command};
-use crate::writer::{Target, can_be_written_into, folder_of, say, tell};
+use crate::writer::{Target, by_ending, can_be_written_into, folder_of, say, tell};
 use crate::{Error, Result, accuracy, appendix, binding, ebook, interrupt, live, scenes, watch};
 use clap::{Parser, ValueEnum};
 use figures::on_your_table::Paper;
@@ -181,7 +181,7 @@ fn scene(root: &Path, asked: usage::Scene) -> Result<()> {
         return say(&film::stills(Path::new(folder), count, asked.form, motion)?);
     }
     if asked.film {
-        plot::form(output, &[Form::Svg])?;
+        by_ending(output, DRAWN, &[Form::Svg])?;
         let target = Target::new(output, Some(&file))?;
         return target.put(film::film(&motion()?.telling_all()?, asked.speed)?);
     }
@@ -214,13 +214,16 @@ fn scan(root: &Path, asked: usage::Scan) -> Result<()> {
     ran
 }
 
+/// What is written then.
+const DRAWN: &str = "drawn is a picture";
+
 /// Draws a picture into a file, in the form that its name ends with. Where and how is settled before anything is computed.
 fn drawn(
     output: Option<&Path>,
     input: Option<&Path>,
     figure: impl FnOnce() -> Result<Figure>,
 ) -> Result<()> {
-    let form = plot::form(output, Form::value_variants())?;
+    let form = by_ending(output, DRAWN, Form::value_variants())?;
     pictures::can_be_made(form)?;
     let target = Target::new(output, input)?;
     target.put(pictures::file(&figure()?, form.into())?)

@@ -235,6 +235,16 @@ fn marks(chapter: &str) -> impl Iterator<Item = Mark> {
     events.filter_map(move |(event, span)| Mark::of(&event, span, chapter))
 }
 
+/// The blocks of code of a chapter: whether `cargo test` runs it, and where it stands.
+pub fn code_blocks(chapter: &str) -> impl Iterator<Item = (bool, Range<usize>)> {
+    let events = Parser::new_ext(chapter, markdown_options()).into_offset_iter();
+    events.filter_map(|(event, span)| match event {
+        Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) => Some((is_rust(&info), span)),
+        Event::Start(Tag::CodeBlock(_)) => Some((false, span)),
+        _ => None,
+    })
+}
+
 /// Whether a fence opens a block that `cargo test` runs.
 pub fn is_rust(info: &str) -> bool {
     info.split([',', ' ']).next() == Some("rust")
@@ -300,18 +310,10 @@ mod tests {
     #[test]
     fn marks_of_a_test_above_and_inside_its_function() {
         let source = "// claim: C1.1-1\n#[test]\nfn above() {}\n\n#[test]\nfn inside() {\n    // claim: C1.1-2, C1.1-3\n    let x = 1;\n}\n";
-        let found = claims_in_test(source);
+        let found = claims_in_test(source).into_iter();
         let found: Vec<_> = found
-            .iter()
-            .map(|(a, b)| (a.as_str(), b.as_str()))
+            .map(|(claim, test)| format!("{claim} {test}"))
             .collect();
-        assert_eq!(
-            found,
-            [
-                ("C1.1-1", "above"),
-                ("C1.1-2", "inside"),
-                ("C1.1-3", "inside")
-            ]
-        );
+        assert_eq!(found, ["C1.1-1 above", "C1.1-2 inside", "C1.1-3 inside"]);
     }
 }

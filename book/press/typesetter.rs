@@ -4,7 +4,7 @@ use crate::appendix;
 use crate::chapters::{COVER, Chapter};
 use crate::drawings::{Drawing, unknown_figure};
 use crate::formulas::{Formulas, Style};
-use crate::ledger::{Ledger, Mark, MarkKind, markdown_options};
+use crate::ledger::{Ledger, Mark, MarkKind, code_blocks, markdown_options};
 use crate::pieces::{Pieces, inert, unbroken};
 use crate::{Error, Result, live};
 use pulldown_cmark::{Event, Parser, Tag};
@@ -320,9 +320,10 @@ impl<'a> Typesetter<'a> {
 
 /// The chapter without its blocks of code.
 pub fn without_code(chapter: &str) -> String {
-    let blocks = Parser::new_ext(chapter, markdown_options()).into_offset_iter();
-    let blocks = blocks.filter(|(event, _)| matches!(event, Event::Start(Tag::CodeBlock(_))));
-    edited(chapter, blocks.map(|(_, span)| (span, "\n".into())))
+    edited(
+        chapter,
+        code_blocks(chapter).map(|(_, span)| (span, "\n".into())),
+    )
 }
 
 /// The text with other words in these places, which come in its order.
@@ -398,24 +399,21 @@ mod tests {
             ),
             ("<!-- claim: C0.0-0 -->\n", "book/src/x.md:1", "C0.0-0"),
         ] {
-            let message = match set(source) {
-                Err(Error::Input(message)) => message,
-                other => panic!("{source:?} gave {other:?}"),
+            let Err(Error::Input(told)) = set(source) else {
+                panic!("{source:?}")
             };
-            assert!(
-                message.starts_with(place) && message.contains(word),
-                "{message}"
-            );
+            assert!(told.starts_with(place) && told.contains(word), "{told}");
         }
     }
 
     #[test]
     fn a_block_that_names_claims_gets_its_tag() {
         let set = set("Text\n```rust\n# // claim: C2.1-1\n```\n").unwrap();
-        assert!(
-            set.contains("id=\"x-C2.1-1\" href=\"claims.html#C2.1-1\""),
-            "{set}"
-        );
-        assert!(set.contains("</p>\n\n```rust"), "{set}");
+        for part in [
+            "id=\"x-C2.1-1\" href=\"claims.html#C2.1-1\"",
+            "</p>\n\n```rust",
+        ] {
+            assert!(set.contains(part), "{set}");
+        }
     }
 }

@@ -1,13 +1,12 @@
 //! Prints the book again whenever one of its files is saved.
 
 use crate::binding::bind;
-use crate::chapters::CHAPTERS;
+use crate::chapters::{CHAPTERS, Chapter};
 use crate::drawings::Drawing;
-use crate::ledger::{is_rust, markdown_options};
+use crate::ledger::code_blocks;
 use crate::paths::files_below;
 use crate::writer::{say, tell};
 use crate::{Error, Result};
-use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant, SystemTime};
@@ -16,18 +15,21 @@ use std::time::{Duration, Instant, SystemTime};
 /// rename, network folders and virtual machines each need care of their own.
 const PAUSE: Duration = Duration::from_millis(120);
 
-/// What pages are made of, and whether it is compiled in, so that only another run has it.
-const SOURCES: [(&str, bool); 10] = [
-    ("book/src", false),
-    ("book/scenes", false),
-    ("book/theme", false),
-    ("book/book.toml", false),
-    ("tests", false),
-    ("book/claims.toml", true),
-    ("book/press", true),
-    ("figures/src", true),
-    ("lab/src", true),
-    ("src", true),
+/// What pages are made of.
+const SOURCES: [&str; 5] = [
+    "book/src",
+    "book/scenes",
+    "book/theme",
+    "book/book.toml",
+    "tests",
+];
+/// The same where it is compiled in, so that only another run has it.
+const COMPILED_IN: [&str; 5] = [
+    "book/claims.toml",
+    "book/press",
+    "figures/src",
+    "lab/src",
+    "src",
 ];
 
 /// Prints the book of the workspace at `root` into `folder` again, with the same drawings, whenever one of its files changes, until a
@@ -44,27 +46,18 @@ pub fn watch(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
         let changed = all.filter(|file| now.get(*file) != printed.get(*file));
         let changed: Vec<PathBuf> = changed.cloned().collect();
         printed = now;
-        let name = |file: &PathBuf| {
-            let file = file.strip_prefix(root).unwrap_or(file);
-            file.display().to_string()
-        };
-        let first = changed.iter().map(name).next().unwrap_or_default();
-        let stale = |file: &&PathBuf| {
-            let mut sources = SOURCES.iter().filter(|(_, compiled_in)| *compiled_in);
-            sources.any(|(source, _)| file.starts_with(root.join(source)))
-        };
-        let stale = changed.iter().find(stale);
+        let is_stale = |file: &&PathBuf| COMPILED_IN.iter().any(|source| file.starts_with(source));
 
         let start = Instant::now();
         // Read before the pages: what is told of an example is on its page, even if the file is saved again meanwhile.
         let fresh = examples_of_all(root);
         let outcome = bind(root, folder, drawings).and_then(|_| {
-            say(&format!(
-                "{first}: printed again in {:.1} s\n",
-                start.elapsed().as_secs_f64()
-            ))?;
-            if let Some(file) = stale {
-                let file = name(file);
+            if let Some(first) = changed.first() {
+                let (first, seconds) = (first.display(), start.elapsed().as_secs_f64());
+                say(&format!("{first}: printed again in {seconds:.1} s\n"))?;
+            }
+            if let Some(file) = changed.iter().find(is_stale) {
+                let file = file.display();
                 say(&format!("{file}: is compiled in; run again for what it draws and computes\n"))?;
             }
             let fresh = fresh?;
@@ -100,33 +93,25 @@ fn changed(root: &Path, printed: &Files) -> Files {
     }
 }
 
-/// Every file that pages are made of. What is not there, or not any more, is no file.
+/// Every file that pages are made of, from the root. What is not there, or not any more, is no file.
 fn files(root: &Path) -> Files {
-    let below = |(source, _): &(&str, bool)| files_below(&root.join(source)).unwrap_or_default();
-    let files = SOURCES.iter().flat_map(below);
+    let sources = SOURCES.iter().chain(&COMPILED_IN);
+    let files = sources.flat_map(|source| files_below(&root.join(source)).unwrap_or_default());
     let files = files.filter_map(|path| {
         let data = path.metadata().ok()?;
-        Some((path, (data.modified().ok(), data.len())))
+        let file = path.strip_prefix(root).ok()?.to_owned();
+        Some((file, (data.modified().ok(), data.len())))
     });
     files.collect()
 }
 
 /// The Rust blocks of each chapter.
 fn examples_of_all(root: &Path) -> Result<BTreeMap<&'static str, Vec<String>>> {
-    let chapters = CHAPTERS.iter();
-    chapters
-        .map(|chapter| Ok((chapter.name, examples(&chapter.source(root)?))))
-        .collect()
-}
-
-fn examples(chapter: &str) -> Vec<String> {
-    Parser::new_ext(chapter, markdown_options())
-        .into_offset_iter()
-        .filter_map(|(event, span)| match event {
-            Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) if is_rust(&info) => {
-                Some(chapter[span].to_owned())
-            }
-            _ => None,
-        })
-        .collect()
+    let of = |chapter: &Chapter| {
+        let source = chapter.source(root)?;
+        let blocks = code_blocks(&source).filter(|(is_rust, _)| *is_rust);
+        let blocks = blocks.map(|(_, span)| source[span].to_owned());
+        Ok((chapter.name, blocks.collect()))
+    };
+    CHAPTERS.iter().map(of).collect()
 }

@@ -1,5 +1,6 @@
 //! The one way in which the press writes: a file whole or not at all, whatever else as it is.
 
+use clap::ValueEnum;
 use std::fmt::Display;
 use std::fs::{File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, ErrorKind, Write};
@@ -158,15 +159,22 @@ pub fn can_be_written_into(folder: &Path) -> Result<()> {
 ///
 /// # Errors
 /// [`Error::Input`] for a name that ends otherwise; `what` is written.
-pub fn by_ending<T: Copy>(path: Option<&Path>, what: &str, known: &[(&str, T)]) -> Result<T> {
+pub fn by_ending<T: ValueEnum>(path: Option<&Path>, what: &str, known: &[T]) -> Result<T> {
     let is_a_file = |path: &&Path| *path != Path::new("-") && (path.is_file() || !path.exists());
     let Some(file) = path.filter(is_a_file) else {
-        return Ok(known[0].1);
+        return Ok(known[0].clone());
+    };
+    let ending_of = |one: &T| {
+        one.to_possible_value()
+            .map(|value| value.get_name().to_owned())
     };
     let ending = file.extension().unwrap_or_default().to_ascii_lowercase();
-    let found = known.iter().find(|(known, _)| ending == *known);
-    found.map(|(_, one)| *one).ok_or_else(|| {
-        let endings = known.iter().map(|(ending, _)| format!("`.{ending}`"));
+    let found = known
+        .iter()
+        .find(|one| ending_of(one).is_some_and(|known| ending == *known));
+    found.cloned().ok_or_else(|| {
+        let endings = known.iter().filter_map(ending_of);
+        let endings = endings.map(|ending| format!("`.{ending}`"));
         let (file, endings) = (file.display(), endings.collect::<Vec<_>>().join(" or "));
         Error::Input(format!(
             "{file}: what is {what}, and its name should end with {endings}"

@@ -23,7 +23,7 @@ use std::time::Instant;
 use lab::general::DifferentialEquations;
 use spinning_bodies::scene::files::{self, KeyRow};
 pub use spinning_bodies::scene::{AnyScene, Table};
-use spinning_bodies::scene::{Progress, Reached, Request};
+use spinning_bodies::scene::{Progress, Request};
 
 use crate::paths::files_below;
 use crate::progress::watched;
@@ -157,17 +157,13 @@ pub fn stem(name: impl AsRef<Path>) -> String {
 
 /// How far a motion has come, for a bar and in words.
 fn how_far(progress: &Progress) -> (f64, String) {
-    let Reached {
-        evaluations,
-        most,
-        time,
-        until,
-    } = progress.reached();
-    let [evaluations, most] = [evaluations, most].map(|count| count as f64 / 1e6);
+    let now = progress.reached();
+    let [evaluations, most] = [now.evaluations, now.most].map(|count| count as f64 / 1e6);
     let told = format!(
-        "simulating: t = {time:.4e} of {until:.4e} s, {evaluations:.0} of at most {most:.0} million evaluations"
+        "simulating: t = {:.4e} of {:.4e} s, {evaluations:.0} of at most {most:.0} million evaluations",
+        now.time, now.until
     );
-    (time / until, told)
+    (now.time / now.until, told)
 }
 
 /// Runs a scene, `name` being that of its file. Every number of what it gives back is finite.

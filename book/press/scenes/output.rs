@@ -2,8 +2,10 @@
 
 use std::io::{self, Write};
 use std::path::Path;
+use std::slice;
 use std::time::Instant;
 
+use clap::ValueEnum;
 use serde_json::{Map, Value, json};
 use spinning_bodies::conservation::Law;
 use spinning_bodies::integrators::Cost;
@@ -14,7 +16,7 @@ use crate::Result;
 use crate::writer::by_ending;
 
 /// How a motion is written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Format {
     /// A header line, and a line for each row.
     Csv,
@@ -28,12 +30,14 @@ impl Format {
     /// # Errors
     /// [`Error::Input`](crate::Error::Input) for a name that ends as neither does, or as the other one.
     pub fn of(asked: Option<Self>, path: Option<&Path>) -> Result<Self> {
-        let (csv, json) = (("csv", Self::Csv), ("json", Self::Json));
-        let (what, known): (_, &[_]) = match asked {
-            None => ("written is CSV or JSON", &[csv, json]),
-            Some(Self::Csv) => ("written is CSV", &[csv]),
-            Some(Self::Json) => ("written is JSON", &[json]),
+        let what = match asked {
+            None => "written is CSV or JSON",
+            Some(Self::Csv) => "written is CSV",
+            Some(Self::Json) => "written is JSON",
         };
+        let known = asked
+            .as_ref()
+            .map_or(Self::value_variants(), slice::from_ref);
         let tells = |path: &&Path| {
             let ending = path.extension().unwrap_or_default();
             !ending.is_empty() && !ending.eq_ignore_ascii_case("txt")
@@ -95,17 +99,12 @@ impl Told {
 
     /// The first lines of the object.
     fn json(&self, seconds: f64) -> String {
-        let Self {
-            plan,
-            cost,
-            error,
-            ledger,
-        } = self;
-        let plan =
-            json!({"solver": plan.solver.name(), "reason": plan.reason, "error_estimate": error});
+        let (plan, cost) = (&self.plan, &self.cost);
+        let solver = plan.solver.name();
+        let plan = json!({"solver": solver, "reason": plan.reason, "error_estimate": self.error});
         let cost =
             json!({"evaluations": cost.evaluations, "steps": cost.steps, "seconds": seconds});
-        let entries = ledger.iter().map(|(name, law, first, drift)| {
+        let entries = self.ledger.iter().map(|(name, law, first, drift)| {
             json!({"quantity": name, "law": law, "value": first, "drift": drift})
         });
         let ledger: Value = entries.collect();

@@ -1,7 +1,6 @@
 //! A motion as a diagram: `--plot`.
 
 use std::collections::BTreeSet;
-use std::path::Path;
 
 use figures::Figure;
 use figures::own::{Quantity, diagram};
@@ -9,8 +8,6 @@ use figures::own::{Quantity, diagram};
 use spinning_bodies::scene::Column;
 
 use super::{Motion, stem};
-use crate::pictures::Form;
-use crate::writer::by_ending;
 use crate::{Error, Result};
 
 /// More rows than a picture can show.
@@ -39,15 +36,6 @@ pub fn columns(panels: &[Panel]) -> Vec<&str> {
     let names = panels.iter().flatten().map(String::as_str);
     let names: BTreeSet<&str> = names.filter(|name| *name != "t").collect();
     names.into_iter().collect()
-}
-
-/// The form of the picture, of these, that a file's name ends with; the first on the standard output.
-///
-/// # Errors
-/// [`Error::Input`] for a name that ends otherwise.
-pub fn form(output: Option<&Path>, forms: &[Form]) -> Result<Form> {
-    let known: Vec<_> = forms.iter().map(|form| (form.ending(), *form)).collect();
-    by_ending(output, "drawn is a picture", &known)
 }
 
 /// Runs the scene, which tells the [`columns`] of the panels, and draws them.

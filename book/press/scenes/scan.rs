@@ -2,7 +2,6 @@
 
 use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
-use std::fmt;
 use std::path::Path;
 use std::str::FromStr;
 
@@ -112,6 +111,8 @@ impl Over {
 pub struct Tell {
     column: String,
     what: What,
+    /// As it stands at the head of its numbers.
+    head: String,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -129,6 +130,7 @@ impl Tell {
         Self {
             column: column.to_owned(),
             what: What::Last,
+            head: column.to_owned(),
         }
     }
 
@@ -142,8 +144,13 @@ impl Tell {
             ("crossing", Some((column, level))) => (column, What::Crossing(finite(level)?)),
             _ => return None,
         };
+        let head = match what {
+            What::Last => column.to_owned(),
+            What::Crossing(level) => format!("crossing:{column}={level:?}"),
+            _ => text.to_owned(),
+        };
         let column = column.to_owned();
-        (!column.is_empty()).then_some(Self { column, what })
+        (!column.is_empty()).then_some(Self { column, what, head })
     }
 }
 
@@ -156,19 +163,6 @@ impl FromStr for Tell {
                 "`{text}` should be a column, or first:, last:, least:, greatest: and a column, or crossing:COLUMN=LEVEL for the time when it is there"
             )
         })
-    }
-}
-
-impl fmt::Display for Tell {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let column = &self.column;
-        match self.what {
-            What::First => write!(f, "first:{column}"),
-            What::Last => write!(f, "{column}"),
-            What::Least => write!(f, "least:{column}"),
-            What::Greatest => write!(f, "greatest:{column}"),
-            What::Crossing(level) => write!(f, "crossing:{column}={level:?}"),
-        }
     }
 }
 
@@ -207,8 +201,8 @@ impl Scan {
                 return refused(format!("`{path}` stands twice after --over"));
             }
         }
-        if let Some(tell) = tells.iter().find(|tell| !all.insert(tell.to_string())) {
-            return refused(format!("`{tell}` stands twice after --tell"));
+        if let Some(tell) = tells.iter().find(|tell| !all.insert(tell.head.clone())) {
+            return refused(format!("`{}` stands twice after --tell", tell.head));
         }
         let counts = overs.iter().map(|over| over.count);
         if counts.fold(1_usize, usize::saturating_mul) > MOST {
@@ -286,7 +280,7 @@ impl Scan {
 
     /// The heads of all numbers: those of the varied ones, and of what is told.
     fn heads(&self) -> Vec<String> {
-        let told = self.tells.iter().map(|(_, tell)| tell.to_string());
+        let told = self.tells.iter().map(|(_, tell)| tell.head.clone());
         self.paths().map(str::to_owned).chain(told).collect()
     }
 
@@ -359,7 +353,7 @@ impl Scan {
         let is_time = matches!(tell.what, What::Crossing(_));
         let column = self.columns.first().filter(|_| !is_time);
         let values = points.iter().map(value).collect();
-        let told = quantity(&tell.to_string(), column, values);
+        let told = quantity(&tell.head, column, values);
         let axis = |over: &Over| {
             let first = |place: usize| over.values(place).next();
             let name = over.paths().next().unwrap_or_default();

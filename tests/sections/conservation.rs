@@ -355,6 +355,37 @@ fn s3_5_maclaurin_spheroids() {
     }
 }
 
+/// Stars that no table lists: 2q²(3S − 2 − 2e²S) with S = (arcsin e/(e q) − 1)/e² as a series in e², in 106 bits.
+#[test]
+fn maclaurin_spheroids_that_nobody_chose() {
+    let exact = |square: Dd| {
+        let (mut sum, mut term) = (Dd::from(0.0), Dd::from(2.0) / Dd::from(3.0));
+        for n in 1..2000_u32 {
+            sum += term;
+            term = term * square * Dd::from(f64::from(2 * n + 2)) / Dd::from(f64::from(2 * n + 3));
+        }
+        let [three, two] = [3.0, 2.0].map(Dd::from);
+        two * (Dd::from(1.0) - square) * (three * sum - two - two * square * sum)
+    };
+    let mut numbers = Uniform(1742);
+    for _ in 0..500 {
+        let x = 0.2 + 0.78 * numbers.next();
+        let square = Dd::from(x) * Dd::from(x);
+        let flat = MaclaurinSpheroid::from_axis_ratio(x).unwrap().rotation;
+        let off = (Dd::from(flat) / exact(Dd::from(1.0) - square) - Dd::from(1.0))
+            .value()
+            .abs()
+            / f64::EPSILON;
+        observed!(off, 1.5..=4.0);
+        let round = MaclaurinSpheroid::from_eccentricity(x).unwrap().rotation;
+        let off = (Dd::from(round) / exact(square) - Dd::from(1.0))
+            .value()
+            .abs()
+            / f64::EPSILON;
+        observed!(off, 1.5..=4.0);
+    }
+}
+
 // claim: C3.5-1
 #[test]
 fn s3_5_jacobi_ellipsoids_branch_off() {

@@ -178,6 +178,9 @@ fn s8_1_ellipsoids_that_are_her_top() -> Result<()> {
         close!(axis, expected, 3.0 * EPS);
     }
     assert!(ellipsoid(1.0, 1.0, 0.5_f64.sqrt()).is_err());
+    // Next to a disc the least axis is what is left of I₃ − 2Md²: 2⁻⁴⁵ here.
+    let [thin, ..] = ellipsoid(1.0, 1.125 + f64::exp2(-45.0), 0.75)?;
+    close!(thin, (2.5 * f64::exp2(-45.0)).sqrt(), EPS);
     let lever = vector([0.15_f64.sqrt(), 0.0, 0.0]);
     let (omega, up) = (vector([1.0, 0.5, 0.3]), vector([2.0, -1.0, 2.0]));
     let top = KovalevskayaTop::with_up(found, lever, omega, up)?;

@@ -437,7 +437,10 @@ impl Flight {
                     break;
                 }
                 // The last bounces of the pile cannot be told apart from its end.
-                if pile.is_some_and(|(.., last)| then.value() >= last || wait <= SAME * last) {
+                let ends = |(_, first, last): (f64, InFlight, f64)| {
+                    ball.bounces >= first.bounces && (then.value() >= last || wait <= SAME * last)
+                };
+                if pile.is_some_and(ends) {
                     break;
                 }
                 if ball.bounces - self.start.bounces >= MOST_BOUNCES {

@@ -399,3 +399,42 @@ proptest! {
         }
     }
 }
+
+/// A lossy ball that is thrown at the surface it touches bounces off it at once, and one that does not rebound is held or dragged by its landing.
+#[test]
+fn the_first_bounce_is_no_end_of_a_pile() {
+    let dull = Restitution::new(0.9, 0.5).unwrap();
+    for grip in [None, Coulomb::new(0.3).ok()] {
+        let in_a_room = |start: InFlight| {
+            let flight = Flight::new(0.4, 2.0, (WEIGHT, Some(dull), grip), start).unwrap();
+            flight.followed(&[0.05, 0.7]).unwrap()
+        };
+        for (height, climb) in [(0.0, -2.0), (2.0, 3.0)] {
+            let at_once = in_a_room(thrown(height, climb, 1.0, 0.5));
+            let surface = if climb < 0.0 {
+                Surface::Floor
+            } else {
+                Surface::Ceiling
+            };
+            let mut after = thrown(height, -0.9 * climb, 1.0, 0.5);
+            after.motion = match grip {
+                None => bounce_with(after.motion, surface, 0.4, 0.5),
+                Some(law) => {
+                    gripping_bounce(after.motion, surface, 0.4, 0.5, law, 1.9 * climb.abs())
+                }
+            };
+            after.bounces = 1;
+            assert_eq!(at_once, in_a_room(after));
+            assert!(at_once.iter().all(|ball| ball.height >= 0.0));
+        }
+    }
+    // It falls for a second and stays: too slippery for the blow to make it roll, friction takes μ times the fall from the velocity.
+    let dead = Restitution::new(0.0, 0.0).unwrap();
+    let ball = flight(
+        (Some(dead), Coulomb::new(0.01).ok()),
+        thrown(4.905, 0.0, 1.0, 0.0),
+    );
+    let landed = ball.followed(&[1.0 + 1e-9]).unwrap()[0];
+    close!(landed.motion.velocity, 1.0 - 0.0981, 1e-8);
+    assert_eq!(landed.bounces, 1);
+}

@@ -21,7 +21,7 @@ pub struct Saddle {
 
 /// λ = (I₁−I₂)(I₂−I₃)Ω₂²/(I₃I₁) in ∂²ΔΩ_i/∂t² = λΔΩ_i for i = 1, 3, rad²/s² (6.7).
 ///
-/// The tutorial's display lacks the factor Ω₂². Never negative; zero for a symmetric body and for a rod, infinite where it overflows.
+/// The tutorial's display lacks the factor Ω₂². Never negative; zero for a symmetric body, infinite where it overflows.
 /// Five roundings. Cost: a few operations.
 ///
 /// # Errors
@@ -109,7 +109,7 @@ pub fn oscillations(moments: &PrincipalMoments, omega: f64) -> Result<[f64; 2]> 
 /// nearby stays nearby, not only to first order. I₃(I₃−I₂)Ω₃² − I₁(I₂−I₁)Ω₁² is indefinite across x₂; its sign names the sector
 /// (6.6), its zero is the separatrix. Sums of squares: few units in the last place however close to the axis, where L² and 2EI₁ agree in all
 /// their digits; zero below 10⁻¹⁵⁴ of tilt, where the squares end. The difference is taken in 106 bits: exact to a unit in the last
-/// place, and zero only where it is; not a number where a square overflows.
+/// place, and zero only where it is; infinite or not a number where a square overflows.
 ///
 /// ```
 /// use spinning_bodies::{euler_top::stability::lyapunov, frame::BodyVector, inertia::PrincipalMoments};

@@ -81,7 +81,7 @@ impl PaperCat {
     }
 
     /// Fall, m, that each factor of ten in the initial error costs a cat that is nearly upside down, at terminal speed:
-    /// v_t ln 10/λ, where λ is the rate at which the error grows, mk²λ² + c v_t λ = mgd.
+    /// v_t ln 10/λ, where λ is the rate at which the error grows, mk²λ² + c v_t λ = mgd. For a lever above zero; without one no error grows, and the fall is infinite.
     ///
     /// ```
     /// use spinning_bodies::phenomena::PaperCat;

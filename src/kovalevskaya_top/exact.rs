@@ -29,8 +29,6 @@ pub(super) struct Exact {
     quotients: Quotients,
     /// Turns of the phases at time 0, halved.
     origin: [f64; 2],
-    /// And a unit of time.
-    pub advance: [DoubleDouble; 2],
     /// Whether a handle of the curve is closed, so that the phases do not return.
     pub closed: bool,
 }
@@ -80,12 +78,7 @@ impl Exact {
         let variables = Variables::of(constants, [wide[0], wide[1]]);
         let separation = Separation::prepare(constants, variables.s1)?;
         let curve = Curve::prepare(&separation)?;
-        let advance = separation.frequencies().map(|n| n.scaled(0.5));
-        let mut torus = Torus::prepare(
-            &curve,
-            separation.pinched(),
-            advance.map(DoubleDouble::value),
-        )?;
+        let mut torus = Torus::prepare(&curve, separation.pinched())?;
         let places = separation.places(&variables, constants.l1);
         let [one, two] = separation.phases(places.each_ref());
         let signs = [[0.5, 0.5], [0.5, -0.5], [-0.5, 0.5], [-0.5, -0.5]];
@@ -103,7 +96,6 @@ impl Exact {
             torus,
             quotients,
             origin,
-            advance,
             closed,
         })
     }
@@ -127,7 +119,7 @@ impl Exact {
 
     /// Turns of the two phases, halved, from 0 to 1: a state returns when one of these gains 1, or never on a double root.
     pub fn halved(&self, t: f64) -> [f64; 2] {
-        let v = [0, 1].map(|i| self.advance[i].times(t) + DoubleDouble::from(self.origin[i]));
+        let v = [0, 1].map(|i| self.curve.advance[i].times(t) + DoubleDouble::from(self.origin[i]));
         let high = v.map(DoubleDouble::high);
         let whole = match self.torus.family.pinched() {
             Some(functions) if self.closed => functions.whole(high),

@@ -1,7 +1,7 @@
 //! The rest of the curve w² = P(s): its period matrix, and the point that the vertical belongs to (8.2).
 
 use super::constants::{Complex, Constants};
-use super::separation::{Separation, beside, in_order};
+use super::separation::{Separation, beside};
 use crate::precise::{DoubleDouble, Number as _};
 
 /// A half period ½(n + τm) of the curve, n and m even or odd.
@@ -44,6 +44,8 @@ pub(super) struct Curve {
     pub real: f64,
     /// The half periods from ∞ to the roots e₁ … e₅.
     pub roots: [Half; 5],
+    /// Turns of the phases a unit of time, halved.
+    pub advance: [DoubleDouble; 2],
     /// The one with which θ vanishes where s₁ or s₂ is infinite, counted from where s₁ = A and s₂ = C.
     pub infinite: Half,
 }
@@ -52,7 +54,7 @@ impl Curve {
     // ANCHOR: curve
     /// Gaps and cuts in turn from −∞: the cut of s₂, a gap, a band, and if all roots are real another gap and another band.
     pub fn prepare(separation: &Separation) -> Option<Self> {
-        let real = in_order(&separation.roots);
+        let real = &separation.real;
         let [a, _, c] = separation.ends;
         // The band of s₁ is the second cut or the third.
         let far = real[1] != a;
@@ -102,6 +104,7 @@ impl Curve {
             y: [[first[0], first[1]], [first[1], second[1]]],
             real: if real.len() < 5 { 0.5 } else { 0.0 },
             roots,
+            advance: separation.frequencies().map(|n| n.scaled(0.5)),
             infinite: constant.plus(roots[a]).plus(roots[c]),
         })
     }
@@ -111,7 +114,7 @@ impl Curve {
     ///
     /// Z lies in a gap between s₂ and s₁.
     pub fn point(&self, separation: &Separation) -> [Complex; 2] {
-        let real = in_order(&separation.roots);
+        let real = &separation.real;
         let over = |root: usize| -separation.apart[root][5].re;
         // In which of the gaps Z lies.
         let far = real[1] != separation.ends[0];

@@ -61,9 +61,8 @@ impl Precession {
     fn quadrature(constants: &Constants, exact: Exact) -> Option<Self> {
         let sheet = -(1_f64.copysign(exact.separation.residue.high()));
         let a = exact.curve.point(&exact.separation).map(|x| sheet * x);
-        let advance = exact.advance.map(DoubleDouble::value);
         let pinched = exact.torus.family.pinched().cloned();
-        let family = Family::prepare(&exact.curve, pinched, a, 1, advance)?;
+        let family = Family::prepare(&exact.curve, pinched, a, 1)?;
         let all: [Half; 16] = core::array::from_fn(|i| Half {
             m: MEASURES[i / 4],
             n: MEASURES[i % 4],
@@ -107,7 +106,7 @@ impl Precession {
         let &([[a, b], [c, d]], fits) = Some(best).filter(|best| off(&best.1) < AGREEING)?;
         let known = Curve::rate(constants, &exact.separation);
         let [plus, minus] = fits.map(|(rough, scatter)| {
-            let known = settled(known, rough, exact.advance);
+            let known = settled(known, rough, exact.curve.advance);
             // Beside a double root the integrals may lose digits, and the states know better; of an upright start they are those of the double root itself.
             let off = (known.value() - rough).abs();
             if constants.upright || off <= 16.0 * scatter {
@@ -141,9 +140,8 @@ impl Precession {
         let most = seen
             .iter()
             .fold(0.0_f64, |most, all| most.max(all[0].norm()));
-        let agreed = seen
-            .iter()
-            .all(|all| (all[0] * mean).im.abs() < TRUSTED * most);
+        let near = |all: &[Complex; 3]| (all[0] * mean).im.abs() < TRUSTED * most;
+        let agreed = most > 0.0 && seen.iter().all(near);
         agreed.then_some(Self {
             angles: sums.map(Complex::arg),
             ..self

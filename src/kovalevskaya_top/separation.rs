@@ -15,6 +15,8 @@ pub(super) type Place = ([Complex; 6], f64);
 pub(super) struct Separation {
     /// The roots e₁ … e₅.
     pub roots: [Root; 5],
+    /// The real ones in ascending order.
+    pub real: Vec<usize>,
     /// Which root is A, B and C.
     pub ends: [usize; 3],
     /// The distances e_i − e_j, each rounded once, and that from Z. Where e₄ and e₅ are one, they are taken apart by what no digit of the motion shows.
@@ -34,7 +36,8 @@ impl Separation {
     /// The band that contains s₁; none if the roots leave no room for it, or if two of them meet.
     pub fn prepare(constants: &Constants, s1: DoubleDouble) -> Option<Self> {
         let roots = constants.roots();
-        let real = in_order(&roots);
+        let mut real: Vec<usize> = (0..5).filter(|&i| roots[i].is_real()).collect();
+        real.sort_by(|&i, &j| (roots[i].real - roots[j].real).value().total_cmp(&0.0));
         // P > 0 below the smallest root, between the second and third, and between the fourth and fifth.
         let outside = |a: usize, b: usize| {
             let below = (roots[a].real - s1).value();
@@ -53,6 +56,7 @@ impl Separation {
         let nearest = nearest.fold(f64::INFINITY, f64::min);
         let mut separation = Self {
             roots,
+            real,
             ends: [a, b, c],
             half_way: 0.5 * half_line.re,
             halves: [[DoubleDouble::from(0.0); 3]; 2],
@@ -374,16 +378,6 @@ fn apart(constants: &Constants, roots: &[Root; 5]) -> ([[Complex; 6]; 5], Double
         row[5] = -x;
     }
     (apart, residue)
-}
-
-/// The real ones of five roots in ascending order.
-pub(super) fn in_order(roots: &[Root; 5]) -> Vec<usize> {
-    let mut real: Vec<usize> = (0..5).filter(|&i| roots[i].is_real()).collect();
-    real.sort_by(|&i, &j| {
-        let gap = (roots[i].real - roots[j].real).value();
-        gap.total_cmp(&0.0)
-    });
-    real
 }
 
 /// s₁, and s₂ as the quotient that q = 0 makes infinite: s₂ = l₁/2 − numerator/8q².

@@ -186,7 +186,7 @@ pub(super) struct Torus {
 }
 
 impl Torus {
-    pub fn prepare(curve: &Curve, pinched: Option<[usize; 2]>, advance: [f64; 2]) -> Option<Self> {
+    pub fn prepare(curve: &Curve, pinched: Option<[usize; 2]>) -> Option<Self> {
         let between = |[i, j]: [usize; 2]| curve.roots[i].plus(curve.roots[j]);
         let cubic = between([1, 2]);
         let passed = |pair| {
@@ -216,7 +216,7 @@ impl Torus {
             _ => Some(curve.infinite),
         };
         Some(Self {
-            family: Family::prepare(curve, functions, Default::default(), 2, advance)?,
+            family: Family::prepare(curve, functions, Default::default(), 2)?,
             places: core::array::from_fn(place),
             split,
             between: if along { cubic.n } else { [0, 0] },

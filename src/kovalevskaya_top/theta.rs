@@ -5,6 +5,7 @@ use core::ops::{Add, Mul};
 
 use super::constants::{Complex, I};
 use super::periods::{Curve, Half, MEASURES};
+use crate::precise::DoubleDouble;
 
 /// Σ exp(−π(n−n₀)·Y(n−n₀)) e^{2πi n·w} over whole n₁, n₂, apart by whether n₁ and n₂ are even: θ(w − iy) with n₀ = Y⁻¹y, but for a constant factor.
 ///
@@ -306,7 +307,6 @@ impl Family {
         pinched: Option<Pinched>,
         a: [Complex; 2],
         multiple: u8,
-        advance: [f64; 2],
     ) -> Option<Self> {
         let place = curve.along(a.map(|a| a.im));
         let moved = |m: [u8; 2]| {
@@ -329,7 +329,7 @@ impl Family {
             pinched: pinched.map(|functions| (functions, moved([0, 0]))),
             multiple,
             twisted: curve.real > 0.0,
-            advance,
+            advance: curve.advance.map(DoubleDouble::value),
         })
     }
 

@@ -295,10 +295,9 @@ pub(in crate::integrators) fn dot<T: Real>(a: [T; 3], b: [T; 3]) -> T {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// The quaternion of the rotation vector u, less 1.
+/// The quaternion of a rotation, less 1, from half the rotation vector.
 #[inline(always)]
-pub(in crate::integrators) fn exponential<T: Real>(u: [T; 3]) -> [T; 4] {
-    let half = u.map(|component| T::from_double(0.5) * component);
+pub(in crate::integrators) fn exponential<T: Real>(half: [T; 3]) -> [T; 4] {
     let square = dot(half, half);
     let (sine, versine) = square.turn_of_square();
     let [x, y, z] = half.map(|component| sine * component);

@@ -46,13 +46,13 @@ impl<N> MuntheKaas<N> {
     where
         N: Torque<T>,
     {
-        let turn = exponential(u);
+        let (half, twelfth) = (T::from_double(0.5), T::from_double(1.0 / 12.0));
+        let turn = exponential(u.map(|component| half * component));
         let seen = back(turn, l);
         let here: [T; 3] = core::array::from_fn(|k| l[k] + seen[k]);
         let omega = core::array::from_fn(|k| T::from_double(self.inverse[k]) * here[k]);
         let first = cross(u, omega);
         let second = cross(u, first);
-        let (half, twelfth) = (T::from_double(0.5), T::from_double(1.0 / 12.0));
         let rate = core::array::from_fn(|k| omega[k] + half * first[k] + twelfth * second[k]);
         if !N::ACTS {
             return (rate, [T::from_double(0.0); 3]);
@@ -114,7 +114,7 @@ impl<T: Real, N: Torque<T>> Stepper<T> for Steps<'_, T, N> {
                 core::array::from_fn(|k| sixth * (a[k] + two * (b[k] + c[k]) + d[k]))
             };
             let gained = mean(n1, n2, n3, n4);
-            let turn = exponential(mean(u1, u2, u3, u4));
+            let turn = exponential(scaled(T::from_double(0.5), mean(u1, u2, u3, u4)));
             let seen = back(turn, core::array::from_fn(|k| l[k] + gained[k]));
             run.turn(turn, core::array::from_fn(|k| gained[k] + seen[k]));
         }

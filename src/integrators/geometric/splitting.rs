@@ -127,9 +127,9 @@ impl<T: Real> Integrator<T> for FreeSplitting {
 ///
 /// Of a body with two equal moments the free motion is exact, a turn about L and one about the axis; kicks stand between such motions, in
 /// Blanes' and Moan's Nyström splittings with six and eleven kicks for orders 4 and 6. Other bodies are split in three, as [`FreeSplitting`] does it:
-/// rotations about the axis of least moment, kicks, rotations about L and the axis of greatest moment, to and fro. Order 4 has the Nyström
-/// splitting there, too, for what kicks are spared begins at order 5, and at that order the axis whose moment is nearer the middle one comes first;
-/// order 6 has the splitting with ten stages. The error carries the torque or the differences of the moments as factors.
+/// rotations about the axis of least moment, kicks, rotations about L and the axis of greatest moment, to and fro. Order 4 has the Nyström splitting
+/// there as well, for it is of that order for any parts, and begins with the axis whose moment is nearer the middle one; order 6 has the splitting
+/// with ten stages. The error carries the torque or the differences of the moments as factors.
 ///
 /// Kept, under weight: L along the vertical and the phase volume (symplectic), to rounding; time symmetry; the energy oscillates by
 /// O(stepᵖ) and does not drift; for Lagrange's top also L along the axis.
@@ -178,7 +178,7 @@ impl<N> HeavySplitting<N> {
         Kicked {
             outer: axes.rate(axes.outer),
             inner: axes.rate(axes.inner),
-            about_momentum: T::from_double(axes.middle).reciprocal(),
+            about_momentum: T::from_double(0.5) * T::from_double(axes.middle).reciprocal(),
             torque: &self.torque,
         }
     }
@@ -263,7 +263,7 @@ impl<T: Real> Parts<T> for Free<T> {
 struct Kicked<'a, T, N, const UNEQUAL: bool> {
     outer: (usize, T),
     inner: (usize, T),
-    /// The turn per unit of L and time.
+    /// Half the turn per unit of L and time.
     about_momentum: T,
     torque: &'a N,
 }

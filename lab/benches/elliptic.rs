@@ -149,7 +149,7 @@ fn integrals(uniform: &mut Uniform) -> Result<()> {
             .iter()
             .map(|[a, b, c, d]| format!("{a:e} {b:e} {c:e} {d:e}\n"));
         let lines: String = lines.collect();
-        let mut best = [f64::INFINITY; 3];
+        let mut best = [f64::NAN; 3];
         for _ in 0..5 {
             let seconds = least(|| {
                 rows.iter()

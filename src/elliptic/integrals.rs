@@ -10,7 +10,7 @@ use crate::precise::{DoubleDouble as Dd, Extended, Number, RIGHT_ANGLE, power_of
 ///
 /// An m below 0 is given as a [`Characteristic`].
 ///
-/// Error 0.43 ε at most of 49 rows, mc to 5·10⁻³²⁴, m to −1.8·10³⁰⁸. Cost 80–280 ns: it is [`Modulus::new`](super::Modulus::new).
+/// Error 0.43 ε at most of 49 rows, mc to 5·10⁻³²⁴, m to −1.8·10³⁰⁸. Cost 30–110 ns: it is [`Modulus::new`](super::Modulus::new).
 ///
 /// Source: Digital Library of Mathematical Functions, 19.2, 19.8.
 ///
@@ -31,7 +31,7 @@ pub fn complete_first(parameter: impl Into<Characteristic>) -> Result<f64> {
 
 /// E = ∫₀^{π/2} √(1 − m sin²θ) dθ for m ≤ 1, π/2 at m = 0 and 1 at m = 1; formed as B + mc D, where nothing cancels.
 ///
-/// Error 0.40 ε at most of 49 rows. Cost 180–290 ns, 1.3–2.6 times that of K. Source: Digital Library of Mathematical Functions, 19.2, 19.8.
+/// Error 0.40 ε at most of 49 rows. Cost 130–290 ns, two to four times that of K. Source: Digital Library of Mathematical Functions, 19.2, 19.8.
 ///
 /// ```
 /// use spinning_bodies::elliptic::{Parameter, complete_first, complete_second};
@@ -52,7 +52,7 @@ pub fn complete_second(parameter: impl Into<Characteristic>) -> Result<f64> {
 
 /// D = ∫₀^{π/2} sin²θ/√(1 − m sin²θ) dθ = (K − E)/m for m ≤ 1, without that difference; π/4 at m = 0, infinite at mc = 0.
 ///
-/// Error 0.45 ε at most of 49 rows, m and mc to 10⁻³⁰⁰ and less. Cost 160–280 ns. Source: Digital Library of
+/// Error 0.45 ε at most of 49 rows, m and mc to 10⁻³⁰⁰ and less. Cost 130–300 ns. Source: Digital Library of
 /// Mathematical Functions, 19.8.
 ///
 /// # Errors
@@ -73,7 +73,7 @@ pub fn complete_d(parameter: impl Into<Characteristic>) -> Result<f64> {
 
 /// B = ∫₀^{π/2} cos²θ/√(1 − m sin²θ) dθ = (E − mc K)/m for m ≤ 1, without that difference; π/4 at m = 0, 1 at m = 1.
 ///
-/// Error 0.35 ε at most of 49 rows. Cost 160–280 ns. Source: Digital Library of Mathematical Functions, 19.8.
+/// Error 0.35 ε at most of 49 rows. Cost 130–300 ns. Source: Digital Library of Mathematical Functions, 19.8.
 ///
 /// # Errors
 ///
@@ -93,7 +93,7 @@ pub fn complete_b(parameter: impl Into<Characteristic>) -> Result<f64> {
 /// K − π/2 for m ≤ 1, without that difference: πm/8 next to m = 0, negative for m < 0, infinite at m = 1.
 ///
 /// What a pendulum's period has more than that of small swings, or a top's polhode more than the circle. With cₙ and aₙ of the arithmetic–geometric mean it
-/// is π/2 Σcₙ/a. Error 0.44 ε at most of 40 rows, m and mc to 10⁻³⁰⁰ and less. Cost 160–280 ns.
+/// is π/2 Σcₙ/a. Error 0.44 ε at most of 40 rows, m and mc to 10⁻³⁰⁰ and less. Cost 130–300 ns.
 ///
 /// ```
 /// use spinning_bodies::elliptic::{Parameter, complete_first_excess};

@@ -33,8 +33,8 @@ impl Modulus {
     /// allowance for exponentially small values; 2.8·10⁻¹⁶ absolute. am does not fall over successive floats across
     /// multiples of K.
     ///
-    /// Cost: 37–66 ns. Beyond 2²⁵ quarter periods 60–90 ns, unlucky arguments (one in 10⁴ at |u| = 10¹¹, most at 10¹⁵)
-    /// 2–5 µs.
+    /// Cost: 24–40 ns, beyond 2²⁵ quarter periods 40–50 ns. With unlucky arguments (one in 10⁴ at |u| = 10¹¹, most at 10¹⁵)
+    /// 0.2–0.7 µs.
     ///
     /// # Errors
     ///
@@ -54,7 +54,7 @@ impl Modulus {
 
     /// sn u, cn u and dn u, the very values of [`Modulus::jacobi`], without the amplitude.
     ///
-    /// Cost: 27–37 ns, two thirds of what it is with the amplitude.
+    /// Cost: 16–24 ns, two thirds of what it is with the amplitude.
     ///
     /// # Errors
     ///
@@ -168,7 +168,7 @@ impl Modulus {
 
 /// sn u, cn u and dn u of a modulus that is not used again: the very values of [`Modulus::jacobi`].
 ///
-/// Cost: 54–160 ns with [`Parameter::new`], less than [`Modulus::new`] and [`Modulus::sn_cn_dn`] together, since nothing is stored.
+/// Cost: 50–150 ns with [`Parameter::new`], less than [`Modulus::new`] and [`Modulus::sn_cn_dn`] together, since nothing is stored.
 ///
 /// # Errors
 ///
@@ -363,7 +363,7 @@ impl Modulus {
     ///
     /// The values are those of [`Modulus::jacobi`] to the last bit, and so is the error.
     ///
-    /// Cost: 8–18 ns an argument, for any number of them from about 64 on, with the instructions every processor of
+    /// Cost: 6–12 ns an argument, for any number of them from about 64 on, with the instructions every processor of
     /// the kind has. A chunk of 64 in which one argument lies beyond 2²⁵ quarter periods, or unluckily close to a
     /// multiple of K, costs what single calls do.
     ///

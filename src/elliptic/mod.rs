@@ -42,9 +42,9 @@
 //! | R_J | 0.43 | 2.5 | principal value 8.8 |
 //! | R_G | 0.43 | 1.5 | 8.5 with arguments 10^±140 |
 //!
-//! `cargo bench -p lab --bench elliptic_accuracy` prints the whole comparison. The price is time: 0.1–0.3 µs a
+//! `cargo bench -p lab --bench elliptic_accuracy` prints the whole comparison. The price is time: 0.03–0.3 µs a
 //! complete integral and 0.3–9 µs an incomplete one here, where the peer's own report gives 0.01–0.3 µs. Beside Boost in long double, which has 64 bits, in one
-//! run: F 1.7 of its time, E(φ) 0.9, Π(φ) 0.7–0.8, R_F 2.0–2.1, R_D 0.6, R_J 0.7–0.8, R_C 1.8, R_G 1.5 (`cargo bench -p lab --bench elliptic` prints them).
+//! run: F 1.7 of its time, E(φ) 0.9, Π(φ) 0.7–0.8, R_F 1.9–2.0, R_D 0.6, R_J 0.7–0.8, R_C 1.8, R_G 1.5 (`cargo bench -p lab --bench elliptic` prints them).
 
 mod carlson;
 mod integrals;

@@ -23,9 +23,9 @@ pub(crate) enum Side {
 /// with corrections in the nome of mc; either nome is at most e^{−π}, so that three or four terms are the whole.
 ///
 /// Cost on one core of a server, beside GSL's `gsl_sf_elljac_e` in the same run (`cargo bench -p lab --bench
-/// elliptic`): `new` 80–280 ns; then 27–37 ns for sn, cn, dn of one argument (0.27–0.33 of GSL's time), 37–66 ns with the
-/// amplitude, 8–18 ns in a batch (0.10–0.14). From scratch, [`Parameter::new`] and [`sn_cn_dn`](super::sn_cn_dn), 90–160 ns (1.5–2.0). For tiny
-/// m GSL has little to do, 41 ns; there the four are 0.54, 0.79, 0.18 and 1.6 of it.
+/// elliptic`): `new` 30–110 ns; then 16–24 ns for sn, cn, dn of one argument (0.30–0.33 of GSL's time), 24–40 ns with the
+/// amplitude (0.43–0.53), 6–12 ns in a batch (0.11–0.16). From scratch, [`Parameter::new`] and [`sn_cn_dn`](super::sn_cn_dn), 80–150 ns (1.5–2.0). For
+/// tiny m GSL has little to do, 33 ns; there the four are 0.49, 0.71, 0.19 and 1.6 of it.
 ///
 /// Source: Digital Library of Mathematical Functions, 20.2, 22.2 and 19.8; the range reduction is our own.
 ///

@@ -185,7 +185,7 @@ impl<Axes> FrameVector<Axes> {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn direction(&self, quantity: &'static str) -> Result<Self> {
-        each_finite(quantity, self.components.iter().copied())?;
+        each_finite(quantity, <[f64; 3]>::from(self.components))?;
         let largest = self.components.amax();
         if largest == 0.0 {
             return Err(Error::ZeroVector { quantity });
@@ -303,7 +303,7 @@ pub(crate) fn finite_vector<Axes>(
     quantity: &'static str,
     vector: FrameVector<Axes>,
 ) -> Result<FrameVector<Axes>> {
-    each_finite(quantity, vector.components().iter().copied())?;
+    each_finite(quantity, <[f64; 3]>::from(vector.components))?;
     Ok(vector)
 }
 

@@ -146,10 +146,10 @@ impl Poinsot {
             Sector::AroundLargest
         } else if middle < 0.0 || i2 == i3 {
             // With I₂ = I₃ the equator is the widest of the circles about x₁, and no separatrix.
-            self.moments.reverse();
-            self.l.reverse();
-            self.axes.reverse();
-            self.roots.reverse();
+            self.moments.swap(0, 2);
+            self.l.swap(0, 2);
+            self.axes.swap(0, 2);
+            self.roots.swap(0, 2);
             Sector::AroundSmallest
         } else {
             Sector::Separatrix

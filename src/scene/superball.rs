@@ -7,7 +7,7 @@ use super::engine::{planned, to_accuracy};
 use super::motion::Books;
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
-use crate::error::{Result, not_negative, positive};
+use crate::error::{Error, Result, not_negative, positive};
 use crate::integrators::{Cost, Stop};
 use crate::rolling::Coulomb;
 use crate::superball::{Flight, InFlight, Restitution, Surface};
@@ -303,6 +303,18 @@ impl Thrown {
         self.flight.bounced(ball, 0.0, surface, ball.climb.abs())
     }
 
+    /// Nothing, unless a ball at the floor rises by no more than a rounding of the heights: then there are bounces without end.
+    fn leaves_the_floor(&self, ball: &InFlight) -> Result<()> {
+        let (g, [_, height]) = (self.flight.gravity(), self.sizes());
+        let rises = ball.climb * ball.climb > 2.0 * g * f64::EPSILON * height;
+        if g == 0.0 || ball.height > 0.0 || rises {
+            return Ok(());
+        }
+        Err(Error::Solver {
+            condition: "the solver must be `events` where bounces pile up: by steps they have no end",
+        })
+    }
+
     /// The speed at the floor, and the height that a ball of that speed has to rise.
     fn sizes(&self) -> [f64; 2] {
         let (g, ball) = (self.flight.gravity(), self.flight.start());
@@ -316,6 +328,7 @@ impl Flow<3> for Thrown {
 
     fn start(&self) -> Result<(InFlight, [f64; 3])> {
         let ball = *self.flight.start();
+        self.leaves_the_floor(&ball)?;
         Ok((ball, [ball.position, ball.height, ball.climb]))
     }
 
@@ -366,6 +379,7 @@ impl Flow<3> for Thrown {
         }
         let ball = self.bounced(&flying(&flight, y));
         *y = [ball.position, ball.height, ball.climb];
+        self.leaves_the_floor(&ball)?;
         Ok(ball)
     }
 

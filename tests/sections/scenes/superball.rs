@@ -119,6 +119,27 @@ fn general_methods_come_with_the_request() {
     assert!(named("dop853") && named("dormand-prince-8"), "{told}");
 }
 
+/// By steps bounces that pile up have no end, and soon it is told so, where the closed form goes on.
+#[test]
+fn bounces_that_pile_up_are_not_followed_by_steps() {
+    for (normal, grip) in [(0.5, 0.1), (0.5, 9.0), (0.9, 0.1), (0.9, 9.0)] {
+        let scene = with([
+            Gravity::new(9.81).unwrap().into(),
+            Restitution::new(normal, 0.5).unwrap().into(),
+            Coulomb::new(grip).unwrap().into(),
+        ]);
+        let request = Request::at([30.0]).unwrap().to_accuracy(1e-6).unwrap();
+        let rests = scene.simulate(&request).unwrap().rows[0].1.ball;
+        assert_eq!((rests.height, rests.climb), (0.0, 0.0));
+        let ours = Solver::Geometric(Geometric::DormandPrince8);
+        for solver in [ours, Solver::General(Method::Dop853)] {
+            let by = request.clone().by(Choice::Use(solver));
+            let by = by.with_methods(&DifferentialEquations);
+            refused!(scene.simulate(&by.within(1_000_000)), Solver);
+        }
+    }
+}
+
 /// By steps the time of each bounce is rounded, and what that does grows with the square of their number.
 #[test]
 fn what_is_told_of_many_bounces_by_steps() {

@@ -327,7 +327,11 @@ impl Flow<3> for Thrown {
     type Phase = InFlight;
 
     fn start(&self) -> Result<(InFlight, [f64; 3])> {
-        let ball = *self.flight.start();
+        let mut ball = *self.flight.start();
+        let [down, up] = [ball.climb < 0.0, ball.climb > 0.0];
+        if ball.height == 0.0 && down || ball.height == self.flight.room() && up {
+            ball = self.bounced(&ball);
+        }
         self.leaves_the_floor(&ball)?;
         Ok((ball, [ball.position, ball.height, ball.climb]))
     }

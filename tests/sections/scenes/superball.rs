@@ -119,6 +119,31 @@ fn general_methods_come_with_the_request() {
     assert!(named("dop853") && named("dormand-prince-8"), "{told}");
 }
 
+/// Thrown at the floor, or at the ceiling, from the very place: the first bounce is at time 0.
+#[test]
+fn a_ball_may_start_with_a_bounce() {
+    for (height, climb) in [(0.0, -1.0), (0.6, 1.0)] {
+        let start = InFlight {
+            position: 0.0,
+            height,
+            climb,
+            motion: Throw {
+                velocity: 2.0,
+                rim_speed: 0.7,
+            },
+            bounces: 0,
+        };
+        for gravity in [0.0, 9.81] {
+            let scene = Superball::new(0.05, 0.4, start).unwrap().under(0.6);
+            let scene = scene.with(Gravity::new(gravity).unwrap()).unwrap();
+            let exact = scene.simulate(&times()).unwrap();
+            let ours = Solver::Geometric(Geometric::DormandPrince8);
+            let stepped = scene.simulate(&times().by(Choice::Use(ours))).unwrap();
+            assert!(same(&exact, &stepped) < 1e-9);
+        }
+    }
+}
+
 /// By steps bounces that pile up have no end, and soon it is told so, where the closed form goes on.
 #[test]
 fn bounces_that_pile_up_are_not_followed_by_steps() {

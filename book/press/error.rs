@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use spinning_bodies::scene::files::Mistakes;
+use spinning_bodies::scene::{UnknownColumn, files::Mistakes};
 
 /// A failure, told in one line; a scene file in one line for each mistake.
 #[derive(Debug, thiserror::Error)]
@@ -48,6 +48,12 @@ impl Error {
             Error::File { .. } | Error::Failed(_) => 1,
             Error::OutputClosed => 0,
         }
+    }
+}
+
+impl From<UnknownColumn> for Error {
+    fn from(unknown: UnknownColumn) -> Self {
+        Error::Input(unknown.to_string())
     }
 }
 

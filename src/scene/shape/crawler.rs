@@ -254,7 +254,7 @@ impl Scene for Crawler {
         books.conserved(given, mass_speed, 0.0, momentum)?;
         let left = "energy and heat less the work of the muscle";
         books.conserved(left, energy + spent, 0.0, balance)?;
-        let heat = ("heat", Law::NonDecreasing, spent.max(1.0));
+        let heat = ("heat", Law::NonDecreasing, energy + spent);
         books.keep(heat, 0.0, |_, s| s.heat)?;
         books.closed(request)
     }

@@ -142,14 +142,14 @@ fn the_page_says_what_was_measured() {
     for target in [1e-3, 1e-6, 1e-9, 1e-12] {
         assert_eq!(ranked("free-top/10", target)[0].0, "exact");
     }
-    // Where there is no closed form, ours of order 8 is more than twice as quick as dop853; on the tippe top 1.7 times at least.
+    // Where there is no closed form, ours of order 8 is about twice as quick as dop853; on the tippe top 1.7 times at least.
     for target in [1e-3, 1e-6, 1e-9] {
         let heavy = ranked("heavy-body/1000", target);
         let ours = heavy.iter().position(|row| row.0 == "dormand-prince-8");
         let ours = &heavy[ours.unwrap()..];
         // To three digits, kicks and drifts of order 4 are as quick.
         assert!(ours[0].1 < 1.2 * heavy[0].1);
-        assert!(factor(ours, |m| m == "dop853").unwrap() > 2.0);
+        assert!(factor(ours, |m| m == "dop853").unwrap() > 1.9);
         let tippe = ranked("tippe-top/100", target);
         assert_eq!(tippe[0].0, "dormand-prince-8");
         assert!(factor(&tippe, |m| m == "dop853").unwrap() > 1.7);

@@ -59,10 +59,10 @@ pub fn run(root: &Path, scene: Option<&str>, csv: Option<&Path>) -> Result<Repor
         match (scene, file) {
             (Some(_), Some(file)) if problems.is_empty() => measured(&file, PATIENCE, told),
             (Some(name), None) if problems.is_empty() => Err(Error::Input(format!(
-                "{}; the motions to be measured are {}, and one length of one is asked for as {}/10",
-                scenes::not_found(root, Path::new(name), &NAMES),
+                "the motions to be measured are {}, and one length of one is asked for as {}/10; {}",
                 NAMES.join(", "),
                 NAMES[0],
+                scenes::not_found(root, Path::new(name), &NAMES),
             ))),
             _ => listed(&problems, told),
         }

@@ -129,7 +129,7 @@ impl MaclaurinSpheroid {
     /// From e and q, and e² as exact as can be.
     fn of([e, q]: [f64; 2], square: f64) -> Self {
         // ANCHOR: maclaurin
-        let x = square / (2.0 * (1.0 + q)); // (1 − q)/2 without the subtraction: e² over it
+        let x = square / (2.0 * (1.0 + q)); // (1 − q)/2 from e², without the subtraction
         let series = hypergeometric_half_half_seven_halves(x);
         let rotation = 8.0 / 15.0 * square * q * (2.0 / (1.0 + q)).powf(2.5) * series;
         // ANCHOR_END: maclaurin

@@ -30,40 +30,38 @@ section! {
     }
 }
 
-/// What a body's inertia is given by: a matrix, as the value of this key, or a shape.
+/// What is wrong with a number that a shape tells.
+const FOLLOWS: &str = " follows from `shape`, which stands beside it";
+
+/// What a body's inertia is given by: a matrix or a shape.
 pub(super) enum Inertia {
-    Matrix(InertiaMatrix, &'static str),
+    Matrix(InertiaMatrix),
     Shape(MassProperties),
 }
 
 impl Matter {
+    /// The key of the matrix.
+    pub fn key(&self) -> &'static str {
+        self.moments.map_or("body.inertia", |_| "body.moments")
+    }
+
     pub fn inertia(&self, file: &Reader<'_>) -> Option<Inertia> {
-        let given = |key, matrix| Some(Inertia::Matrix(file.right(key, matrix)?, key));
+        let given = |matrix| file.right(self.key(), matrix).map(Inertia::Matrix);
         match (&self.shape, self.moments, self.inertia) {
             (Some(shape), None, None) => self.shaped(file, shape).map(Inertia::Shape),
             (None, ..) if self.density.is_some() => {
                 file.wrong("body.density", " goes with `shape`, which is not there")
             }
-            (None, Some([a, b, c]), None) => {
-                given("body.moments", InertiaMatrix::diagonal(a, b, c))
-            }
+            (None, Some([a, b, c]), None) => given(InertiaMatrix::diagonal(a, b, c)),
             (None, None, Some([a, b, c, ab, ac, bc])) => {
                 let matrix = Matrix3::new(a, ab, ac, ab, b, bc, ac, bc, c);
-                given("body.inertia", InertiaMatrix::from_matrix(matrix))
+                given(InertiaMatrix::from_matrix(matrix))
             }
             (None, None, None) => {
                 let told = " is missing: `moments` or `inertia` in kg m², or a `shape` is expected";
                 file.wrong("body.moments", told)
             }
-            (Some(_), ..) => {
-                let told = " follows from `shape`, which stands beside it";
-                let key = if self.moments.is_some() {
-                    "moments"
-                } else {
-                    "inertia"
-                };
-                file.wrong(&format!("body.{key}"), told)
-            }
+            (Some(_), ..) => file.wrong(self.key(), FOLLOWS),
             (None, Some(_), Some(_)) => {
                 file.wrong("body.moments", " and `inertia` exclude each other")
             }
@@ -87,36 +85,31 @@ impl Matter {
 
     fn shaped(&self, file: &Reader<'_>, shape: &Shape) -> Option<MassProperties> {
         let mass = match (self.mass, self.density, shape.measure) {
-            (Some(mass), None, _) => mass,
-            (None, Some(density), Some(measure)) => density * measure,
-            (None, Some(_), None) => {
-                return file.wrong("body.density", " is of no use: beads have a mass");
-            }
-            (Some(_), Some(_), _) => {
-                return file.wrong("body.density", " and `mass` exclude each other");
-            }
+            (Some(mass), None, _) => Some(mass),
+            (None, Some(density), Some(measure)) => Some(density * measure),
+            (None, Some(_), None) => file.wrong("body.density", " is of no use: beads have a mass"),
+            (Some(_), Some(_), _) => file.wrong("body.density", " and `mass` exclude each other"),
             (None, None, _) => {
                 let told =
                     " is missing: the `mass` of the shape in kg, or its `density`, is expected";
-                return file.wrong("body.mass", told);
+                file.wrong("body.mass", told)
             }
         };
-        file.right("body.shape", (shape.made)(mass))
+        file.right("body.shape", (shape.made)(mass?))
     }
 
     /// Mass and inertia of a body that is given about its centre of mass.
     pub fn about_center(&self, file: &Reader<'_>) -> Option<MassProperties> {
-        let (inertia, key) = match self.inertia(file)? {
+        let inertia = match self.inertia(file)? {
             Inertia::Shape(shaped) => return Some(shaped),
-            Inertia::Matrix(matrix, key) => (matrix, key),
+            Inertia::Matrix(matrix) => matrix,
         };
         let Some(mass) = self.mass else {
-            return file.wrong(
-                "body.mass",
-                " is missing: a mass in kg, positive, is expected",
-            );
+            let told = " is missing: a mass in kg, positive, is expected";
+            return file.wrong("body.mass", told);
         };
-        file.right(key, MassProperties::new(mass, BodyVector::zero(), inertia))
+        let made = MassProperties::new(mass, BodyVector::zero(), inertia);
+        file.right(self.key(), made)
     }
 }
 
@@ -456,11 +449,8 @@ pub(super) fn inertia_factor(
     shape: Option<Round>,
 ) -> Option<f64> {
     match (factor, shape) {
-        (Some(_), Some(_)) => {
-            let told = " follows from `shape`, which stands beside it";
-            file.wrong("body.inertia_factor", told)
-        }
-        (Some(factor), None) => Some(factor),
-        (None, shape) => Some(shape.map_or(0.4, |Round(factor, _)| factor)),
+        (Some(_), Some(_)) => file.wrong("body.inertia_factor", FOLLOWS),
+        (factor, None) => Some(factor.unwrap_or(0.4)),
+        (None, Some(Round(factor, _))) => Some(factor),
     }
 }

@@ -7,12 +7,11 @@ use nalgebra::{Isometry3, Matrix3, UnitQuaternion, Vector3};
 
 use super::keys::Bound::{From, NotNegative, Positive};
 use super::look::{Look, Outline, about, free, still};
-use super::reader::Reader;
-use super::values::{Flat, keys, section};
-use super::{listed, with};
+use super::values::{keys, section};
+use super::{File, Made, listed, with};
 use crate::frame::Attitude;
 use crate::phenomena;
-use crate::phenomena::{Bend, Half, Strokes};
+use crate::phenomena::{Bend, Half, PaperCat as Postcard, Strokes};
 use crate::scene::effects::{
     Air, BearingFriction, Coulomb, Draw, FourPhases, Gravity, Pace, Turnover,
 };
@@ -48,20 +47,15 @@ keys! {
     }
 }
 
-pub fn swivel(
-    file: &Reader<'_>,
-    body: SwivelBody,
-    initial: SwivelInitial,
-    effects: SwivelEffects,
-) -> Option<(Swivel, Look)> {
-    let scene = file.right("body.lower", Swivel::new(body.lower, body.upper))?;
-    let l = initial.angular_momentum;
+pub fn swivel(file: &File<'_, SwivelBody, SwivelInitial, SwivelEffects>) -> Made<Swivel> {
+    let scene = file.right("body.lower", Swivel::new(file.body.lower, file.body.upper))?;
+    let l = file.initial.angular_momentum;
     let scene = file.right("initial.angular_momentum", scene.with_angular_momentum(l))?;
-    let acting = listed![effects.four_phases, effects.bearing_friction];
+    let acting = listed![file.effects.four_phases, file.effects.bearing_friction];
     let scene = with(file, scene, acting, Swivel::with)?;
     // A disc of 1 kg with a moment.
     let radius = |moment: f64| (2.0 * moment).sqrt();
-    let lower = radius(body.lower);
+    let lower = radius(file.body.lower);
     let look: Look = Box::new(move |told| {
         let [lower_turn, upper_turn, moment, rate, l] =
             told.vector(["lower", "upper", "upper_moment", "rate", "angular_momentum"]);
@@ -109,20 +103,15 @@ keys! {
     }
 }
 
-pub fn skater(
-    file: &Reader<'_>,
-    body: SkaterBody,
-    initial: SkaterInitial,
-    effects: SkaterEffects,
-) -> Option<(Skater, Look)> {
-    let person = phenomena::Skater::new(body.core, body.hand);
+pub fn skater(file: &File<'_, SkaterBody, SkaterInitial, SkaterEffects>) -> Made<Skater> {
+    let person = phenomena::Skater::new(file.body.core, file.body.hand);
     let person = file.right("body.hand", person)?;
-    let scene = Skater::new(person, initial.reach, initial.spin);
+    let scene = Skater::new(person, file.initial.reach, file.initial.spin);
     let scene = file.right("initial.reach", scene)?;
-    let acting = listed![effects.draw, effects.bearing_friction];
+    let acting = listed![file.effects.draw, file.effects.bearing_friction];
     let scene = with(file, scene, acting, Skater::with)?;
     // Where both hands would have the moment of the core.
-    let girth = (0.5 * body.core / body.hand.max(0.02 * body.core)).sqrt();
+    let girth = (0.5 * file.body.core / file.body.hand.max(0.02 * file.body.core)).sqrt();
     let look: Look = Box::new(move |told| {
         let [angle, spin, reach, l] = told.vector(["angle", "spin", "reach", "l"]);
         let shoulders = Vector3::z() * (0.6 * girth);
@@ -171,22 +160,17 @@ keys! {
     }
 }
 
-pub fn cat(
-    file: &Reader<'_>,
-    body: CatBody,
-    initial: CatInitial,
-    effects: CatEffects,
-) -> Option<(Cat, Look)> {
+pub fn cat(file: &File<'_, CatBody, CatInitial, CatEffects>) -> Made<Cat> {
     let halves = [0, 1].map(|k| Half {
-        mass: body.mass[k],
-        axial: body.axial[k],
-        transverse: body.transverse[k],
-        to_joint: body.to_joint[k],
+        mass: file.body.mass[k],
+        axial: file.body.axial[k],
+        transverse: file.body.transverse[k],
+        to_joint: file.body.to_joint[k],
     });
     let animal = phenomena::Cat::new(halves);
     let animal = file.right("body.axial, body.transverse", animal)?;
-    let scene = Cat::new(animal, initial.attitude);
-    let acting = listed![effects.turnover, effects.gravity];
+    let scene = Cat::new(animal, file.initial.attitude);
+    let acting = listed![file.effects.turnover, file.effects.gravity];
     let scene = with(file, scene, acting, Cat::with)?;
     let outlines = halves.map(|half| {
         let length = (6.0 * (2.0 * half.transverse - half.axial) / half.mass).sqrt();
@@ -234,10 +218,10 @@ pub fn cat(
 }
 
 /// What `[body]` does not say is as for a cat cut from a postcard.
-const POSTCARD: phenomena::PaperCat = phenomena::PaperCat::POSTCARD;
+const POSTCARD: Postcard = Postcard::POSTCARD;
 
 keys! {
-    phenomena::PaperCat {
+    Postcard {
         mass: f64 = POSTCARD.mass, "a mass in kg", Positive;
         area: f64 = POSTCARD.area, "an area in m²", Positive;
         lever: f64 = POSTCARD.lever, "a distance in m";
@@ -260,17 +244,12 @@ section! {
     }
 }
 
-pub fn paper_cat(
-    file: &Reader<'_>,
-    sheet: phenomena::PaperCat,
-    initial: PaperCatInitial,
-    effects: PaperCatEffects,
-) -> Option<(PaperCat, Look)> {
-    let scene = file.right("body", PaperCat::new(sheet, initial.tilt))?;
-    let acting = listed![effects.air, effects.gravity];
+pub fn paper_cat(file: &File<'_, Postcard, PaperCatInitial, PaperCatEffects>) -> Made<PaperCat> {
+    let scene = file.right("body", PaperCat::new(file.body, file.initial.tilt))?;
+    let acting = listed![file.effects.air, file.effects.gravity];
     let scene = with(file, scene, acting, PaperCat::with)?;
-    let edge = sheet.area.sqrt();
-    let lever = Vector3::z() * sheet.lever;
+    let edge = file.body.area.sqrt();
+    let lever = Vector3::z() * file.body.lever;
     let flat = Solid::Cuboid(Vector3::new(edge, edge, 0.01 * edge));
     let outline = Outline::new("a square of its area", flat)
         .moved(lever)
@@ -288,7 +267,7 @@ section! {
     /// `[body]` of a crawler.
     CrawlerBody {
         masses: [f64; 2], "two masses in kg", Positive;
-        strokes: Flat<Strokes>, "";
+        strokes: Strokes, "";
     }
 }
 
@@ -317,18 +296,11 @@ section! {
     }
 }
 
-pub fn crawler(
-    file: &Reader<'_>,
-    body: CrawlerBody,
-    _: CrawlerInitial,
-    effects: CrawlerEffects,
-) -> Option<(Crawler, Look)> {
-    let [rear, front] = body.masses;
-    let animal = phenomena::Crawler::new(rear, front, body.strokes.0);
-    let largest = 0.25 * body.strokes.0.gap;
-    let radii = body
-        .masses
-        .map(|mass| largest * (mass / rear.max(front)).cbrt());
+pub fn crawler(file: &File<'_, CrawlerBody, CrawlerInitial, CrawlerEffects>) -> Made<Crawler> {
+    let [rear, front] = file.body.masses;
+    let animal = phenomena::Crawler::new(rear, front, file.body.strokes);
+    let largest = 0.25 * file.body.strokes.gap;
+    let radii = [rear, front].map(|mass| largest * (mass / rear.max(front)).cbrt());
     let look: Look = Box::new(move |told| {
         let [rear, front, center] = told.vector(["rear", "front", "center"]);
         let foot = |k: usize, x: f64| {
@@ -345,9 +317,8 @@ pub fn crawler(
     });
     let keys = "body.length, body.push, body.pull";
     let scene = Crawler::new(file.right(keys, animal)?);
-    let acting = effects
-        .ground_friction
-        .map(|ground| listed![Some(ground.coefficient), Some(ground.gravity)]);
-    let scene = with(file, scene, acting.into_iter().flatten(), Crawler::with)?;
+    let ground = file.effects.ground_friction.as_ref();
+    let acting = listed![ground.map(|it| it.coefficient), ground.map(|it| it.gravity)];
+    let scene = with(file, scene, acting, Crawler::with)?;
     Some((scene, look))
 }

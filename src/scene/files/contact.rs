@@ -6,13 +6,13 @@ use super::body::{Matter, Round, inertia_factor};
 use super::keys::Bound::{From, NotNegative, Positive};
 use super::look::{Look, Outline, free, rolling};
 use super::reader::Reader;
-use super::values::{Flat, section};
-use super::{listed, with};
+use super::values::section;
+use super::{File, Made, listed, with};
 use crate::frame::BodyVector;
 use crate::impacts::{Impact, Meteorite, Planet};
 use crate::rolling::{RoundBody, SheetSpeeds, Spool};
 use crate::scene::effects::{Coulomb, Effect, Gravity, Restitution, RollingResistance, Sheet, Tug};
-use crate::scene::{Around, Roller, Sight, Solid, StruckPlanet, Superball, TuggedSpool};
+use crate::scene::{Around, Roller, Solid, StruckPlanet, Superball, TuggedSpool};
 use crate::superball::{InFlight, Motion};
 
 section! {
@@ -41,7 +41,7 @@ section! {
     /// `[effects]` of a roller.
     RollerEffects {
         gravity: f64, "an acceleration in m/s²", Positive;
-        friction: Flat<Friction>, "";
+        friction: Friction, "";
         sheet_friction: Option<Coulomb>, "the coefficient of friction on the sheet, a ratio", NotNegative;
         sheet_times: Option<Vec<f64>>, "a list of times in s";
         sheet_speeds: Option<Vec<f64>>, "a list of speeds in m/s";
@@ -59,17 +59,16 @@ impl RoundKeys {
 
 impl Friction {
     fn listed(&self, file: &Reader<'_>) -> Option<[Option<Effect>; 2]> {
-        let law = match (self.friction, self.static_friction) {
-            (Some(kinetic), grip) => {
-                let keys = "effects.static_friction, effects.friction";
-                let law = Coulomb::with_grip(kinetic, grip.unwrap_or(kinetic));
-                Some(file.right(keys, law)?)
-            }
-            (None, None) => None,
+        let grip = self.static_friction.or(self.friction);
+        let law = match (self.friction, grip) {
             (None, Some(_)) => {
                 file.wrong("effects.static_friction", " needs `friction` beside it")?
             }
+            (kinetic, grip) => kinetic
+                .zip(grip)
+                .map(|(kinetic, grip)| Coulomb::with_grip(kinetic, grip)),
         };
+        let law = file.right("effects.static_friction, effects.friction", law.transpose())?;
         Some(listed![law, self.rolling_resistance])
     }
 }
@@ -101,35 +100,31 @@ fn sheet(file: &Reader<'_>, effects: &RollerEffects) -> Option<Option<Sheet>> {
     file.right("effects.sheet_margin", sheet).map(Some)
 }
 
-pub fn roller(
-    file: &Reader<'_>,
-    body: RoundKeys,
-    initial: RollerInitial,
-    effects: RollerEffects,
-) -> Option<(Roller, Look)> {
-    let look = on_the_table(Round::outline(body.shape, body.radius), body.radius);
-    let body = body.made(file);
-    let friction = effects.friction.0.listed(file);
-    let sheet = sheet(file, &effects);
-    let (body, gravity) = (body?, effects.gravity);
-    let velocity = initial.velocity;
-    let scene = match (initial.rim_speed, initial.cue_height) {
+pub fn roller(file: &File<'_, RoundKeys, RollerInitial, RollerEffects>) -> Made<Roller> {
+    let look = on_the_table(
+        Round::outline(file.body.shape, file.body.radius),
+        file.body.radius,
+    );
+    let body = file.body.made(file);
+    let friction = file.effects.friction.listed(file);
+    let sheet = sheet(file, &file.effects);
+    let (body, gravity) = (body?, file.effects.gravity);
+    let velocity = file.initial.velocity.unwrap_or(0.0);
+    let scene = match (file.initial.rim_speed, file.initial.cue_height) {
         (Some(_), Some(_)) => {
             file.wrong("initial.rim_speed", " and `cue_height` exclude each other")
         }
-        (None, Some(height)) => match velocity {
-            Some(velocity) if velocity > 0.0 => {
-                let shot = body.strike(height, velocity);
-                let scene = shot.and_then(|shot| Roller::after(&shot, gravity));
-                file.right("initial.cue_height, initial.velocity", scene)
-            }
-            _ => file.wrong(
-                "initial.velocity",
-                " must be a speed in m/s, positive, after a cue",
-            ),
-        },
+        (None, Some(height)) if velocity > 0.0 => {
+            let shot = body.strike(height, velocity);
+            let scene = shot.and_then(|shot| Roller::after(&shot, gravity));
+            file.right("initial.cue_height, initial.velocity", scene)
+        }
+        (None, Some(_)) => {
+            let told = " must be a speed in m/s, positive, after a cue";
+            file.wrong("initial.velocity", told)
+        }
         (rim, None) => {
-            let scene = Roller::new(body, gravity, velocity.unwrap_or(0.0), rim.unwrap_or(0.0));
+            let scene = Roller::new(body, gravity, velocity, rim.unwrap_or(0.0));
             file.right("initial.velocity, initial.rim_speed", scene)
         }
     };
@@ -140,14 +135,14 @@ pub fn roller(
 fn on_the_table(body: Outline, radius: f64) -> Look {
     rolling(body, Around::Floor, move |told| {
         let [x, turned] = told.vector(["x", "turned"]);
-        ([x, radius], turned)
+        ([x, radius], Some(turned))
     })
 }
 
 section! {
     /// `[body]` of a spool.
     SpoolBody {
-        round: Flat<RoundKeys>, "";
+        round: RoundKeys, "";
         axle: f64, "the radius of the axle in m", Positive;
     }
 
@@ -160,22 +155,17 @@ section! {
     /// `[effects]` of a spool.
     SpoolEffects {
         gravity: f64, "an acceleration in m/s²", Positive;
-        friction: Flat<Friction>, "";
+        friction: Friction, "";
         tension: Option<f64>, "a force in N", NotNegative;
         tug_angle: Option<f64>, "the angle of the string above the horizontal in rad";
     }
 }
 
-pub fn spool(
-    file: &Reader<'_>,
-    body: SpoolBody,
-    initial: SpoolInitial,
-    effects: SpoolEffects,
-) -> Option<(TuggedSpool, Look)> {
-    let (radius, axle) = (body.round.0.radius, body.axle);
-    let body = body.round.0.made(file);
-    let friction = effects.friction.0.listed(file);
-    let tug = match (effects.tension, effects.tug_angle) {
+pub fn spool(file: &File<'_, SpoolBody, SpoolInitial, SpoolEffects>) -> Made<TuggedSpool> {
+    let (radius, axle) = (file.body.round.radius, file.body.axle);
+    let body = file.body.round.made(file);
+    let friction = file.effects.friction.listed(file);
+    let tug = match (file.effects.tension, file.effects.tug_angle) {
         (Some(tension), Some(angle)) => file
             .right("effects.tug_angle", Tug::new(tension, angle))
             .map(Some),
@@ -187,14 +177,11 @@ pub fn spool(
         return file.wrong("body.axle", told);
     }
     let reel = file.right("body.axle", Spool::new(body?, axle))?;
-    let scene = file.right("effects.gravity", TuggedSpool::new(reel, effects.gravity))?;
-    let scene = match tug? {
-        Some(tug) => {
-            let keys = "effects.tension, effects.tug_angle, effects.gravity, body.mass";
-            file.right(keys, scene.with(tug))?
-        }
-        None => scene,
-    };
+    let scene = file.right(
+        "effects.gravity",
+        TuggedSpool::new(reel, file.effects.gravity),
+    )?;
+    let scene = with(file, scene, listed![tug?], TuggedSpool::with)?;
     let scene = with(file, scene, friction?, TuggedSpool::with)?;
     let side = |at: f64| {
         let rim = Solid::wheel(radius, 0.1 * radius);
@@ -202,7 +189,7 @@ pub fn spool(
     };
     let mut outline = Outline::new("a spool", Solid::wheel(axle, radius));
     outline.solids.extend([side(-0.5), side(0.5)]);
-    let scene = scene.moving(initial.velocity, initial.rim_speed);
+    let scene = scene.moving(file.initial.velocity, file.initial.rim_speed);
     Some((scene, on_the_table(outline, radius)))
 }
 
@@ -233,11 +220,9 @@ section! {
 }
 
 pub fn superball(
-    file: &Reader<'_>,
-    body: SuperballBody,
-    initial: SuperballInitial,
-    effects: SuperballEffects,
-) -> Option<(Superball, Look)> {
+    file: &File<'_, SuperballBody, SuperballInitial, SuperballEffects>,
+) -> Made<Superball> {
+    let (initial, effects) = (&file.initial, &file.effects);
     let start = InFlight {
         position: 0.0,
         height: initial.height,
@@ -248,63 +233,43 @@ pub fn superball(
         },
         bounces: 0,
     };
-    let kappa = inertia_factor(file, body.inertia_factor, body.shape)?;
+    let kappa = inertia_factor(file, file.body.inertia_factor, file.body.shape)?;
     if kappa == 0.0 {
-        return file.wrong(
-            "body.inertia_factor",
-            " must be I/MR², a ratio, positive, got 0.0",
-        );
+        let told = " must be I/MR², a ratio, positive, got 0.0";
+        return file.wrong("body.inertia_factor", told);
     }
-    let ball = file.right("body.mass", Superball::new(body.mass, kappa, start))?;
+    let ball = file.right("body.mass", Superball::new(file.body.mass, kappa, start))?;
     file.right("initial.height, initial.climb", ball.flight())?;
     let ball = ball.under(effects.ceiling.unwrap_or(f64::INFINITY));
     file.right("effects.ceiling, initial.height", ball.flight())?;
-    let restitution = match (effects.restitution, effects.tangential_restitution) {
-        (None, None) => Some(None),
-        (normal, tangential) => {
-            let normal = normal.unwrap_or(1.0);
-            let alone = file.right("effects.restitution", Restitution::new(normal, 1.0));
-            let both = Restitution::new(normal, tangential.unwrap_or(1.0));
-            let key = "effects.tangential_restitution";
-            alone.and_then(|_| file.right(key, both)).map(Some)
-        }
-    };
-    let g = effects.gravity.map_or(0.0, Gravity::value);
-    let acting = listed![effects.gravity, restitution?, effects.grip];
+    let given = [effects.restitution, effects.tangential_restitution];
+    let [normal, along] = given.map(|given| given.unwrap_or(1.0));
+    file.right("effects.restitution", Restitution::new(normal, 1.0))?;
+    let restitution = Restitution::new(normal, along);
+    let restitution = file.right("effects.tangential_restitution", restitution)?;
+    let restitution = given[0].or(given[1]).map(|_| restitution);
+    let acting = listed![effects.gravity, restitution, effects.grip];
     let ball = with(file, ball, acting, Superball::with)?;
     // It has a speed of its rim but no radius: one that goes well with the room it has.
-    let climbed = if g > 0.0 {
-        0.5 * initial.climb.powi(2) / g
-    } else {
-        0.0
-    };
+    let gravity = effects.gravity.map(Gravity::value).filter(|&g| g > 0.0);
+    let climbed = gravity.map_or(0.0, |g| 0.5 * initial.climb.powi(2) / g);
     let room = effects.ceiling.unwrap_or(initial.height + climbed);
     let radius = if room > 0.0 { 0.06 * room } else { 0.05 };
-    let around = effects.ceiling.map_or(Around::Floor, |ceiling| {
-        Around::Under(ceiling + 2.0 * radius)
-    });
-    let outline = Round::outline(body.shape, radius);
+    let under = |ceiling| Around::Under(ceiling + 2.0 * radius);
+    let around = effects.ceiling.map_or(Around::Floor, under);
+    let outline = Round::outline(file.body.shape, radius);
     let flies = rolling(outline, around, move |told| {
         let [x, height] = told.vector(["x", "height"]);
-        ([x, height + radius], 0.0)
+        ([x, height + radius], None)
     });
     let look: Look = Box::new(move |told| {
         let [rim, l] = told.vector(["rim_speed", "l_over_radius"]);
-        let sight = flies(told).turning(Vector3::y(), [rim / radius, l * radius]);
-        Sight {
-            turned: false,
-            ..sight
-        }
+        flies(told).turning(Vector3::y(), [rim / radius, l * radius])
     });
     Some((ball, look))
 }
 
 section! {
-    /// `[body]` of a planet.
-    MeteoriteBody {
-        matter: Flat<Matter>, "";
-    }
-
     /// `[initial]` of a planet.
     MeteoriteInitial {
         velocity: Option<BodyVector>, "a velocity in m/s";
@@ -320,19 +285,16 @@ section! {
 }
 
 pub fn meteorite(
-    file: &Reader<'_>,
-    body: MeteoriteBody,
-    initial: MeteoriteInitial,
-    effects: MeteoriteEffects,
-) -> Option<(StruckPlanet, Look)> {
-    let zero = BodyVector::zero;
-    let velocity = initial.velocity.unwrap_or_else(zero);
-    let omega = initial.omega.unwrap_or_else(zero);
-    let solid = body.matter.0.about_center(file)?;
-    let outline = body.matter.0.outline(&solid);
+    file: &File<'_, Matter, MeteoriteInitial, MeteoriteEffects>,
+) -> Made<StruckPlanet> {
+    let given = [file.initial.velocity, file.initial.omega];
+    let [velocity, omega] = given.map(|given| given.unwrap_or_else(BodyVector::zero));
+    let solid = file.body.about_center(file)?;
+    let outline = file.body.outline(&solid);
     let look = free(outline.moved(-solid.center().components()), Around::Space);
     let planet = Planet::new(solid.mass(), solid.inertia(), velocity, omega);
     let planet = StruckPlanet::new(file.right("body.moments", planet)?);
+    let effects = &file.effects;
     let planet = match (
         effects.impact_mass,
         effects.impact_velocity,

@@ -171,20 +171,21 @@ pub(super) fn free(body: Outline, around: Around) -> Look {
     })
 }
 
-/// A body that turns in the plane of x and z, about the axis y: its place and its angle (m, rad).
+/// A body that turns in the plane of x and z, about the axis y: its place and its angle, if that is known (m, rad).
 ///
 /// The third axis of what rolls lies along y.
 pub(super) fn rolling(
     body: Outline,
     around: Around,
-    at: impl Fn(&Told<'_>) -> ([f64; 2], f64) + Send + Sync + 'static,
+    at: impl Fn(&Told<'_>) -> ([f64; 2], Option<f64>) + Send + Sync + 'static,
 ) -> Look {
     Box::new(move |told| {
         let ([x, z], angle) = at(told);
-        let attitude = about(Vector::y(), angle) * about(Vector::x(), -FRAC_PI_2);
-        let turning = told.vector(["omega", "l"]);
-        let sight = body.sight(around, Vector::new(x, 0.0, z), attitude);
-        sight.turning(Vector::y(), turning)
+        let turn = about(Vector::y(), angle.unwrap_or(0.0));
+        let attitude = turn * about(Vector::x(), -FRAC_PI_2);
+        let mut sight = body.sight(around, Vector::new(x, 0.0, z), attitude);
+        sight.turned = angle.is_some();
+        sight.turning(Vector::y(), told.vector(["omega", "l"]))
     })
 }
 

@@ -44,6 +44,8 @@ use reader::Open;
 pub use reader::{Mistakes, meant};
 pub use run::telling;
 
+use core::ops::Deref;
+
 use toml::de::{DeTable, DeValue};
 
 use super::effects::Effect;
@@ -61,6 +63,25 @@ macro_rules! listed {
 }
 use listed;
 
+/// What a file says of a scene: the three tables of its kind.
+struct File<'a, B, I, E> {
+    reader: &'a Reader<'a>,
+    body: B,
+    initial: I,
+    effects: E,
+}
+
+impl<'a, B, I, E> Deref for File<'a, B, I, E> {
+    type Target = Reader<'a>;
+
+    fn deref(&self) -> &Reader<'a> {
+        self.reader
+    }
+}
+
+/// What makes a scene of a file, and says what it looks like.
+type Made<S> = Option<(S, Look)>;
+
 /// The scene with those of these effects that are listed.
 fn with<S>(
     file: &Reader<'_>,
@@ -69,8 +90,12 @@ fn with<S>(
     add: impl Fn(S, Effect) -> crate::Result<S>,
 ) -> Option<S> {
     for effect in listed.into_iter().flatten() {
-        let key = format!("effects.{}", effect.name());
-        scene = file.right(&key, add(scene, effect))?;
+        let keys = match effect {
+            Effect::TipFriction(_) => "effects.tip_friction, body.moments, body.center_of_mass",
+            Effect::Tug(_) => "effects.tension, effects.tug_angle, effects.gravity, body.mass",
+            _ => &format!("effects.{}", effect.name()),
+        };
+        scene = file.right(keys, add(scene, effect))?;
     }
     Some(scene)
 }
@@ -117,24 +142,26 @@ impl Word for Kind {
 const TITLE: Key = Key::new("title", "a title in quotes");
 const KIND: Key = Key::new("kind", "");
 
-/// What makes a scene of the three tables of its kind, and says what it looks like.
-type Made<B, I, E, S> = fn(&Reader<'_>, B, I, E) -> Option<(S, Look)>;
-
 /// The scene that the tables of a file make, and what is asked of it. Every table is read before anything is given up.
 fn read<B: Section, I: Section, E: Section, S: Scene<State: Send + 'static> + 'static>(
     reader: &Reader<'_>,
-    made: Made<B, I, E, S>,
+    made: fn(&File<'_, B, I, E>) -> Made<S>,
 ) -> Option<(AnyScene, Request)> {
-    let file = Table::whole(reader);
-    file.value::<Option<String>>(&TITLE, None);
-    file.value::<Kind>(&KIND, None);
-    let body = file.part("body");
-    let initial = file.part("initial");
-    let effects = file.part("effects");
-    let run = file.part::<Run>("run");
-    file.done();
+    let whole = Table::whole(reader);
+    whole.value::<Option<String>>(&TITLE, None);
+    whole.value::<Kind>(&KIND, None);
+    let body = whole.part("body");
+    let initial = whole.part("initial");
+    let effects = whole.part("effects");
+    let run = whole.part::<Run>("run");
+    whole.done();
     let request = run.as_ref().and_then(|run| run.request(reader));
-    let (scene, look) = made(reader, body?, initial?, effects?)?;
+    let (scene, look) = made(&File {
+        reader,
+        body: body?,
+        initial: initial?,
+        effects: effects?,
+    })?;
     let (run, request) = (run?, request?);
     let scene = AnyScene::scene(Box::new(scene)).looking(look);
     Some((run.told(reader, scene)?, request))

@@ -48,11 +48,7 @@ impl<'a> Reader<'a> {
         match DeTable::parse(text) {
             Ok(entries) => Ok(new(entries.into_inner())),
             Err(error) => {
-                let mut told = error
-                    .message()
-                    .split_whitespace()
-                    .collect::<Vec<_>>()
-                    .join(" ");
+                let mut told = one_line(error.message());
                 if told == "duplicate key" {
                     let key = error.span().and_then(|place| text.get(place));
                     told = format!("key `{}` stands twice", key.unwrap_or_default());
@@ -119,9 +115,12 @@ impl<'a> Reader<'a> {
     /// How a value stands in the file, in a few letters.
     pub fn shown(&self, value: &Spanned<DeValue<'_>>) -> String {
         let text = self.text.get(value.span()).unwrap_or_default();
-        let words: Vec<&str> = text.split_whitespace().collect();
-        words.join(" ").chars().take(40).collect()
+        one_line(text).chars().take(40).collect()
     }
+}
+
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// Where a key and its value stand, by its path: "body.moments", or "body.moments.2" with places in a list counted from 0.

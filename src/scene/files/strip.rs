@@ -4,9 +4,8 @@ use nalgebra::Vector3;
 
 use super::keys::Bound::{NotNegative, Positive};
 use super::look::{Look, Outline, about};
-use super::reader::Reader;
 use super::values::{keys, section};
-use super::{listed, with};
+use super::{File, Made, listed, with};
 use crate::falling_strip::Plate;
 use crate::scene::effects::{AddedMass, Drag, Gravity, Lift, RotationalDamping};
 use crate::scene::{Around, Solid, Strip, StripStart};
@@ -41,32 +40,30 @@ section! {
     }
 }
 
-pub fn strip(
-    file: &Reader<'_>,
-    body: Body,
-    start: StripStart,
-    effects: Effects,
-) -> Option<(Strip, Look)> {
+pub fn strip(file: &File<'_, Body, StripStart, Effects>) -> Made<Strip> {
     let plate = |thickness| {
-        let (half, fluid) = (0.5 * body.width, body.fluid_density);
-        let factor = body.inertia_factor.unwrap_or(1.0 / 3.0);
-        let mass = body.areal_density * body.width;
+        let (half, fluid) = (0.5 * file.body.width, file.body.fluid_density);
+        let factor = file.body.inertia_factor.unwrap_or(1.0 / 3.0);
+        let mass = file.body.areal_density * file.body.width;
         Plate::new(half, mass, fluid, thickness, factor)
     };
     file.right("body.width, body.areal_density", plate(0.0))?;
-    let plate = file.right("body.thickness_ratio", plate(body.thickness_ratio))?;
-    let scene = file.right("initial", Strip::new(plate, start))?;
-    let lift = effects.lift.map(|[translational, rotational]| Lift {
+    let plate = file.right("body.thickness_ratio", plate(file.body.thickness_ratio))?;
+    let scene = file.right("initial", Strip::new(plate, file.initial))?;
+    let lift = file.effects.lift.map(|[translational, rotational]| Lift {
         translational,
         rotational,
     });
-    let drag = effects.drag.map(|[mean, contrast]| Drag { mean, contrast });
-    let damping = effects.rotational_damping;
+    let drag = file
+        .effects
+        .drag
+        .map(|[mean, contrast]| Drag { mean, contrast });
+    let damping = file.effects.rotational_damping;
     let damping = damping.map(|[linear, quadratic]| RotationalDamping { linear, quadratic });
-    let added = effects.added_mass.map(|factor| AddedMass { factor });
-    let acting = listed![effects.gravity, lift, drag, damping, added];
+    let added = file.effects.added_mass.map(|factor| AddedMass { factor });
+    let acting = listed![file.effects.gravity, lift, drag, damping, added];
     let scene = with(file, scene, acting, Strip::with)?;
-    let edges = Vector3::new(1.0, 2.0, body.thickness_ratio.max(0.02)) * body.width;
+    let edges = Vector3::new(1.0, 2.0, file.body.thickness_ratio.max(0.02)) * file.body.width;
     let outline = Outline::new("a strip, its length cut short", Solid::Cuboid(edges));
     let look: Look = Box::new(move |told| {
         let [x, z, angle, omega, l] = told.vector(["x", "y", "angle", "omega", "l"]);

@@ -4,10 +4,10 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::body::{Matter, Shapeless};
 use super::keys::Bound::{NotNegative, Positive};
-use super::look::{Look, Outline, about, free};
+use super::look::{Outline, about, free};
 use super::reader::Reader;
-use super::values::{Flat, Word, section};
-use super::{listed, with};
+use super::values::{Word, section};
+use super::{File, Made, listed, with};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::scene::contact::TableTop;
 use crate::scene::effects::{Coulomb, Effect, Gravity, NoSlip, Regularised, Resistance, Viscous};
@@ -17,7 +17,7 @@ use crate::tippe_top::{ConvexBody, Start, Surface};
 section! {
     /// `[body]`.
     Body {
-        matter: Flat<Matter>, "";
+        matter: Matter, "";
         stands_on: Shapeless<StandsOn>, "";
     }
 
@@ -71,22 +71,17 @@ impl Word for Law {
     }
 }
 
-pub fn table_top(
-    file: &Reader<'_>,
-    body: Body,
-    initial: Initial,
-    effects: Effects,
-) -> Option<(TableTop, Look)> {
-    let made = made(file, &body);
-    let start = start(file, &initial);
-    let law = law(file, &effects);
-    let resistance = match (effects.rolling_resistance, effects.pivoting_resistance) {
-        (None, None) => Ok(None),
-        (rolling, pivoting) => {
-            Resistance::new(rolling.unwrap_or(0.0), pivoting.unwrap_or(0.0)).map(Some)
-        }
-    };
-    let resistance = file.right("effects.rolling_resistance", resistance);
+pub fn table_top(file: &File<'_, Body, Initial, Effects>) -> Made<TableTop> {
+    let effects = &file.effects;
+    let made = made(file, &file.body);
+    let start = start(file, &file.initial);
+    let law = law(file, effects);
+    let given = [effects.rolling_resistance, effects.pivoting_resistance];
+    let [rolling, pivoting] = given.map(|given| given.unwrap_or(0.0));
+    let resistance = given[0]
+        .or(given[1])
+        .map(|_| Resistance::new(rolling, pivoting));
+    let resistance = file.right("effects.rolling_resistance", resistance.transpose());
     let (body, outline) = made?;
     let scene = TableTop::new(body, start?);
     let acting = listed![effects.gravity, law?, resistance?];
@@ -95,15 +90,14 @@ pub fn table_top(
 }
 
 fn made(file: &Reader<'_>, body: &Body) -> Option<(ConvexBody, Outline)> {
-    let matter = &body.matter.0;
+    let matter = &body.matter;
     let solid = matter.about_center(file);
     let Some(shape) = &matter.shape else {
         let stands_on = body.stands_on.0.as_ref()?;
         let (surface, solid) = (surface(file, stands_on)?, solid?);
         let center = stands_on.surface_center.unwrap_or_else(BodyVector::zero);
         let made = ConvexBody::new(solid.mass(), solid.inertia(), surface, center);
-        let key = matter.moments.map_or("body.inertia", |_| "body.moments");
-        return Some((file.right(key, made)?, stands_on.outline()));
+        return Some((file.right(matter.key(), made)?, stands_on.outline()));
     };
     match &shape.surface {
         None => {
@@ -150,8 +144,7 @@ fn surface(file: &Reader<'_>, body: &StandsOn) -> Option<Surface> {
 }
 
 fn start(file: &Reader<'_>, initial: &Initial) -> Option<Start> {
-    let tilt = initial.tilt.unwrap_or(0.0);
-    let azimuth = initial.azimuth.unwrap_or(0.0);
+    let [tilt, azimuth] = [initial.tilt, initial.azimuth].map(|angle| angle.unwrap_or(0.0));
     let tilted = initial.tilt.or(initial.azimuth).is_some();
     let start = match (initial.vertical_spin, initial.axial_spin, initial.omega) {
         (None, None, Some(_)) if tilted => {
@@ -185,7 +178,6 @@ fn start(file: &Reader<'_>, initial: &Initial) -> Option<Start> {
 }
 
 fn law(file: &Reader<'_>, effects: &Effects) -> Option<Option<Effect>> {
-    let key = "effects.friction";
     let law = match (
         effects.friction_law,
         effects.friction,
@@ -205,5 +197,5 @@ fn law(file: &Reader<'_>, effects: &Effects) -> Option<Option<Effect>> {
             return file.wrong("effects.friction_law", told);
         }
     };
-    file.right(key, law).map(Some)
+    file.right("effects.friction", law).map(Some)
 }

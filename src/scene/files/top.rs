@@ -1,10 +1,10 @@
 //! `kind = "top"`, or no kind: a body with a fixed point.
 
 use super::body::{Inertia, Matter};
-use super::look::{Look, Outline, free};
+use super::look::{Outline, free};
 use super::reader::Reader;
-use super::values::{Flat, section};
-use super::{listed, with};
+use super::values::section;
+use super::{File, Made, listed, with};
 use crate::frame::{Attitude, BodyVector};
 use crate::scene::Around;
 use crate::scene::effects::{AirDrag, BearingFriction, Gravity, PivotFriction, TipFriction};
@@ -13,7 +13,7 @@ use crate::scene::top::{Body as TopBody, Start, Top};
 section! {
     /// `[body]`.
     Body {
-        matter: Flat<Matter>, "";
+        matter: Matter, "";
         center_of_mass: Option<BodyVector>, "the place of the centre of mass, from the pivot, along the body's axes in m";
         pivot: Option<BodyVector>, "the place where a shape is held, along its axes from its origin in m (its centre of mass if nothing is said)";
     }
@@ -35,15 +35,11 @@ section! {
     }
 }
 
-pub fn top(
-    file: &Reader<'_>,
-    body: Body,
-    initial: Initial,
-    effects: Effects,
-) -> Option<(Top, Look)> {
-    let made = made(file, &body, effects.gravity.is_some());
-    let start = start(file, &initial);
-    let key = match initial.omega {
+pub fn top(file: &File<'_, Body, Initial, Effects>) -> Made<Top> {
+    let effects = &file.effects;
+    let made = made(file, &file.body, effects.gravity.is_some());
+    let start = start(file, &file.initial);
+    let key = match file.initial.omega {
         Some(_) => "initial.omega",
         None => "initial.angular_momentum",
     };
@@ -53,22 +49,16 @@ pub fn top(
         effects.gravity,
         effects.pivot_friction,
         effects.bearing_friction,
-        effects.air_drag
+        effects.air_drag,
+        effects.tip_friction,
     ];
     let top = with(file, top, acting, Top::with)?;
-    let top = match effects.tip_friction {
-        Some(friction) => file.right(
-            "effects.tip_friction, body.moments, body.center_of_mass",
-            top.with(friction),
-        )?,
-        None => top,
-    };
     Some((top, free(outline, Around::Pivot)))
 }
 
 fn made(file: &Reader<'_>, body: &Body, heavy: bool) -> Option<(TopBody, Outline)> {
-    let matter = &body.matter.0;
-    let (inertia, key) = match matter.inertia(file)? {
+    let matter = &body.matter;
+    let inertia = match matter.inertia(file)? {
         Inertia::Shape(_) if body.center_of_mass.is_some() => {
             let told = " follows from `shape` and `pivot`";
             return file.wrong("body.center_of_mass", told);
@@ -84,9 +74,9 @@ fn made(file: &Reader<'_>, body: &Body, heavy: bool) -> Option<(TopBody, Outline
             let told = " must not all be zero: what has no inertia does not turn";
             return file.wrong("body.moments", told);
         }
-        Inertia::Matrix(matrix, key) => (matrix, key),
+        Inertia::Matrix(matrix) => matrix,
     };
-    let made = file.right(key, TopBody::along_own_axes(&inertia))?;
+    let made = file.right(matter.key(), TopBody::along_own_axes(&inertia))?;
     let outline = |mass, center: BodyVector| {
         Outline::of_inertia(inertia.second_moments(), mass, center.components())
     };

@@ -4,7 +4,7 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use super::keys::Key;
-use super::reader::{Place, Section, Table, Value, meant};
+use super::reader::{Place, Value, meant};
 
 use crate::error::Number;
 use crate::frame::{Attitude, BodyVector};
@@ -15,7 +15,8 @@ use crate::scene::effects::{
 use crate::scene::{Choice, Solver};
 
 /// Declares tables: a struct each with a line for each key, `name: type, "what is expected, in its unit", bound;`, the bound left out where any number
-/// will do. An `Option` may be absent, `name: type = value` stands for what is.
+/// will do. An `Option` may be absent, `name: type = value` stands for what is. The keys of a table within a table stand in that one, those of an
+/// `Option` in one of their own.
 macro_rules! section {
     ($($(#[$doc:meta])* $name:ident {
         $($field:ident: $type:ty $(= $default:expr)?, $what:expr $(, $bound:expr)?;)*
@@ -40,13 +41,14 @@ macro_rules! keys {
         const _: () = {
             use toml::Spanned;
             use toml::de::DeValue;
+            use $crate::scene::files::keys::Key;
             use $crate::scene::files::reader::{Place, Section, Table, Value};
 
             impl Section for $name {
                 #[allow(unused_variables, reason = "a table may have no keys")]
                 fn fields(table: &Table<'_>) -> Option<Self> {
                     $(
-                        let key = $crate::scene::files::keys::Key::new(stringify!($field), $what) $(.within($bound))?;
+                        let key = Key::new(stringify!($field), $what) $(.within($bound))?;
                         let $field = <$type as Value>::take(table, &key, None $(.or(Some(($default, format!("{:?}", $default)))))?);
                     )*
                     Some(Self { $($field: $field?,)* })
@@ -61,6 +63,10 @@ macro_rules! keys {
                         DeValue::Table(entries) => place.inner(entries).section(),
                         _ => place.unexpected(value, "a table"),
                     }
+                }
+
+                fn take(table: &Table<'_>, _: &Key, _: Option<(Self, String)>) -> Option<Self> {
+                    Self::fields(table)
                 }
             }
         };
@@ -81,19 +87,6 @@ impl<T: Value> Value for Option<T> {
 
     fn absent() -> Option<(Self, String)> {
         Some((None, String::new()))
-    }
-}
-
-/// A table whose keys stand in another one.
-pub(super) struct Flat<T>(pub T);
-
-impl<T: Section> Value for Flat<T> {
-    fn read(_: &Place<'_>, _: &Spanned<DeValue<'_>>) -> Option<Self> {
-        None
-    }
-
-    fn take(table: &Table<'_>, _: &Key, _: Option<(Self, String)>) -> Option<Self> {
-        T::fields(table).map(Self)
     }
 }
 

@@ -1,12 +1,12 @@
 //! `kind = "yo-yo"`: a yo-yo, let go or thrown (4.9).
 
 use super::keys::Bound::{NotNegative, Positive};
-use super::look::{Look, Outline, rolling};
+use super::look::{Outline, rolling};
 use super::reader::Reader;
 use super::values::section;
-use super::{listed, with};
+use super::{File, Made, listed, with};
 use crate::scene::effects::{AirDrag, AxleFriction, Gravity, Hand, Sleep, TurnLoss};
-use crate::scene::{Around, Play, Sight, Solid};
+use crate::scene::{Around, Play, Solid};
 use crate::yo_yo::YoYo;
 
 section! {
@@ -36,27 +36,19 @@ section! {
     }
 }
 
-pub fn yo_yo(
-    file: &Reader<'_>,
-    body: Body,
-    initial: Initial,
-    effects: Effects,
-) -> Option<(Play, Look)> {
-    let toy = toy(file, &body)?;
+pub fn yo_yo(file: &File<'_, Body, Initial, Effects>) -> Made<Play> {
+    let toy = toy(file, &file.body)?;
     // That of the disc of this mass and inertia, if no other is given.
     let of_disc = (2.0 * toy.inertia() / toy.mass()).sqrt();
-    let radius = body.radius.unwrap_or(of_disc);
+    let radius = file.body.radius.unwrap_or(of_disc);
     let outline = Outline::new("a yo-yo", Solid::wheel(radius, 0.8 * radius));
-    let hangs = rolling(outline, Around::String, |told| {
+    let look = rolling(outline, Around::String, |told| {
         let [depth] = told.vector(["depth"]);
-        ([0.0, -depth], 0.0)
+        ([0.0, -depth], None)
     });
-    let look: Look = Box::new(move |told| Sight {
-        turned: false,
-        ..hangs(told)
-    });
-    let scene = file.right("initial.throw", Play::new(toy, initial.throw))?;
-    let effects = listed![
+    let scene = file.right("initial.throw", Play::new(toy, file.initial.throw))?;
+    let effects = &file.effects;
+    let acting = listed![
         effects.gravity,
         effects.turn_loss,
         effects.hand,
@@ -64,7 +56,7 @@ pub fn yo_yo(
         effects.axle_friction,
         effects.air_drag,
     ];
-    Some((with(file, scene, effects, Play::with)?, look))
+    Some((with(file, scene, acting, Play::with)?, look))
 }
 
 fn toy(file: &Reader<'_>, body: &Body) -> Option<YoYo> {
@@ -91,8 +83,6 @@ fn toy(file: &Reader<'_>, body: &Body) -> Option<YoYo> {
             file.wrong("body.inertia", told)
         }
     }?;
-    match body.wound {
-        Some(wound) => file.right("body.wound", toy.wound_to(wound)),
-        None => Some(toy),
-    }
+    let wound = body.wound.map_or(Ok(toy), |wound| toy.wound_to(wound));
+    file.right("body.wound", wound)
 }

@@ -1,7 +1,7 @@
 //! Draws the figures, writes their files, and compares a fresh drawing with the committed one.
 
 use crate::pictures::{self, Copying};
-use crate::writer::write_if_changed;
+use crate::writer::{ending, write_if_changed};
 use crate::{Error, Result};
 use figures::on_your_table::{Paper, Sheet};
 use figures::{Entry, Figure, Look, Parameter, Values};
@@ -163,7 +163,7 @@ pub fn draw(entries: &[Entry], values: &Values, done: impl Fn() + Sync) -> Resul
 pub fn write(drawings: &[Drawing], copying: Copying, folder: &Path) -> Result<usize> {
     let mut changed = 0;
     for Drawing { entry, figure } in drawings {
-        let path = folder.join(format!("{}.{}", entry.name, copying.form.ending()));
+        let path = folder.join(format!("{}.{}", entry.name, ending(&copying.form)));
         let bytes = pictures::file(figure, copying)?;
         let holds = |drawn| path.is_file() && difference(&path, entry.name, drawn).is_none();
         if !std::str::from_utf8(&bytes).is_ok_and(holds) {

@@ -141,10 +141,8 @@ fn packed(drawings: &[Drawing], book: &Book, pieces: &Pieces) -> anyhow::Result<
     }
     for sheet in on_your_table::sheets(Paper::A4)? {
         if sheet.name.ends_with(".svg") {
-            picture(
-                &format!("sheets/{}", sheet.name),
-                &String::from_utf8_lossy(&sheet.contents),
-            )?;
+            let name = format!("sheets/{}", sheet.name);
+            picture(&name, &String::from_utf8_lossy(&sheet.contents))?;
         }
     }
     let package = PACKAGE
@@ -170,7 +168,11 @@ fn xhtml(chapter: &str) -> String {
             }
             Event::End(TagEnd::CodeBlock) => in_rust = false,
             Event::Text(code) if in_rust => *code = shown(code).into(),
-            Event::Html(html) | Event::InlineHtml(html) => *html = elsewhere(html).into(),
+            Event::Html(html) | Event::InlineHtml(html) => {
+                // That of the press has links among the chapters.
+                let elsewhere = html.replace(".html#", ".xhtml#");
+                *html = elsewhere.replace(".html\"", ".xhtml\"").into();
+            }
             Event::Start(Tag::Link { dest_url, .. }) => {
                 let page = dest_url.split('#').next().unwrap_or_default();
                 let in_the_book = page.is_empty() || page.ends_with(".md");
@@ -182,13 +184,9 @@ fn xhtml(chapter: &str) -> String {
             }
             _ => {}
         }
-        if leads
-            || !matches!(
-                event,
-                Event::Start(Tag::Link { .. }) | Event::End(TagEnd::Link)
-            )
-        {
-            events.push(event);
+        match event {
+            Event::Start(Tag::Link { .. }) | Event::End(TagEnd::Link) if !leads => {}
+            event => events.push(event),
         }
     }
     let mut out = String::new();
@@ -209,12 +207,6 @@ fn shown(code: &str) -> String {
     code.split_inclusive('\n').filter_map(line).collect()
 }
 
-/// HTML of the press with its links among the chapters of this file.
-fn elsewhere(html: &str) -> String {
-    html.replace(".html#", ".xhtml#")
-        .replace(".html\"", ".xhtml\"")
-}
-
 fn page(title: &str, body: &str) -> String {
     PAGE.replace("TITLE", &title.replace('&', "&amp;"))
         .replace("BODY", body)
@@ -228,8 +220,6 @@ fn contents(book: &Book) -> String {
         Some(format!("{indent}1. [{}]({path})\n", chapter.name))
     };
     let list: String = book.chapters().filter_map(line).collect();
-    format!(
-        "<nav epub:type=\"toc\"><h1>Contents</h1>\n{}</nav>\n",
-        xhtml(&list)
-    )
+    let list = xhtml(&list);
+    format!("<nav epub:type=\"toc\"><h1>Contents</h1>\n{list}</nav>\n")
 }

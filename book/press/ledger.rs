@@ -119,10 +119,25 @@ impl Ledger {
             .map_err(|error| Error::Input(format!("book/claims.toml: {error}")))?;
         let mut claims = register.claim;
         claims.sort_by_key(|claim| order(&claim.id));
+        let mut chapters = Vec::new();
+        for chapter in CHAPTERS {
+            match chapter.source(root) {
+                Err(Error::File { source, .. }) if source.kind() == ErrorKind::NotFound => {}
+                read => chapters.extend(marks(&read?).map(|mark| (chapter.name, mark))),
+            }
+        }
+        let mut tests = Vec::new();
+        for path in files_below(&root.join("tests"))? {
+            if path.extension().is_some_and(|ending| ending == "rs") {
+                let source = std::fs::read_to_string(&path).map_err(Error::file(&path))?;
+                let file = path.strip_prefix(root).unwrap_or(&path).to_string_lossy();
+                tests.extend(uses(&file.replace('\\', "/"), &source));
+            }
+        }
         Ok(Ledger {
             claims,
-            chapters: chapter_marks(root)?,
-            tests: test_uses(root)?,
+            chapters,
+            tests,
         })
     }
 
@@ -184,18 +199,6 @@ fn named_in_rust(line: &str) -> Option<Vec<String>> {
     named(line.strip_prefix("//")?.trim_start_matches('/'))
 }
 
-fn chapter_marks(root: &Path) -> Result<Vec<(&'static str, Mark)>> {
-    let mut all = Vec::new();
-    for chapter in CHAPTERS {
-        let source = match chapter.source(root) {
-            Err(Error::File { source, .. }) if source.kind() == ErrorKind::NotFound => continue,
-            read => read?,
-        };
-        all.extend(marks(&source).map(|mark| (chapter.name, mark)));
-    }
-    Ok(all)
-}
-
 /// The options mdBook reads its Markdown with, and formulas.
 pub fn markdown_options() -> Options {
     Options::ENABLE_TABLES
@@ -250,27 +253,8 @@ pub fn is_rust(info: &str) -> bool {
     info.split([',', ' ']).next() == Some("rust")
 }
 
-fn test_uses(root: &Path) -> Result<Vec<TestUse>> {
-    let mut uses = Vec::new();
-    for path in files_below(&root.join("tests"))? {
-        if path.extension().is_none_or(|ending| ending != "rs") {
-            continue;
-        }
-        let source = std::fs::read_to_string(&path).map_err(Error::file(&path))?;
-        let file = path.strip_prefix(root).unwrap_or(&path);
-        let file = file.to_string_lossy().replace('\\', "/");
-        let claims = claims_in_test(&source).into_iter();
-        uses.extend(claims.map(|(claim, function)| TestUse {
-            claim,
-            file: file.clone(),
-            function,
-        }));
-    }
-    Ok(uses)
-}
-
-/// Claims and the functions that name them: the function a mark stands directly above, else the one it stands in.
-fn claims_in_test(source: &str) -> Vec<(String, String)> {
+/// Claims and the functions of a file that name them: the function a mark stands directly above, else the one it stands in.
+fn uses(file: &str, source: &str) -> Vec<TestUse> {
     let (mut found, mut named, mut inside) = (Vec::new(), Vec::new(), "");
     for line in source.lines().map(str::trim_start) {
         named.extend(named_in_rust(line).into_iter().flatten());
@@ -278,8 +262,11 @@ fn claims_in_test(source: &str) -> Vec<(String, String)> {
             continue;
         }
         inside = function_name(line).unwrap_or(inside);
-        let here = named.drain(..).map(|claim| (claim, inside.to_owned()));
-        found.extend(here);
+        found.extend(named.drain(..).map(|claim| TestUse {
+            claim,
+            file: file.to_owned(),
+            function: inside.to_owned(),
+        }));
     }
     found
 }
@@ -310,9 +297,9 @@ mod tests {
     #[test]
     fn marks_of_a_test_above_and_inside_its_function() {
         let source = "// claim: C1.1-1\n#[test]\nfn above() {}\n\n#[test]\nfn inside() {\n    // claim: C1.1-2, C1.1-3\n    let x = 1;\n}\n";
-        let found = claims_in_test(source).into_iter();
+        let found = uses("", source).into_iter();
         let found: Vec<_> = found
-            .map(|(claim, test)| format!("{claim} {test}"))
+            .map(|found| format!("{} {}", found.claim, found.function))
             .collect();
         assert_eq!(found, ["C1.1-1 above", "C1.1-2 inside", "C1.1-3 inside"]);
     }

@@ -4,6 +4,7 @@
 
 use figures::{Figure, Look};
 
+use crate::writer::ending;
 use crate::{Error, Result};
 
 /// The form of a figure's file.
@@ -16,17 +17,6 @@ pub enum Form {
     Pdf,
     /// Dots, for slides; the width is in dots.
     Png,
-}
-
-impl Form {
-    /// How the name of such a file ends.
-    pub const fn ending(self) -> &'static str {
-        match self {
-            Form::Svg => "svg",
-            Form::Pdf => "pdf",
-            Form::Png => "png",
-        }
-    }
 }
 
 /// How a figure is written: its look, its form, and how wide it is if it is no SVG, which has any width.
@@ -58,7 +48,7 @@ pub fn can_be_made(form: Form) -> Result<()> {
     if form == Form::Svg || cfg!(feature = "pictures") {
         return Ok(());
     }
-    let form = form.ending();
+    let form = ending(&form);
     Err(Error::Input(format!(
         "{form}: this build writes SVG only, expected one with the feature: `cargo run --features book/pictures -- …`"
     )))
@@ -94,7 +84,7 @@ fn converted(svg: &str, form: Form, copying: Copying) -> Result<Vec<u8>> {
     use resvg::tiny_skia::{Pixmap, Transform};
     use svg2pdf::usvg::{Options, Tree};
 
-    let failed = |told: String| Error::Failed(format!("--as {}: {told}", form.ending()));
+    let failed = |told: String| Error::Failed(format!("--as {}: {told}", ending(&form)));
     let paper = copying.look.theme.color(figures::style::Role::Paper);
     // The paper of an SVG is a style of the page that shows it; these need a sheet.
     let sheet = format!("</title>\n<rect width=\"100%\" height=\"100%\" fill=\"{paper}\"/>\n");

@@ -8,14 +8,14 @@ use crate::ledger::{Ledger, Mark, MarkKind, code_blocks, markdown_options};
 use crate::pieces::{Pieces, inert, unbroken};
 use crate::{Error, Result, live};
 use pulldown_cmark::{Event, Parser, Tag};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 use std::ops::Range;
 use std::path::Path;
 
 /// What all chapters share: the drawings and their numbers, the ledger, the pieces.
 pub struct Typesetter<'a> {
     root: &'a Path,
-    drawings: HashMap<&'a str, &'a Drawing>,
+    drawings: &'a [Drawing],
     /// The figures shown so far: the first is Figure 1.
     shown: Vec<&'static str>,
     ledger: &'a Ledger,
@@ -52,7 +52,7 @@ impl<'a> Typesetter<'a> {
     ) -> Self {
         Typesetter {
             root,
-            drawings: drawings.iter().map(|d| (d.entry.name, d)).collect(),
+            drawings,
             shown: Vec::new(),
             ledger,
             formulas: Formulas::default(),
@@ -205,7 +205,7 @@ impl<'a> Typesetter<'a> {
     }
 
     fn drawing(&self, name: &str) -> Told<&'a Drawing> {
-        let drawing = self.drawings.get(name).copied();
+        let drawing = self.drawings.iter().find(|one| one.entry.name == name);
         drawing.ok_or_else(|| unknown_figure(name).to_string())
     }
 
@@ -225,12 +225,10 @@ impl<'a> Typesetter<'a> {
         let number = self.shown.len();
         let picture = self.picture(drawing, "fig");
         let details = self.caption(&drawing.figure.details)?;
+        let numbers = inert(&live::parameters(&drawing.entry).to_string());
         let live = match (self.medium, drawing.entry.parameters) {
             (Medium::Ebook, _) | (_, []) => String::new(),
-            _ => format!(
-                " data-live=\"{}\"",
-                inert(&live::parameters(&drawing.entry).to_string())
-            ),
+            _ => format!(" data-live=\"{numbers}\""),
         };
         Ok(format!(
             "<figure id=\"fig-{name}\"{live}>{picture}<figcaption><span class=\"figure-number\">Figure {number}.</span> \
@@ -251,10 +249,10 @@ impl<'a> Typesetter<'a> {
                     false => svg,
                 }
             }
-            Medium::Ebook => format!(
-                "<img src=\"figures/{name}.svg\" alt=\"{}\"/>",
-                inert(&figure.alt)
-            ),
+            Medium::Ebook => {
+                let alt = inert(&figure.alt);
+                format!("<img src=\"figures/{name}.svg\" alt=\"{alt}\"/>")
+            }
         };
         self.pieces.keep(html, "")
     }
@@ -311,19 +309,15 @@ impl<'a> Typesetter<'a> {
                 inert(&claim.title)
             ));
         }
-        Ok(format!(
-            "<p class=\"claim-tags\">{}</p>\n\n",
-            links.join(" ")
-        ))
+        let links = links.join(" ");
+        Ok(format!("<p class=\"claim-tags\">{links}</p>\n\n"))
     }
 }
 
 /// The chapter without its blocks of code.
 pub fn without_code(chapter: &str) -> String {
-    edited(
-        chapter,
-        code_blocks(chapter).map(|(_, span)| (span, "\n".into())),
-    )
+    let blocks = code_blocks(chapter);
+    edited(chapter, blocks.map(|(_, span)| (span, "\n".into())))
 }
 
 /// The text with other words in these places, which come in its order.

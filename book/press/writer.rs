@@ -36,6 +36,10 @@ impl Target {
     /// # Errors
     /// [`Error::Input`] for a folder, a file in a folder that is not there, and the input itself; [`Error::File`].
     pub fn new(path: Option<&Path>, input: Option<&Path>) -> Result<Self> {
+        let input = input.map(|input| match input == Path::new("-") {
+            true => Path::new("/dev/stdin"),
+            false => input,
+        });
         let (name, place) = match path.filter(|path| *path != Path::new("-")) {
             None => (Path::new("standard output"), Place::StandardOutput),
             Some(path) => (path, Place::of(path, input)?),
@@ -85,9 +89,9 @@ impl Place {
             return refused("a file is expected, not a folder");
         }
         match &there {
-            Some(there) if is_standard_output(there) => return Ok(Self::StandardOutput),
+            Some(_) if are_one(path, Path::new("/dev/stdout")) => return Ok(Self::StandardOutput),
             Some(there) if !there.is_file() => return Ok(Self::AsItIs),
-            Some(there) if is_input(path, there, input) => {
+            Some(_) if input.is_some_and(|input| are_one(path, input)) => {
                 return refused("that is the input; its output needs another name");
             }
             _ => {}
@@ -164,22 +168,20 @@ pub fn by_ending<T: ValueEnum>(path: Option<&Path>, what: &str, known: &[T]) -> 
     let Some(file) = path.filter(is_a_file) else {
         return Ok(known[0].clone());
     };
-    let ending_of = |one: &T| {
-        one.to_possible_value()
-            .map(|value| value.get_name().to_owned())
-    };
-    let ending = file.extension().unwrap_or_default().to_ascii_lowercase();
-    let found = known
-        .iter()
-        .find(|one| ending_of(one).is_some_and(|known| ending == *known));
+    let extension = file.extension().unwrap_or_default().to_ascii_lowercase();
+    let found = known.iter().find(|one| extension == *ending(*one));
     found.cloned().ok_or_else(|| {
-        let endings = known.iter().filter_map(ending_of);
-        let endings = endings.map(|ending| format!("`.{ending}`"));
+        let endings = known.iter().map(|one| format!("`.{}`", ending(one)));
         let (file, endings) = (file.display(), endings.collect::<Vec<_>>().join(" or "));
-        Error::Input(format!(
-            "{file}: what is {what}, and its name should end with {endings}"
-        ))
+        let told = format!("{file}: what is {what}, and its name should end with {endings}");
+        Error::Input(told)
     })
+}
+
+/// How the name of a file of this form ends.
+pub fn ending(form: &impl ValueEnum) -> String {
+    let value = form.to_possible_value();
+    value.map_or_else(String::new, |value| value.get_name().to_owned())
 }
 
 /// The folder that a path is in.
@@ -203,40 +205,16 @@ pub fn followed(path: &Path) -> io::Result<PathBuf> {
     Err(io::Error::other("the links go round in a circle"))
 }
 
-fn is_input(path: &Path, there: &Metadata, input: Option<&Path>) -> bool {
-    let Some(input) = input else { return false };
-    if input == Path::new("-") {
-        return standard(io::stdin()).is_some_and(|input| same(&input, there));
-    }
-    let told = std::fs::metadata(input).is_ok_and(|input| same(&input, there));
-    let spelt = |path: &Path| std::fs::canonicalize(path).ok();
-    told || spelt(path).is_some_and(|path| Some(path) == spelt(input))
-}
-
-fn is_standard_output(there: &Metadata) -> bool {
-    standard(io::stdout()).is_some_and(|out| same(&out, there))
-}
-
-/// What a standard stream is connected to.
+/// Whether these names lead to one file, device or pipe.
 #[cfg(unix)]
-fn standard(stream: impl std::os::fd::AsFd) -> Option<Metadata> {
-    let descriptor = stream.as_fd().try_clone_to_owned().ok()?;
-    File::from(descriptor).metadata().ok()
-}
-
-#[cfg(not(unix))]
-fn standard<T>(_: T) -> Option<Metadata> {
-    None
-}
-
-/// Whether these are one file under two names.
-#[cfg(unix)]
-fn same(a: &Metadata, b: &Metadata) -> bool {
+fn are_one(a: &Path, b: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
-    (a.dev(), a.ino()) == (b.dev(), b.ino())
+    let place = |path: &Path| std::fs::metadata(path).map(|data| (data.dev(), data.ino()));
+    place(a).is_ok_and(|a| place(b).is_ok_and(|b| a == b))
 }
 
 #[cfg(not(unix))]
-fn same(_: &Metadata, _: &Metadata) -> bool {
-    false
+fn are_one(a: &Path, b: &Path) -> bool {
+    let place = std::fs::canonicalize;
+    place(a).is_ok_and(|a| place(b).is_ok_and(|b| a == b))
 }

@@ -12,7 +12,7 @@ use super::{Motion, stem};
 use crate::interrupt::Unfinished;
 use crate::pictures::{Form, can_be_made, file};
 use crate::progress::counted;
-use crate::writer::{can_be_written_into, folder_of, tell};
+use crate::writer::{can_be_written_into, ending, folder_of, tell};
 use crate::{Error, Result};
 
 /// The motion at so many equal steps from the first of its times to the last, and the picture of it. The scene tells all of its columns.
@@ -146,7 +146,7 @@ pub fn stills(
     let digits = count.to_string().len();
     counted(count, "stills", |done| {
         for (k, figure) in film.stills().enumerate() {
-            let path = stills.join(format!("{:0digits$}.{}", k + 1, form.ending()));
+            let path = stills.join(format!("{:0digits$}.{}", k + 1, ending(&form)));
             std::fs::write(&path, file(&figure, form.into())?).map_err(Error::file(&path))?;
             done();
         }

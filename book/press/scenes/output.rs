@@ -9,7 +9,7 @@ use clap::ValueEnum;
 use serde_json::{Map, Value, json};
 use spinning_bodies::conservation::Law;
 use spinning_bodies::integrators::Cost;
-use spinning_bodies::scene::{Plan, Table};
+use spinning_bodies::scene::Table;
 
 use super::Motion;
 use crate::Result;
@@ -61,51 +61,48 @@ impl Format {
 /// which costs little where rows are many.
 const PART: usize = 200_000;
 
-/// What is told of all parts.
-struct Told {
-    plan: Plan,
+/// What the parts of a motion sum up to.
+struct Sum {
     cost: Cost,
     error: f64,
-    /// Quantity, law, value at the start, relative drift.
-    ledger: Vec<(&'static str, &'static str, f64, f64)>,
+    /// Of each quantity of the ledger.
+    drifts: Vec<f64>,
 }
 
-impl Told {
-    fn of(table: &Table) -> Self {
-        let entries = table.ledger.entries().iter().map(|entry| {
+impl Sum {
+    /// Of a part and those before it.
+    fn of(table: &Table, before: Option<Self>) -> Self {
+        let drifts = table.ledger.entries().iter();
+        let mut sum = Self {
+            cost: table.cost,
+            error: table.error_estimate,
+            drifts: drifts.map(|entry| entry.relative_drift()).collect(),
+        };
+        if let Some(before) = before {
+            sum.cost += before.cost;
+            sum.error = before.error.max(sum.error);
+            for (drift, before) in sum.drifts.iter_mut().zip(before.drifts) {
+                *drift = before.max(*drift);
+            }
+        }
+        sum
+    }
+
+    /// The first lines of the object; what all parts have in common is that of the last one.
+    fn told(&self, last: &Table, seconds: f64) -> String {
+        let (plan, cost) = (&last.plan, &self.cost);
+        let solver = plan.solver.name();
+        let plan = json!({"solver": solver, "reason": plan.reason, "error_estimate": self.error});
+        let cost =
+            json!({"evaluations": cost.evaluations, "steps": cost.steps, "seconds": seconds});
+        let entries = last.ledger.entries().iter().zip(&self.drifts);
+        let entries = entries.map(|(entry, drift)| {
             let law = match entry.law {
                 Law::Conserved => "conserved",
                 Law::NonIncreasing => "non-increasing",
                 Law::NonDecreasing => "non-decreasing",
             };
-            (entry.name, law, entry.first(), entry.relative_drift())
-        });
-        Self {
-            plan: table.plan.clone(),
-            cost: table.cost,
-            error: table.error_estimate,
-            ledger: entries.collect(),
-        }
-    }
-
-    fn and(mut self, next: &Self) -> Self {
-        self.cost += next.cost;
-        self.error = self.error.max(next.error);
-        for (entry, next) in self.ledger.iter_mut().zip(&next.ledger) {
-            entry.3 = entry.3.max(next.3);
-        }
-        self
-    }
-
-    /// The first lines of the object.
-    fn json(&self, seconds: f64) -> String {
-        let (plan, cost) = (&self.plan, &self.cost);
-        let solver = plan.solver.name();
-        let plan = json!({"solver": solver, "reason": plan.reason, "error_estimate": self.error});
-        let cost =
-            json!({"evaluations": cost.evaluations, "steps": cost.steps, "seconds": seconds});
-        let entries = self.ledger.iter().map(|(name, law, first, drift)| {
-            json!({"quantity": name, "law": law, "value": first, "drift": drift})
+            json!({"quantity": entry.name, "law": law, "value": entry.first(), "drift": drift})
         });
         let ledger: Value = entries.collect();
         format!("  \"plan\": {plan},\n  \"cost\": {cost},\n  \"ledger\": {ledger}")
@@ -116,35 +113,21 @@ fn is_long(motion: &Motion) -> bool {
     motion.request.times().len() > PART
 }
 
-/// Hands on a motion in parts, with what is told so far, and whether it is the first part. Returns what is told of all.
-fn each(
-    motion: &Motion,
-    mut hand_on: impl FnMut(&Table, &Told, bool) -> io::Result<()>,
-) -> io::Result<Option<Told>> {
+/// A motion in parts. What cannot be followed to its end is refused before there is any.
+fn parts(motion: &Motion) -> io::Result<impl Iterator<Item = io::Result<Table>>> {
     let run = |times: &[f64]| motion.awaited(times).map_err(io::Error::other);
     let times = motion.request.times();
     if is_long(motion) {
-        // What cannot be followed to its end is refused before anything is written.
         let farther = |a: &f64, b: &f64| a.abs().total_cmp(&b.abs());
         run(times.iter().copied().max_by(farther).as_slice())?;
     }
-    let mut told: Option<Told> = None;
-    for times in times.chunks(PART) {
-        let (table, first) = (run(times)?, told.is_none());
-        let part = Told::of(&table);
-        let now = match told {
-            None => part,
-            Some(before) => before.and(&part),
-        };
-        hand_on(&table, &now, first)?;
-        told = Some(now);
-    }
-    Ok(told)
+    Ok(times.chunks(PART).map(run))
 }
 
 fn csv(motion: &Motion, to: &mut dyn Write) -> io::Result<()> {
-    let told = each(motion, |table, _, first| {
-        if first {
+    for (place, table) in parts(motion)?.enumerate() {
+        let table = table?;
+        if place == 0 {
             to.write_all(b"t")?;
             for column in &table.columns {
                 write!(to, ",{}", column.name)?;
@@ -159,20 +142,24 @@ fn csv(motion: &Motion, to: &mut dyn Write) -> io::Result<()> {
             }
             to.write_all(b"\n")?;
         }
-        Ok(())
-    });
-    told.map(drop)
+    }
+    Ok(())
 }
 
 /// One object: plan, cost, ledger, units, rows; of a long motion the rows come first, for the rest is not known before they are.
 fn json(motion: &Motion, to: &mut dyn Write) -> io::Result<()> {
     let begin = Instant::now();
-    let (long, mut before) = (is_long(motion), "\n    ");
-    let told = each(motion, |table, told, first| {
+    let (long, mut before, mut sum, mut told) = (is_long(motion), "\n    ", None, String::new());
+    for table in parts(motion)? {
+        let table = table?;
+        let first = sum.is_none();
+        let now = Sum::of(&table, sum);
+        told = now.told(&table, begin.elapsed().as_secs_f64());
+        sum = Some(now);
         if first {
             to.write_all(b"{\n")?;
             if !long {
-                writeln!(to, "{},", told.json(begin.elapsed().as_secs_f64()))?;
+                writeln!(to, "{told},")?;
             }
             let mut units = Map::from_iter([("t".to_owned(), json!("s"))]);
             for column in &table.columns {
@@ -189,11 +176,10 @@ fn json(motion: &Motion, to: &mut dyn Write) -> io::Result<()> {
             }
             to.write_all(b"}")?;
         }
-        Ok(())
-    })?;
+    }
     to.write_all(b"\n  ]")?;
-    if let Some(told) = told.filter(|_| long) {
-        write!(to, ",\n{}", told.json(begin.elapsed().as_secs_f64()))?;
+    if long {
+        write!(to, ",\n{told}")?;
     }
     to.write_all(b"\n}\n")
 }

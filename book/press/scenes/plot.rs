@@ -55,17 +55,15 @@ pub fn plot(motion: &Motion, panels: &[Panel]) -> Result<Figure> {
         true => motion.evenly(SMOOTH)?,
         false => motion.awaited(motion.request.times())?,
     };
-    let quantity = |name: &str| {
-        let place = table.columns.iter().position(|column| column.name == name);
-        let value = |(t, row): (f64, Vec<f64>)| place.map_or(t, |place| row[place]);
-        let column = place.map(|place| &table.columns[place]);
-        quantity(name, column, table.rows().map(value).collect())
+    let quantity = |name: &String| {
+        let column = table.columns.iter().find(|column| column.name == name);
+        let values = table.numbers([name])?.into_iter().flatten();
+        Ok::<_, Error>(quantity(name, column, values.collect()))
     };
-    let pairs = panels
-        .iter()
-        .map(|panel| panel.each_ref().map(|name| quantity(name)));
+    let pair = |[across, up]: &Panel| Ok([quantity(across)?, quantity(up)?]);
+    let pairs: Vec<_> = panels.iter().map(pair).collect::<Result<_>>()?;
     let title = format!("The motion of {}", stem(&motion.name));
-    Ok(diagram(&title, &pairs.collect::<Vec<_>>()))
+    Ok(diagram(&title, &pairs))
 }
 
 /// The values of a column as they are drawn; of none, times.

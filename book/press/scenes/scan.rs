@@ -126,14 +126,6 @@ enum What {
 }
 
 impl Tell {
-    fn last(column: &str) -> Self {
-        Self {
-            column: column.to_owned(),
-            what: What::Last,
-            head: column.to_owned(),
-        }
-    }
-
     fn read(text: &str) -> Option<Self> {
         let (what, column) = text.split_once(':').unwrap_or(("last", text));
         let (column, what) = match (what, column.split_once('=')) {
@@ -172,8 +164,8 @@ pub struct Scan {
     name: String,
     text: String,
     overs: Vec<Over>,
-    /// What is told of a motion, and of which place in a row that begins with the time.
-    tells: Vec<(usize, Tell)>,
+    /// What is told of a motion.
+    tells: Vec<Tell>,
     /// The columns of a row after the time.
     columns: Vec<Column>,
 }
@@ -190,7 +182,7 @@ impl Scan {
     /// # Errors
     /// [`Error::Input`] for a file that is not a scene, a number or a column that it does not have, a number that is to be varied twice, and more than a
     /// million points.
-    pub fn new(path: &Path, overs: Vec<Over>, tells: Vec<Tell>) -> Result<Self> {
+    pub fn new(path: &Path, overs: Vec<Over>, mut tells: Vec<Tell>) -> Result<Self> {
         let (name, text) = source(path)?;
         let motion = Motion::of(&name, &text)?;
         let refused = |told: String| Err(Error::Input(format!("{name}: {told}")));
@@ -211,18 +203,10 @@ impl Scan {
         let named: BTreeSet<&str> = tells.iter().map(|tell| tell.column.as_str()).collect();
         let motion = motion.telling("--tell, --plot", &Vec::from_iter(named))?;
         let columns: Vec<Column> = motion.scene.told().collect();
-        let place = |tell: Tell| {
-            let place = columns.iter().position(|column| column.name == tell.column);
-            place.map(|place| (1 + place, tell))
-        };
-        let tells = match tells.is_empty() {
-            true => {
-                let names = columns.iter().map(|column| column.name);
-                let all = std::iter::once("t").chain(names);
-                all.map(Tell::last).enumerate().collect()
-            }
-            false => tells.into_iter().filter_map(place).collect(),
-        };
+        if tells.is_empty() {
+            let names = columns.iter().map(|column| column.name);
+            tells.extend(std::iter::once("t").chain(names).filter_map(Tell::read));
+        }
         Ok(Self {
             name,
             text,
@@ -262,16 +246,20 @@ impl Scan {
         let row = |(t, row): (f64, Vec<f64>)| [vec![t], row].concat();
         let mut rows: Vec<Vec<f64>> = table.rows().map(row).collect();
         rows.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        let told = |(place, tell): &(usize, Tell)| {
-            let mut numbers = rows.iter().map(|row| row[*place]);
+        let told = |tell: &Tell| {
+            // That of the time is the first.
+            let mut columns = self.columns.iter();
+            let place = columns.position(|column| column.name == tell.column);
+            let place = place.map_or(0, |place| place + 1);
+            let mut numbers = rows.iter().map(|row| row[place]);
             Ok(match tell.what {
                 What::First => numbers.next(),
                 What::Last => numbers.next_back(),
                 What::Least => numbers.reduce(f64::min),
                 What::Greatest => numbers.reduce(f64::max),
                 What::Crossing(level) => {
-                    let rows: Vec<_> = rows.iter().map(|row| (row[0], row[*place])).collect();
-                    crossing(&motion, *place, level, &rows)?
+                    let rows: Vec<_> = rows.iter().map(|row| [row[0], row[place]]).collect();
+                    crossing(&motion, &tell.column, level, &rows)?
                 }
             })
         };
@@ -280,7 +268,7 @@ impl Scan {
 
     /// The heads of all numbers: those of the varied ones, and of what is told.
     fn heads(&self) -> Vec<String> {
-        let told = self.tells.iter().map(|(_, tell)| tell.head.clone());
+        let told = self.tells.iter().map(|tell| tell.head.clone());
         self.paths().map(str::to_owned).chain(told).collect()
     }
 
@@ -295,8 +283,8 @@ impl Scan {
             (varied, outcome)
         });
         let points: Vec<Point> = points.collect();
-        let outcomes = points.iter().map(|(_, outcome)| outcome.as_ref());
-        let refusals: Vec<&Error> = outcomes.filter_map(std::result::Result::err).collect();
+        let outcomes = points.iter().map(|(_, outcome)| outcome);
+        let refusals: Vec<&Error> = outcomes.filter_map(|told| told.as_ref().err()).collect();
         let (refused, all) = (refusals.len(), points.len());
         let ran = match refusals[..] {
             [] => Ok(()),
@@ -349,7 +337,7 @@ impl Scan {
             _ => f64::NAN,
         };
         // A crossing is told by its time.
-        let (_, tell) = &self.tells[0];
+        let tell = &self.tells[0];
         let is_time = matches!(tell.what, What::Crossing(_));
         let column = self.columns.first().filter(|_| !is_time);
         let values = points.iter().map(value).collect();
@@ -411,15 +399,13 @@ impl Scan {
     /// Says what a reader of the rows must know: the mass alone varies, beside an inertia that is not per mass.
     fn warn(&self) {
         let varied: Vec<&str> = self.paths().filter_map(key_of_body).collect();
-        if !varied.contains(&"mass") || ABSOLUTE.iter().any(|key| varied.contains(key)) {
-            return;
-        }
         let numbers = files::numbers(&self.text);
-        let there: Vec<&str> = numbers
-            .iter()
-            .filter_map(|path| key_of_body(path))
-            .collect();
-        if let Some(stays) = ABSOLUTE.iter().find(|key| there.contains(key)) {
+        let there: Vec<_> = numbers.iter().map(|path| key_of_body(path)).collect();
+        let stays = ABSOLUTE.iter().find(|key| there.contains(&Some(key)));
+        if let Some(stays) = stays
+            && varied.contains(&"mass")
+            && !ABSOLUTE.iter().any(|key| varied.contains(key))
+        {
             let name = &self.name;
             tell(format_args!(
                 "warning: {name}: `body.mass` varies and `{stays}` in [body] stays as it is: each row is another body, not the same one made heavier"
@@ -457,11 +443,11 @@ fn set(name: &str, text: &str, path: &str, value: f64) -> Result<String> {
 const PARTS: usize = 64;
 const ROUNDS: usize = 3;
 
-/// The first of the times at which what stands at this place of a row is at a level; the rows are times and what stands there. A jump over the level,
-/// as at a bounce, counts; an angle that goes round is at π and −π at once.
-fn crossing(motion: &Motion, place: usize, level: f64, rows: &[(f64, f64)]) -> Result<Option<f64>> {
-    let column = motion.scene.told().nth(place - 1);
-    let goes_round = column.is_some_and(|column| column.goes_round);
+/// The first of the times at which a column is at a level; the rows are times and what it tells then. A jump over the level, as at a bounce, counts; an
+/// angle that goes round is at π and −π at once.
+fn crossing(motion: &Motion, name: &str, level: f64, rows: &[[f64; 2]]) -> Result<Option<f64>> {
+    let mut columns = motion.scene.told();
+    let goes_round = columns.any(|column| column.name == name && column.goes_round);
     // Where between two rows, as a part of the way.
     let part = |a: f64, b: f64| {
         let leaps = goes_round && (b - a).abs() > PI;
@@ -471,26 +457,25 @@ fn crossing(motion: &Motion, place: usize, level: f64, rows: &[(f64, f64)]) -> R
         let level = levels.find(|&level| a <= level && b > level || a >= level && b < level)?;
         Some((level - a) / (b - a))
     };
-    let first = |rows: &[(f64, f64)]| {
-        let mut pairs = rows.windows(2).map(|pair| (pair[0], pair[1]));
-        pairs.find_map(|(from, to)| Some((from, to, part(from.1, to.1)?)))
+    let first = |rows: &[[f64; 2]]| {
+        let mut pairs = rows.array_windows();
+        pairs.find_map(|&[from, to]| Some((from, to, part(from[1], to[1])?)))
     };
     let Some(mut found) = first(rows) else {
         // In the only row, or in the last.
-        let there = rows.iter().find(|row| row.1 == level);
-        return Ok(there.map(|row| row.0));
+        let there = rows.iter().find(|row| row[1] == level);
+        return Ok(there.map(|row| row[0]));
     };
     for _ in 0..ROUNDS {
         let (from, to, _) = found;
-        let at = |k: usize| from.0 + (to.0 - from.0) * (k as f64 / PARTS as f64);
+        let at = |k: usize| from[0] + (to[0] - from[0]) * (k as f64 / PARTS as f64);
         let table = motion.at(&(1..PARTS).map(at).collect::<Vec<_>>())?;
-        let inner = table.rows().map(|(t, row)| (t, row[place - 1]));
-        let closer: Vec<_> = [from].into_iter().chain(inner).chain([to]).collect();
+        let closer = [vec![from], table.numbers(["t", name])?, vec![to]].concat();
         match first(&closer) {
             Some(closer) => found = closer,
             None => break,
         }
     }
-    let ((from, _), (to, _), part) = found;
+    let ([from, _], [to, _], part) = found;
     Ok(Some(from + (to - from) * part))
 }

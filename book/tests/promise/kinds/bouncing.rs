@@ -112,7 +112,7 @@ impl Ball {
     }
 }
 
-fn thrown(r: &mut Random, losses: bool) -> Scene {
+pub fn thrown(r: &mut Random, losses: bool) -> Scene {
     let mass = r.scaled(1e-2, 1.0);
     let kappa = rolling::inertia_factor(r);
     let fast = r.scaled(0.5, 10.0);
@@ -174,12 +174,4 @@ fn thrown(r: &mut Random, losses: bool) -> Scene {
             ball.rows(begun(start), times).iter().map(row).collect()
         }),
     }
-}
-
-pub fn elastic(r: &mut Random) -> Scene {
-    thrown(r, false)
-}
-
-pub fn lossy(r: &mut Random) -> Scene {
-    thrown(r, true)
 }

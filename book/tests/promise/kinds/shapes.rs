@@ -33,7 +33,7 @@ fn pace_named(late: bool) -> &'static str {
     if late { "late" } else { "even" }
 }
 
-fn swivelling(r: &mut Random, braked: bool) -> Scene {
+pub fn swivelling(r: &mut Random, braked: bool) -> Scene {
     let [lower, out] = [0; 2].map(|_| r.scaled(0.1, 3.0));
     let inside = out * r.within(0.1, 1.0);
     let twist = r.within(-3.0, 3.0);
@@ -103,15 +103,7 @@ fn swivelling(r: &mut Random, braked: bool) -> Scene {
     }
 }
 
-pub fn swivel(r: &mut Random) -> Scene {
-    swivelling(r, false)
-}
-
-pub fn swivel_braked(r: &mut Random) -> Scene {
-    swivelling(r, true)
-}
-
-fn skating(r: &mut Random, braked: bool) -> Scene {
+pub fn skating(r: &mut Random, braked: bool) -> Scene {
     let core = r.scaled(0.1, 3.0);
     let hand = r.scaled(0.3, 5.0);
     let [reach, to] = [0; 2].map(|_| r.within(0.05, 1.0));
@@ -168,14 +160,6 @@ fn skating(r: &mut Random, braked: bool) -> Scene {
             times.iter().zip(&rows).map(row).collect()
         }),
     }
-}
-
-pub fn skater(r: &mut Random) -> Scene {
-    skating(r, false)
-}
-
-pub fn skater_braked(r: &mut Random) -> Scene {
-    skating(r, true)
 }
 
 /// Mass, moments about the spine and across it, distance to the joint.
@@ -275,7 +259,7 @@ fn momentum(halves: &[Half; 2], [second, against]: [Vector; 2], omega: Vector) -
     arm.cross(&speed) * reduced + both
 }
 
-fn cat(r: &mut Random, even: bool) -> Scene {
+pub fn cat(r: &mut Random, even: bool) -> Scene {
     let half = |r: &mut Random| {
         let mass = r.scaled(0.3, 3.0);
         let transverse = mass * r.scaled(1e-3, 3e-2);
@@ -339,14 +323,6 @@ fn cat(r: &mut Random, even: bool) -> Scene {
             times.iter().zip(&rows).map(row).collect()
         }),
     }
-}
-
-pub fn even_cat(r: &mut Random) -> Scene {
-    cat(r, true)
-}
-
-pub fn uneven_cat(r: &mut Random) -> Scene {
-    cat(r, false)
 }
 
 pub fn paper_cat(r: &mut Random) -> Scene {

@@ -114,7 +114,7 @@ impl Strip {
     }
 }
 
-fn falling(r: &mut Random, air: bool) -> Scene {
+pub fn falling(r: &mut Random, air: bool) -> Scene {
     let width = r.scaled(5e-3, 0.2);
     let area = r.scaled(2e-2, 2.0);
     let fluid = if air { r.scaled(0.3, 3.0) } else { 0.0 };
@@ -190,12 +190,4 @@ fn falling(r: &mut Random, air: bool) -> Scene {
         columns: told("length x y, angle angle, speed vx vy, rate omega, energy energy heat"),
         truth: Box::new(move |start, times| strip.rows(start, times, &scales)),
     }
-}
-
-pub fn vacuum(r: &mut Random) -> Scene {
-    falling(r, false)
-}
-
-pub fn in_air(r: &mut Random) -> Scene {
-    falling(r, true)
 }

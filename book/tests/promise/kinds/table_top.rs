@@ -199,7 +199,7 @@ fn sizes(mass: f64, size: f64, rate: f64) -> Vec<(Sort, f64)> {
 }
 
 /// A sphere or an ellipsoid, with its centre of mass in its middle or not.
-fn put(r: &mut Random, law: u8) -> Scene {
+pub fn put(r: &mut Random, law: u8) -> Scene {
     core::iter::repeat_with(|| tried(r, law))
         .flatten()
         .next()
@@ -305,18 +305,6 @@ fn tried(r: &mut Random, law: u8) -> Option<Scene> {
             rows.iter().map(|y| body.row(y)).collect()
         }),
     })
-}
-
-pub fn smooth(r: &mut Random) -> Scene {
-    put(r, 0)
-}
-
-pub fn rubbing(r: &mut Random) -> Scene {
-    put(r, 1)
-}
-
-pub fn rolling(r: &mut Random) -> Scene {
-    put(r, 2)
 }
 
 /// A ball with its centre of mass in its middle: it slides in a parabola until it rolls.

@@ -204,7 +204,7 @@ impl Toy {
     }
 }
 
-fn play(r: &mut Random, air: bool) -> Scene {
+pub fn play(r: &mut Random, air: bool) -> Scene {
     let mass = r.scaled(0.01, 1.0);
     let radius = r.scaled(0.02, 0.1);
     let inertia = mass * radius * radius * r.within(0.3, 1.0);
@@ -268,12 +268,4 @@ fn play(r: &mut Random, air: bool) -> Scene {
         columns: told("length depth, speed velocity, rate omega, energy energy heat work"),
         truth: Box::new(move |start, times| toy.rows(start[0], times)),
     }
-}
-
-pub fn dry(r: &mut Random) -> Scene {
-    play(r, false)
-}
-
-pub fn in_air(r: &mut Random) -> Scene {
-    play(r, true)
 }

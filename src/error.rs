@@ -46,7 +46,7 @@ pub enum Error {
         /// Greatest admissible value.
         greatest: f64,
     },
-    /// A direction was asked of the zero vector.
+    /// The zero vector was given where a direction is needed.
     #[error("{quantity} must not be the zero vector")]
     ZeroVector {
         /// Name of the vector.
@@ -80,7 +80,7 @@ pub enum Error {
         /// Its mirror image.
         lower: f64,
     },
-    /// A list that must have members is empty.
+    /// A list that must not be empty is.
     #[error("{quantity} must not be empty")]
     Empty {
         /// Name of the list.
@@ -98,9 +98,9 @@ pub enum Error {
         /// How many vertices there are.
         vertices: usize,
     },
-    /// Some edge of a mesh is not shared by exactly two triangles that run along it in opposite directions.
+    /// Some edge of a mesh is not run along equally often in both directions.
     #[error(
-        "the mesh is open or inconsistently oriented: each edge must be run along once in each direction"
+        "the mesh is open or inconsistently oriented: its triangles must run along every edge equally often in both directions"
     )]
     OpenMesh,
     /// A mesh encloses no volume, or a negative one.
@@ -108,16 +108,16 @@ pub enum Error {
     NoVolume {
         /// Signed volume, m³.
         volume: f64,
-        /// What to try.
+        /// The cause, and what to try.
         hint: &'static str,
     },
-    /// Routh's rule was asked about a body of which it does not speak.
+    /// Routh's rule was applied to a body that it does not cover.
     #[error("Routh's rule does not hold for {body}")]
     RouthDoesNotApply {
         /// The kind of body.
         body: &'static str,
     },
-    /// A numerical integration did not come to its end.
+    /// A numerical integration stopped before its end.
     #[error("the integration stopped at t = {} s: {reason}", Number(*time))]
     Integration {
         /// Why.
@@ -127,7 +127,7 @@ pub enum Error {
     },
     /// A motion lost a quantity that its scene conserves, or let one rise that can only fall.
     #[error(
-        "the ledger is violated: {quantity} drifted by {} relative to its scale, allowed are {}",
+        "the ledger is violated: {quantity} drifted by {} relative to its scale, more than the {} allowed",
         Number(*drift), Number(*allowed)
     )]
     Ledger {
@@ -140,7 +140,7 @@ pub enum Error {
     },
     /// No method at hand reaches the accuracy asked for.
     #[error(
-        "accuracy {} was asked for, {} is what the motion allows in double precision",
+        "accuracy {} was asked for, but in double precision this motion allows no better than {}",
         Number(*asked), Number(*reached)
     )]
     Accuracy {
@@ -149,23 +149,23 @@ pub enum Error {
         /// Estimate of the accuracy reached.
         reached: f64,
     },
-    /// A run has spent the evaluations that it was given, or would need many times as many.
+    /// A run has used up its budget of evaluations, or would need it many times over.
     #[error(
-        "after {spent} of {most} evaluations of its equations the motion has come to t = {time:?} s, at which pace a run takes {} of them; a looser accuracy, an earlier end, fewer effects or another solver would need fewer",
+        "after {spent} of the {most} evaluations allowed, the motion has come to t = {time:?} s; at this pace the run would take {} of them: ask for a looser accuracy, an earlier end, fewer effects or another solver",
         Number(whole.round())
     )]
     Budget {
-        /// How many it has spent.
+        /// Evaluations used.
         spent: u64,
-        /// How many it was given.
+        /// Evaluations allowed.
         most: u64,
         /// How far it came, s.
         time: f64,
-        /// How many a run to the end takes at the pace so far.
+        /// Evaluations that a run to the end would take at the pace so far.
         whole: f64,
     },
-    /// One of many is refused.
-    #[error("number {place} of the list, counted from 0: {reason}")]
+    /// An item of a list is refused.
+    #[error("item {place} of the list, counted from 0: {reason}")]
     AtPlace {
         /// Its place in the list, counted from 0.
         place: usize,
@@ -182,7 +182,7 @@ pub enum Error {
     },
     /// A motion that amplifies rounding beyond the accuracy asked for.
     #[error(
-        "the accuracy {} is out of reach, {} was reached: rounding adds up, and the motion lets a change of its start grow {} times; a looser accuracy or an earlier end may do",
+        "accuracy {} is out of reach, {} was reached: rounding adds up, and the motion amplifies a small change of its start {} times; a looser accuracy or an earlier end may do",
         Number(*asked), Number(*reached), Number(*growth)
     )]
     Amplified {
@@ -190,8 +190,8 @@ pub enum Error {
         asked: f64,
         /// Error estimate of the best run.
         reached: f64,
-        /// By what factor a small change of the start has grown, as measured; or, where that would take too long, the radians that a change of its rates
-        /// grows by at least.
+        /// By what factor a small change of the start was seen to grow; or, where measuring it would take too long, the angle turned in radians, by
+        /// which a change of the rates grows at least.
         growth: f64,
     },
     /// An effect that has no meaning for a kind of scene.
@@ -204,7 +204,7 @@ pub enum Error {
         /// The effects that it takes.
         takes: &'static str,
     },
-    /// A solver was asked for that cannot run the scene or the top; the text says which can.
+    /// The solver asked for cannot run this scene or top; the text says which can.
     #[error("{condition}")]
     Solver {
         /// The condition, as "the solver must ...".
@@ -214,7 +214,6 @@ pub enum Error {
 
 /// A number as a message shows it: the fewest digits from which it can be read back, with an exponent where there would be a row of
 /// zeros.
-///
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Number(pub f64);
 
@@ -229,7 +228,7 @@ impl fmt::Display for Number {
     }
 }
 
-/// The result of everything in this library that can refuse.
+/// The result of every function in this library that can fail.
 pub type Result<T> = core::result::Result<T, Error>;
 
 /// `value`, if it is accepted.
@@ -245,7 +244,7 @@ pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64> {
     })
 }
 
-/// Whether all of them are finite.
+/// Refuses the first of these values that is not finite.
 pub(crate) fn each_finite(
     quantity: &'static str,
     values: impl IntoIterator<Item = f64>,
@@ -266,7 +265,7 @@ pub(crate) fn not_negative(quantity: &'static str, value: f64) -> Result<f64> {
     accepted(value, holds, || Error::Negative { quantity, value })
 }
 
-/// `value`, if it is finite and lies between these two, both included.
+/// `value`, if it is finite and lies between `least` and `greatest`, both included.
 pub(crate) fn within(quantity: &'static str, value: f64, least: f64, greatest: f64) -> Result<f64> {
     let holds = (least..=greatest).contains(&finite(quantity, value)?);
     accepted(value, holds, || Error::OutOfRange {
@@ -277,18 +276,18 @@ pub(crate) fn within(quantity: &'static str, value: f64, least: f64, greatest: f
     })
 }
 
-/// One place for each result, no fewer and no more.
+/// Refuses an output slice whose length is not the number of results.
 pub(crate) fn same_length(wanted: usize, found: usize) -> Result<()> {
     if wanted == found {
         return Ok(());
     }
     Err(Error::Condition {
-        condition: "there must be one place for each result",
+        condition: "the output slice must have one place for each result",
         value: found as f64,
     })
 }
 
-/// A time so far from 0, either way, that digits do not tell where the motion is; `limit` is the longest of which they do.
+/// The refusal of a time so far from 0 that no digit of the phase would be left; `limit` is the greatest time at which some are.
 pub(crate) fn too_long(t: f64, limit: f64) -> Error {
     Error::OutOfRange {
         quantity: "the time",

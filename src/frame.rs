@@ -176,7 +176,7 @@ impl<Axes> FrameVector<Axes> {
     /// The unit vector of the same direction.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] and [`Error::ZeroVector`], with `quantity` as its name.
+    /// [`Error::NotFinite`] and [`Error::ZeroVector`], in which the vector is called `quantity`.
     ///
     /// ```
     /// use spinning_bodies::frame::BodyVector;
@@ -275,7 +275,7 @@ impl<Axes> core::iter::Sum for FrameVector<Axes> {
     }
 }
 
-/// Euler's angles: the attitude is a turn by ψ about the third axis, by θ about the horizontal, by φ about the vertical.
+/// Euler's angles: the attitude is a turn by ψ about the third axis, then by θ about the horizontal x-axis, then by φ about the vertical.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct EulerAngles {
@@ -287,7 +287,7 @@ pub struct EulerAngles {
     pub psi: f64,
 }
 
-/// The same angle in −π … π, for one between −2π and 2π.
+/// An angle between −2π and 2π, brought into −π … π.
 fn wrapped(angle: f64) -> f64 {
     if angle > PI {
         angle - TAU
@@ -308,7 +308,7 @@ pub(crate) fn finite_vector<Axes>(
 }
 
 /// How the body stands in space: the rotation that turns body axes into space axes, as a unit quaternion. With the feature `serde`:
-/// `[w, x, y, z]`; one of norm 1 is read untouched, any other is normalised, and none at all refused.
+/// `[w, x, y, z]`; a quaternion of norm 1 is read untouched, any other is normalised, and zero is refused.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -361,7 +361,7 @@ impl Attitude {
     /// The attitude after a turn by `angle` (radians, right-handed) about an axis, from the identity.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] and [`Error::ZeroVector`] for an axis or angle that is none.
+    /// [`Error::NotFinite`] for the axis or the angle, [`Error::ZeroVector`] for the axis.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
@@ -377,7 +377,8 @@ impl Attitude {
         Ok(Self(UnitQuaternion::from_axis_angle(&axis, angle)))
     }
 
-    /// A turn by ψ about the third axis, by θ about the horizontal, by φ about the vertical (7.1): [`euler_angles`](Self::euler_angles) the other way round.
+    /// The attitude after a turn by ψ about the third axis, then by θ about the horizontal x-axis, then by φ about the vertical (7.1); the
+    /// inverse of [`euler_angles`](Self::euler_angles).
     ///
     /// # Errors
     /// [`Error::NotFinite`].
@@ -423,7 +424,7 @@ impl Attitude {
         self.0
     }
 
-    /// The same vector, by its components along the axes of space.
+    /// The components along the axes of space of a vector given along the body's axes.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
@@ -435,7 +436,7 @@ impl Attitude {
         SpaceVector::from_components(self.0 * vector.components())
     }
 
-    /// The same vector, by its components along the axes of the body.
+    /// The components along the body's axes of a vector given along the axes of space.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
@@ -447,10 +448,10 @@ impl Attitude {
         BodyVector::from_components(self.0.inverse_transform_vector(&vector.components()))
     }
 
-    /// θ, φ, ψ in radians (7.1).
+    /// Euler's angles θ, φ, ψ in radians (7.1).
     ///
-    /// Next to θ = 0 only φ + ψ means anything, next to π only φ − ψ: it is exact to rounding, while their difference, or sum, loses what the
-    /// attitude has lost of it; with θ = 0 or π exactly it counts as zero. Cost: three arctangents.
+    /// Near θ = 0 only φ + ψ is well determined, near π only φ − ψ, and it is right to rounding. The other combination keeps the digits that the
+    /// attitude still has of it; at θ = 0 or π exactly it is taken as zero. Cost: three arctangents.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -484,7 +485,7 @@ impl Attitude {
     }
 }
 
-/// First the right one, then the left one, about axes of space.
+/// The product of two attitudes: first the turn on the right, then the one on the left, both about axes of space.
 ///
 /// ```
 /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -507,7 +508,7 @@ impl TryFrom<[f64; 4]> for Attitude {
 
     fn try_from([w, x, y, z]: [f64; 4]) -> Result<Self> {
         let quaternion = Quaternion::new(w, x, y, z);
-        // What was an attitude when it was written is one now, to the bit; where the two ways meet they differ by as much.
+        // An attitude that was written is read back to the bit. At the threshold, normalising would change it by no more than 1e-14.
         if (quaternion.norm_squared() - 1.0).abs() < 1e-14 {
             return Ok(Self::from_unit(quaternion));
         }
@@ -524,7 +525,7 @@ impl From<Attitude> for [f64; 4] {
 }
 
 impl From<UnitQuaternion<f64>> for Attitude {
-    /// Untouched.
+    /// The attitude of this quaternion, to the bit.
     fn from(quaternion: UnitQuaternion<f64>) -> Self {
         Self(quaternion)
     }

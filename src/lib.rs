@@ -10,8 +10,8 @@
 //! | 3 | [`conservation`] | momentum, angular momentum, energy; the ledger that watches them | rounding; relative positions and velocities, so that a distant or fast swarm keeps its digits |
 //! | 3.5 | [`rotating_fluid`] | Maclaurin's spheroids, Jacobi's ellipsoids | closed form |
 //! | 4.2 | [`impacts`] | a meteorite strikes a planet and sticks | closed form |
-//! | 4.3 | [`rolling`] | the billiard shot: skidding, rolling, and the way from one to the other | closed form from event to event |
-//! | 4.6 | [`superball`] | bounces that keep the energy | exact in fractions; closed form after any number of bounces |
+//! | 4.3 | [`rolling`] | the billiard shot: skidding, rolling, and how one becomes the other | closed form from event to event |
+//! | 4.6 | [`superball`] | bounces that conserve energy | exact in fractions; closed form after any number of bounces |
 //! | 4.7 | [`tippe_top`] | bodies that stand on a table: tippe top, egg, chiral top, rattleback | thresholds in closed form; motions by steps, to the accuracy asked |
 //! | 4.9 | [`yo_yo`] | down, turn, sleep, and up again | closed form; with losses, in steps to the accuracy asked |
 //! | 4.10 | [`falling_strip`] | flutter and tumbling of a strip in a fluid | steps to the accuracy asked; the model is fitted to experiments |
@@ -19,10 +19,10 @@
 //! | 5.2 | [`ideal_fluid`] | the ideal fluid as a top: Zeitlin's truncation, with all its invariants | to rounding, for the truncated model |
 //! | 6 | [`euler_top`] | the free top: exact motion and attitude at any time, Poinsot, stability, the Earth and Toutatis | to the last digits of a double, at any time, on the separatrix too |
 //! | 7 | [`lagrange_top`] | the heavy symmetric top: exact motion and attitude, precession, dip, sleep, the spherical pendulum | to the last digits of a double, at any time, even when the top is asleep or nearly so |
-//! | 8 | [`kovalevskaya_top`] | Kovalevskaya's top by separation of variables; Toda's lattice | the error grows with time, and is stated; next to a double root and on it by the same theta functions as far as 32 digits tell the roots apart, by power series where they do not, or refused |
+//! | 8 | [`kovalevskaya_top`] | Kovalevskaya's top by separation of variables; Toda's lattice | the error grows with time, and is stated; at a double root and near it by theta functions where 32 digits tell the roots apart, otherwise by power series, or refused |
 //! | 9 | [`pythagoras`] | the gas box on a hinge, with any triangle, polygon and corner | rounding |
 //! |  | [`scene`] | a body, how it is held, its effects; how it will be computed, the motion and what it conserves | within the accuracy asked, or refused; every answer comes with an estimate of its error |
-//! |  | [`integrators`] | methods for equations without a closed form; geometric ones for bodies that turn | to the order of each method; |L| kept to rounding by the geometric ones |
+//! |  | [`integrators`] | methods for equations without a closed form; geometric methods for rotating bodies | to the order of each method; |L| kept to rounding by the geometric ones |
 //! |  | [`elliptic`] | Jacobi functions and elliptic integrals that keep their digits at the separatrix | half a unit in the last place for integrals, four for functions |
 //! |  | [`Error`] | the one error type |  |
 //!
@@ -55,7 +55,7 @@ pub mod yo_yo;
 
 pub use error::{Error, Result};
 
-// The examples on the front pages are tests like any other.
+// The examples of both READMEs run as doctests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct FrontPage;

@@ -12,7 +12,7 @@ use crate::frame::{Attitude, BodyVector};
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "Written")
+    serde(try_from = "Unchecked")
 )]
 pub struct MassProperties {
     mass: f64,
@@ -20,21 +20,21 @@ pub struct MassProperties {
     inertia: InertiaMatrix,
 }
 
-/// A body as it was written, not yet known to be one.
+/// The fields of a body as read from a file, not yet checked.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
-struct Written {
+struct Unchecked {
     mass: f64,
     center: BodyVector,
     inertia: InertiaMatrix,
 }
 
 #[cfg(feature = "serde")]
-impl TryFrom<Written> for MassProperties {
+impl TryFrom<Unchecked> for MassProperties {
     type Error = crate::Error;
 
-    fn try_from(written: Written) -> Result<Self> {
-        Self::new(written.mass, written.center, written.inertia)
+    fn try_from(unchecked: Unchecked) -> Result<Self> {
+        Self::new(unchecked.mass, unchecked.center, unchecked.inertia)
     }
 }
 

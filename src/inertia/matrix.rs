@@ -6,7 +6,7 @@ use super::principal::{PrincipalAxes, symmetric, symmetric_axes};
 use crate::error::{Error, Result, each_finite, finite, not_negative};
 use crate::frame::{Attitude, BodyVector};
 
-/// The inertia matrix I about some point, kg m²: symmetric, and such as a body can have.
+/// The inertia matrix I about some point, kg m²: symmetric, with moments that a body can have.
 ///
 /// The point is not stored: [`MassProperties`](super::MassProperties) keeps the matrix about the centre of
 /// mass and knows where that is.
@@ -23,7 +23,7 @@ impl TryFrom<[[f64; 3]; 3]> for InertiaMatrix {
     type Error = Error;
 
     fn try_from(rows: [[f64; 3]; 3]) -> Result<Self> {
-        // The widest slack of all constructors, that of a mesh: what was written is read.
+        // The widest slack of all constructors, that of a mesh, so that every matrix that was written can be read.
         Self::with_slack(rows.into(), super::mesh::SLACK)
     }
 }
@@ -66,7 +66,7 @@ impl InertiaMatrix {
         symmetric("an entry of the inertia matrix", &matrix, slack)?;
         let symmetric = symmetrised(&matrix);
         finite("the trace of the inertia matrix", symmetric.trace())?;
-        // Judged in a smaller unit near the end of the range, where an indefinite matrix has moments without a number.
+        // Near the end of the range, scaled down: moments of an indefinite matrix could overflow there.
         let unit = if symmetric.amax() > 1e300 { 0.125 } else { 1.0 };
         let [smallest, middle, largest] = symmetric_axes(&(symmetric * unit)).moments;
         let slack = relative * largest.abs().max(smallest.abs());
@@ -125,7 +125,7 @@ impl InertiaMatrix {
         Self::checked(particle_term(mass, &position.components()))
     }
 
-    /// A matrix built by this module from parts that are inertia matrices: only overflow is left to refuse.
+    /// A matrix that is an inertia matrix by construction: only overflow is refused.
     pub(super) fn checked(matrix: Matrix3<f64>) -> Result<Self> {
         finite("the trace of the inertia matrix", matrix.trace())?;
         each_finite("an entry of the inertia matrix", matrix.iter().copied())?;
@@ -203,7 +203,7 @@ impl InertiaMatrix {
 
     /// Angle between L = IΩ and Ω, radians (2.2).
     ///
-    /// From what is left of L across Ω when the moment about Ω is taken off the matrix: of a nearly round body the small angle keeps its digits.
+    /// The moment about Ω is subtracted from the matrix before it is applied, so that a nearly round body's small angle keeps its digits.
     /// Never more than [`PrincipalMoments::greatest_angle`](super::PrincipalMoments::greatest_angle).
     ///
     /// # Errors
@@ -258,9 +258,9 @@ impl InertiaMatrix {
 
     /// Mean of the matrices that arise by turning the body about `axis` by all multiples of 2π/`order` (2.6).
     ///
-    /// It is the inertia of a body with a symmetry of that order. For order 3 and more it is of revolution,
-    /// whatever it was before, and does not depend on the order: a symmetric matrix seen along a circle varies with
-    /// the doubled angle at most, and three equally spaced points average that to nothing.
+    /// The mean is the inertia of a body with a symmetry of that order. From order 3 on it is that of a body of revolution,
+    /// the same for every order: round a circle a symmetric matrix varies at most with the doubled angle, and three equally
+    /// spaced points average that to zero.
     ///
     /// # Errors
     /// [`Error::NotFinite`] or [`Error::ZeroVector`] for the axis, [`Error::OutOfRange`] for order 0.
@@ -300,7 +300,7 @@ impl InertiaMatrix {
 
     /// Torque about the reference point, N m, of a field of force that is linear in position (2.5).
     ///
-    /// The force on a particle m at x is m·A x, A in s⁻². N = ∫x∧(Ax)ρ needs nothing of the body but this matrix.
+    /// The force on a particle m at x is m·A x, A in s⁻². N = ∫x∧(Ax)ρ depends on the body through this matrix alone.
     ///
     /// ```
     /// use spinning_bodies::{frame::BodyVector, inertia::InertiaMatrix};
@@ -322,7 +322,7 @@ impl InertiaMatrix {
 
     /// Principal moments, ascending, and principal axes (2.4).
     ///
-    /// See [`PrincipalAxes`] for what is promised of them. Cost: 0.1 µs.
+    /// Accuracy: see [`PrincipalAxes`]. Cost: 0.1 µs.
     ///
     /// ```
     /// use spinning_bodies::inertia::InertiaMatrix;

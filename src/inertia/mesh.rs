@@ -30,8 +30,8 @@ pub(super) const SLACK: f64 = 1e-12;
 /// * Any size of mesh: if the sums leave the normal range they are repeated in a unit that is a power of two,
 ///   which rounds nothing. Only the results must be in range; a moment below 1e-308 kg m² underflows.
 /// * The same pass checks that every edge is run along equally often in both directions. It adds up a signed 64-bit
-///   hash of each edge; an open mesh passes with probability 2⁻⁶⁴. Vertices must be shared: weld first.
-/// * A vertex that no triangle names is not looked at.
+///   hash of each edge; an open mesh passes with probability 2⁻⁶⁴. Triangles must share vertices: weld duplicates first.
+/// * A vertex that no triangle names is ignored.
 ///
 /// # Errors
 /// [`Error::Empty`], [`Error::NotPositive`] or [`Error::NotFinite`] for the density, [`Error::VertexIndex`],
@@ -65,7 +65,7 @@ pub fn mesh_mass_properties(
     let surface = Surface {
         vertices,
         triangles,
-        // One that does not exist is found with the others.
+        // A number out of range is refused by the sums, as for every other triangle.
         apex: vertices.get(first[0] as usize).copied().unwrap_or_default(),
     };
     let mut scale = Scale::ONE;
@@ -79,12 +79,12 @@ pub fn mesh_mass_properties(
         scale = Scale::fitting(&surface);
         total = surface.sums(scale)?;
     }
-    solid(&total, scale, &surface)?;
-    finish(&total, scale, surface.apex, density)
+    require_volume(&total, scale, &surface)?;
+    mass_properties(&total, scale, surface.apex, density)
 }
 
-/// Refuses a mesh that encloses nothing, or whose volume is not above what rounding can make of a flat one.
-fn solid(total: &Sums, scale: Scale, surface: &Surface) -> Result<()> {
+/// Refuses a mesh whose volume is negative, or no greater than rounding can make that of a flat one.
+fn require_volume(total: &Sums, scale: Scale, surface: &Surface) -> Result<()> {
     let determinant = total.determinant;
     let refuse = |hint| {
         Err(Error::NoVolume {
@@ -92,12 +92,12 @@ fn solid(total: &Sums, scale: Scale, surface: &Surface) -> Result<()> {
             hint,
         })
     };
-    // Only a body that is very thin for its size can be a flat one in disguise; the mean square distance from the
+    // Only a body that is very thin for its size can be a flat mesh plus rounding; the mean square distance from the
     // apex, (tr S)/V, tells the size.
     let size = (total.trace() / determinant).abs().sqrt();
-    // NaN, from a determinant of zero, is suspicious too.
-    let plump = determinant.abs() > 1e-6 * size * size * size;
-    if !plump && determinant.abs() <= surface.largest_rounding_of_volume(scale) {
+    // False for NaN, from a determinant of zero, too.
+    let clearly_solid = determinant.abs() > 1e-6 * size * size * size;
+    if !clearly_solid && determinant.abs() <= surface.largest_rounding_of_volume(scale) {
         return refuse("; its triangles lie in one plane");
     }
     if determinant < 0.0 {
@@ -106,8 +106,13 @@ fn solid(total: &Sums, scale: Scale, surface: &Surface) -> Result<()> {
     Ok(())
 }
 
-/// From the ten sums to mass, centre and inertia about the centre.
-fn finish(total: &Sums, scale: Scale, apex: [f64; 3], density: f64) -> Result<MassProperties> {
+/// Mass, centre and inertia about the centre, from the ten sums.
+fn mass_properties(
+    total: &Sums,
+    scale: Scale,
+    apex: [f64; 3],
+    density: f64,
+) -> Result<MassProperties> {
     let volume = total.determinant / 6.0;
     let c = total.first.map(|sum| sum / (4.0 * total.determinant));
     let about_center = |k: usize| {

@@ -1,8 +1,8 @@
-//! Three principal moments, sorted, and such as a body can have.
+//! Three principal moments, sorted, and checked that a body can have them.
 
 use crate::error::{Error, Result, not_negative};
 
-/// Principal moments I₁ ≤ I₂ ≤ I₃ in kg m², known to belong to some body.
+/// Principal moments I₁ ≤ I₂ ≤ I₃ in kg m², checked that a body can have them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -40,7 +40,7 @@ impl PrincipalMoments {
         for moment in [a, b, c] {
             not_negative("a principal moment", moment)?;
         }
-        // A negative zero becomes one: quotients and roots of it would have its sign.
+        // Adding 0.0 turns −0 into +0: quotients and roots would carry the sign on.
         let mut sorted = [a, b, c].map(|moment| moment + 0.0);
         sorted.sort_by(f64::total_cmp);
         let [smallest, middle, largest] = sorted;

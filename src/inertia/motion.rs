@@ -52,7 +52,7 @@ impl RigidMotion {
         self.velocity + self.omega.cross(&(x - self.base))
     }
 
-    /// The same motion told from another base point: U changes by Ω∧P, Ω does not change (2.2).
+    /// The same motion described from another base point (2.2): U changes by Ω∧P, P from the old point to the new; Ω does not change.
     ///
     /// ```
     /// use spinning_bodies::{frame::BodyVector, inertia::RigidMotion};

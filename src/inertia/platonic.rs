@@ -1,4 +1,4 @@
-//! Plato's five (tutorial 2.6): vertices, faces, and the closed values of their moments.
+//! The five Platonic solids (tutorial 2.6): vertices, faces, and their moments in closed form.
 
 use crate::error::{Result, positive};
 
@@ -114,7 +114,7 @@ impl PlatonicSolid {
     }
 }
 
-/// The vector with a minus before each component whose bit is set, the first component's bit being the highest of three.
+/// The vector with each component negated whose bit is set; the first component's bit is the highest of three.
 fn signed(bits: usize, vector: [f64; 3]) -> [f64; 3] {
     core::array::from_fn(|k| match bits >> (2 - k) & 1 {
         0 => vector[k],

@@ -1,9 +1,9 @@
 //! Principal moments and axes of a symmetric matrix (tutorial 2.4).
 //!
-//! No iteration to convergence: one root of the characteristic cubic that is well separated from the other two
-//! whatever the matrix, its axis from a cross product, and the other two moments and axes by one rotation in the plane across.
-//! All of this happens on the deviator, the matrix less a third of its trace, so that near-equal moments are seen
-//! in their own scale. Moments that drown in the rounding of others are found once more, in 106 bits. After D. Eberly, "A robust eigensolver for 3×3 symmetric matrices".
+//! Nothing is iterated to convergence. One root of the characteristic cubic is well separated from the other two, whatever the
+//! matrix; its axis comes from a cross product, the other two moments and axes from one rotation in the plane at right angles to it.
+//! All of this happens on the deviator, the matrix less a third of its trace, so that nearly equal moments are computed on the scale of their
+//! differences. Moments lost in the rounding of greater ones are computed again in 106 bits. After D. Eberly, "A robust eigensolver for 3×3 symmetric matrices".
 
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
@@ -12,13 +12,13 @@ use crate::precise::{DoubleDouble, Extended, Number, quick};
 
 /// Principal moments, ascending, and principal axes (2.4).
 ///
-/// What is promised, for every matrix: no NaN; the same answer for the same entries; axes orthonormal (largest entry of
+/// Promised for every matrix: no NaN; the same answer for the same entries; axes orthonormal (largest entry of
 /// VᵀV − 1 at most 1e-15) and right-handed; moments within 1e-15 times the largest of the exact ones. The smallest moment of a needle
 /// is right to 4e-16 of itself where it is more than 1e-16 of the largest; and every moment is right to 1e-14 of itself, however small, with the axis that
 /// belongs to it, where the matrix is graded: D A D with a diagonal D and a positive A, of ones on its diagonal, of condition up to 100
 /// (observed: 3e-16, moments from 1e-150 to 1e150). A diagonal matrix is answered exactly, with
-/// coordinate axes. Where two moments coincide, the two axes are some pair in their plane; to the extent that
-/// two moments agree, the axes are as uncertain as the matrix: rounding over gap.
+/// coordinate axes. Where two moments coincide, their axes are any pair in their plane; where they nearly do, the
+/// axes are uncertain by the rounding of the matrix over the gap between the moments.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PrincipalAxes {
     /// The principal moments, ascending, kg m².
@@ -46,7 +46,7 @@ impl PrincipalAxes {
         super::PrincipalMoments::nearest(self.moments)
     }
 
-    /// The same with no moment below zero: an inertia matrix has none, but a rounded one may.
+    /// The same axes with negative moments set to zero: an inertia matrix has none, but rounding may make one.
     #[inline]
     pub(super) fn not_negative(mut self) -> Self {
         self.moments = self.moments.map(|moment| moment.max(0.0));
@@ -84,7 +84,7 @@ pub fn principal_axes_of(matrix: &Matrix3<f64>) -> Result<PrincipalAxes> {
     })
 }
 
-/// Refuses a matrix with entries that are not finite, or that differ from those beyond the diagonal by more than `slack`.
+/// Refuses a matrix with entries that are not finite, or that differ from their mirror entries by more than `slack`.
 pub(super) fn symmetric(entries: &'static str, matrix: &Matrix3<f64>, slack: f64) -> Result<()> {
     each_finite(entries, matrix.iter().copied())?;
     for (row, column) in [(0, 1), (0, 2), (1, 2)] {
@@ -103,10 +103,10 @@ pub(super) fn symmetric(entries: &'static str, matrix: &Matrix3<f64>, slack: f64
 
 type V = Vector3<f64>;
 
-/// Below this part of the largest a moment has lost more than four bits to the rounding of the mean.
+/// A moment below this fraction of the largest has lost more than four bits to the rounding of the mean.
 const NEEDLE: f64 = 1.0 / 16.0;
 
-/// Entries of a matrix scaled to 1 whose products, three at a time, still have a second word.
+/// The least entry, of a matrix scaled to 1, such that a product of three still has a second word.
 const LEAST: f64 = 1e-60;
 
 /// Coefficients of 1, h, h², h³ of the minimax cubic for 2 cos(arccos(h)/3) on 0..1.
@@ -147,10 +147,10 @@ pub(super) fn symmetric_axes(matrix: &Matrix3<f64>) -> PrincipalAxes {
         let scaled = matrix * down;
         if scaled.iter().all(|x| *x == 0.0 || x.abs() > LEAST) {
             moments *= down;
-            found_again::<DoubleDouble>(&scaled, &mut moments, &mut axes, side);
+            refine_small_moments::<DoubleDouble>(&scaled, &mut moments, &mut axes, side);
             moments *= up;
         } else {
-            found_again::<Extended>(matrix, &mut moments, &mut axes, side);
+            refine_small_moments::<Extended>(matrix, &mut moments, &mut axes, side);
         }
     }
     // Equal moments may have been rounded into the wrong order by one unit.
@@ -162,14 +162,19 @@ pub(super) fn symmetric_axes(matrix: &Matrix3<f64>) -> PrincipalAxes {
     }
 }
 
-/// Small moments once more, from the determinant of A − v or the characteristic polynomial in 106 bits; their axes too where two are lost.
+/// Computes small moments again in 106 bits, from the determinant of A − v or the characteristic polynomial; and their axes where two are lost.
 ///
-/// In a graded matrix all terms of these sums are graded as their results are: what cancels is the condition of the matrix scaled to a
-/// diagonal of ones. The root that is well separated from the others, `side`, is known to a few eps.
+/// In a graded matrix the terms of these sums are graded like their results: cancellation costs no more than the condition of the matrix scaled to a
+/// diagonal of ones. The root that is well separated from the others, at the end `side`, is known to a few eps.
 ///
-/// Out of line: within its caller the registers do not suffice for either.
+/// Not inlined: caller and callee together would run out of registers.
 #[inline(never)]
-fn found_again<N: Number>(a: &Matrix3<f64>, moments: &mut V, axes: &mut [V; 3], side: Side) {
+fn refine_small_moments<N: Number>(
+    a: &Matrix3<f64>,
+    moments: &mut V,
+    axes: &mut [V; 3],
+    side: Side,
+) {
     let [x, y, z, xy, xz, yz] = [a.m11, a.m22, a.m33, a.m12, a.m13, a.m23];
     let minor = |a: f64, b: f64, c: f64, d: f64| N::product(a, b).add_alike(N::product(-c, d));
     // det(A − v) = cube − v (squares − v (trace − v)).
@@ -195,7 +200,7 @@ fn found_again<N: Number>(a: &Matrix3<f64>, moments: &mut V, axes: &mut [V; 3], 
     }
     let [x, y, z, xy, xz, yz] = [x, y, z, xy, xz, yz].map(N::from_double);
     let trace = x.add_alike(y).add_alike(z);
-    // A step of Newton's for the separated root, from a few eps to their square, then the quadratic that is left.
+    // One Newton step takes the separated root from an error of a few eps to their square; then the quadratic that is left.
     let [u, v, near] = [low, high, apart].map(|k| N::from_double(moments[k]));
     let slope = (near - u) * (near - v);
     let rest = ((trace - near) * near - squares) * near + cube;
@@ -218,7 +223,7 @@ fn found_again<N: Number>(a: &Matrix3<f64>, moments: &mut V, axes: &mut [V; 3], 
     };
     (moments[low], moments[high]) = (pair[0].narrow().value(), pair[1].narrow().value());
     if moments[high] - moments[low] > 1e-3 * sizes[apart] {
-        // Their axes are as good as they were: rounding over gap.
+        // Their axes are already as good as the gap between them allows.
         return;
     }
     // The columns of the adjugate of A − low are multiples of its axis.
@@ -247,7 +252,7 @@ fn found_again<N: Number>(a: &Matrix3<f64>, moments: &mut V, axes: &mut [V; 3], 
     let axis = V::from(column.map(|x| x.ratio(largest)));
     let across = axis - axes[apart] * axis.dot(&axes[apart]);
     let (length, whole) = (across.dot(&across), axis.dot(&axis));
-    // Where the two moments agree to the last bits the column says nothing, and any pair will do.
+    // Where the two moments agree to the last bits the column is mere rounding, and any pair will do.
     if length > 0.5 * whole {
         axes[low] = across / length.sqrt();
         axes[high] = axes[apart].cross(&axes[low]);

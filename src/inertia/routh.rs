@@ -1,6 +1,6 @@
 //! Routh's rule (tutorial 2.7): divide the sum of squares of the perpendicular semi-axes by 3, 4 or 5.
 //!
-//! Three for what is rectangular, four for what is elliptic, five for what is ellipsoidal. Behind it stands
+//! Three for rectangles and boxes, four for ellipses, five for ellipsoids. The reason is
 //! [`mean_square`]: over a homogeneous ellipsoid of d dimensions the mean of x² is a²/(d+2). A rod is
 //! such an ellipsoid with d = 1, a disc with d = 2, a ball with d = 3. A product of bodies adds one term for each
 //! factor, so a box gets three for every axis, and a cylinder gets four for its round directions and three along
@@ -8,7 +8,7 @@
 
 use crate::error::{Error, Result, finite, not_negative, positive, within};
 
-/// A kind of homogeneous body, for the question whether Routh's rule speaks of it.
+/// A kind of homogeneous body, which Routh's rule covers or not.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Form {
@@ -35,7 +35,7 @@ pub enum Form {
 }
 
 impl Form {
-    /// 3, 4 or 5 where the rule holds; it does not speak of the others (2.7).
+    /// The denominator 3, 4 or 5, or an error for a body that the rule does not cover (2.7).
     const fn denominator(self) -> Result<u32> {
         let body = match self {
             Self::Rod | Self::Rectangle | Self::Cuboid => return Ok(3),

@@ -1,13 +1,13 @@
 //! Closed formulas for homogeneous bodies (tutorial 2.6, 2.7).
 //!
 //! Every body has its centre of mass at the origin, except [`triangle_lamina`], which stays where its corners
-//! are, [`ball_without_cap`] and [`racket`]. What has an axis has it along z; laminae lie in the plane of x and y. Lengths in metres, mass in kilograms.
+//! are, [`ball_without_cap`] and [`racket`]. Axes of symmetry are along z; laminae lie in the plane of x and y. Lengths in metres, mass in kilograms.
 //!
 //! The mass must be positive. A length may be zero where the limit is a body: a box without height is a lamina.
 //! All functions multiply mass·length first and then by length, so nothing over- or underflows before the result
 //! does. The tests of Section 2 hold every moment to 16 eps. Cost: a few dozen operations.
 //!
-//! Errors, the same for all: [`Error::NotPositive`], [`Error::Negative`], [`Error::NotFinite`] for what is given, and
+//! Errors, the same for all: [`Error::NotPositive`], [`Error::Negative`] or [`Error::NotFinite`] for an argument, and
 //! [`Error::NotFinite`] if a moment overflows.
 
 use super::{InertiaMatrix, MassProperties, PlatonicSolid};
@@ -55,7 +55,7 @@ pub fn cuboid(mass: f64, edges: [f64; 3]) -> Result<MassProperties> {
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn hollow_box(mass: f64, edges: [f64; 3]) -> Result<MassProperties> {
-    let shares = others(edges, |a, b, c| 1.0 / (1.0 + a / b + a / c))?;
+    let shares = shares_at_ends(edges, |a, b, c| 1.0 / (1.0 + a / b + a / c))?;
     from_means(mass, combine(edges, shares))
 }
 
@@ -73,12 +73,12 @@ pub fn hollow_box(mass: f64, edges: [f64; 3]) -> Result<MassProperties> {
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn wire_box(mass: f64, edges: [f64; 3]) -> Result<MassProperties> {
-    let shares = others(edges, |a, b, c| 1.0 / (1.0 + 0.5 * a / (0.5 * b + 0.5 * c)))?;
+    let shares = shares_at_ends(edges, |a, b, c| 1.0 / (1.0 + 0.5 * a / (0.5 * b + 0.5 * c)))?;
     from_means(mass, combine(edges, shares))
 }
 
-/// For each edge, the share of the mass that sits at its far ends.
-fn others(edges: [f64; 3], share: impl Fn(f64, f64, f64) -> f64) -> Result<[f64; 3]> {
+/// For each edge direction, the share of the mass at its two ends.
+fn shares_at_ends(edges: [f64; 3], share: impl Fn(f64, f64, f64) -> f64) -> Result<[f64; 3]> {
     for edge in edges {
         positive("an edge", edge)?;
     }
@@ -86,7 +86,7 @@ fn others(edges: [f64; 3], share: impl Fn(f64, f64, f64) -> f64) -> Result<[f64;
     Ok([share(a, b, c), share(b, c, a), share(c, a, b)])
 }
 
-/// Mass uniform along the half-edge has mean square 1/3 of its square, mass at its end 1.
+/// In units of the half-edge squared, mass spread evenly along an edge has mean square 1/3, mass at its ends 1.
 fn combine(edges: [f64; 3], at_ends: [f64; 3]) -> [(f64, f64); 3] {
     [0, 1, 2].map(|i| ((1.0 + 2.0 * at_ends[i]) / 3.0, 0.5 * edges[i]))
 }
@@ -141,7 +141,7 @@ pub fn thick_shell(mass: f64, inner: f64, outer: f64) -> Result<MassProperties> 
     from_means(mass, [(factor, outer); 3])
 }
 
-/// The less over the greater of two radii of these names, between 0 and 1.
+/// The ratio of an inner to an outer radius, which must lie between 0 and 1; their names are for the errors.
 fn ratio([inside, outside]: [&'static str; 2], less: f64, greater: f64) -> Result<f64> {
     positive(outside, greater)?;
     not_negative(inside, less)?;

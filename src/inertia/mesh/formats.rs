@@ -1,14 +1,14 @@
-//! Meshes as files have them: STL and OBJ.
+//! Meshes read from files: STL and OBJ.
 
 use std::collections::HashMap;
 
 use super::Mesh;
 use crate::error::{Error, Result, each_finite};
 
-/// The mesh of an STL file, with words or binary. Corners with the same coordinates are one vertex.
+/// The mesh of an STL file, text or binary. Corners with the same coordinates become one vertex.
 ///
 /// # Errors
-/// [`Error::AtPlace`] for a corner whose coordinates are no numbers, [`Error::Empty`] for a text without a triangle.
+/// [`Error::AtPlace`] for a corner whose coordinates are not numbers, [`Error::Empty`] for a file without a triangle.
 ///
 /// ```
 /// use spinning_bodies::inertia::mesh_of_stl;
@@ -22,13 +22,13 @@ pub fn mesh_of_stl(bytes: &[u8]) -> Result<Mesh> {
     let count = count.map_or(0, |count| u32::from_le_bytes(count) as usize);
     let corners: Vec<Result<[f64; 3]>> = if bytes.len() == 84 + 50 * count {
         let coordinate = |at: &[u8]| <[u8; 4]>::try_from(at).map_or(f32::NAN, f32::from_le_bytes);
-        // Of the fifty bytes of a triangle the first twelve are its normal, the last two mean nothing.
+        // A triangle has fifty bytes: twelve for its normal, 36 for its corners, two without a meaning.
         let triangles = bytes[84..].chunks_exact(50);
         let corners = triangles.flat_map(|triangle| triangle[12..48].chunks_exact(12));
         let corner = |corner: &[u8]| [0, 4, 8].map(|k| f64::from(coordinate(&corner[k..k + 4])));
         corners.map(|at| checked(corner(at))).collect()
     } else {
-        // Lines mean nothing here: a file may have but one. What the solid is called stands before its first facet.
+        // Line breaks carry no meaning: a file may be a single line. The solid's name, which may be any words, comes before the first facet.
         let text = String::from_utf8_lossy(bytes);
         let mut words = text.split_whitespace().skip_while(|word| *word != "facet");
         let mut corners = Vec::new();
@@ -47,7 +47,7 @@ pub fn mesh_of_stl(bytes: &[u8]) -> Result<Mesh> {
     let mut indices = Vec::new();
     for (place, corner) in corners.into_iter().enumerate() {
         let corner = at_place(place, corner)?;
-        // Zero has two signs.
+        // Adding 0.0 makes −0 and +0 the same key.
         let index = *known
             .entry(corner.map(|x| (x + 0.0).to_bits()))
             .or_insert_with(|| {
@@ -62,10 +62,10 @@ pub fn mesh_of_stl(bytes: &[u8]) -> Result<Mesh> {
     Ok((vertices, triangles.collect()))
 }
 
-/// The mesh of an OBJ file. Faces with more than three corners are cut into triangles from their first; of what else may stand there nothing is read.
+/// The mesh of an OBJ file: its vertices and faces, and nothing else that it holds. Faces with more than three corners are cut into triangles from the first corner.
 ///
 /// # Errors
-/// [`Error::AtPlace`] for a vertex whose coordinates are no numbers, and for a face whose vertices are not numbered.
+/// [`Error::AtPlace`] for a vertex whose coordinates are not numbers, and for a face without three vertex numbers.
 ///
 /// ```
 /// use spinning_bodies::inertia::mesh_of_obj;
@@ -81,7 +81,7 @@ pub fn mesh_of_obj(text: &str) -> Result<Mesh> {
         if kind == Some("v") {
             vertices.push(at_place(vertices.len(), coordinates(words))?);
         } else if kind == Some("f") {
-            // Numbers count from 1, or backward from the vertex before.
+            // Numbers count from 1; negative ones count back from the latest vertex.
             let index = |corner: &str| match corner.split('/').next()?.parse::<i64>().ok()? {
                 number if number < 0 => u32::try_from(vertices.len() as i64 + number).ok(),
                 number => u32::try_from(number - 1).ok(),

@@ -1,4 +1,4 @@
-//! The ten sums over the triangles, and the edge check that rides along.
+//! The ten sums over the triangles, and the check of the edges in the same pass.
 
 use nalgebra::Vector3;
 
@@ -67,14 +67,14 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    /// Metres.
+    /// The metre.
     pub(super) const ONE: Self = Self {
         shrink: 1.0,
         factors: [1.0; 2],
         exponent: 0,
     };
 
-    /// The power of two that is the size of the mesh. All coordinates and indices must have been checked.
+    /// The power of two next to the size of the mesh. All coordinates and indices must have been checked.
     pub(super) fn fitting(surface: &Surface) -> Self {
         let pairs = || {
             let corners = surface.corners();
@@ -99,7 +99,7 @@ impl Scale {
         }
     }
 
-    /// A sum of this degree in the lengths, brought back to metres.
+    /// A sum of degree `degree` in the lengths, converted back to metres.
     pub(super) fn restore(self, value: f64, degree: i32) -> f64 {
         self.restore_times(1.0, value, degree)
     }
@@ -121,7 +121,7 @@ impl Scale {
     }
 }
 
-/// A mesh and the corner from which it is seen.
+/// A mesh, and the vertex that is the apex of all its tetrahedra.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Surface<'a> {
     pub vertices: &'a [[f64; 3]],
@@ -141,7 +141,7 @@ impl Surface<'_> {
         .ok_or_else(|| self.bad_index())
     }
 
-    /// Three levels of summation: triangles into blocks, blocks into groups, groups into the total; none if a vertex does not exist.
+    /// Three levels of summation: triangles into blocks, blocks into groups, groups into the total; `None` if a triangle names a vertex that does not exist.
     fn gather(&self, relative: impl Fn([f64; 3]) -> [f64; 3] + Copy) -> Option<Sums> {
         let mut total = Sums::default();
         for group in self.triangles.chunks(BLOCK * BLOCKS) {
@@ -183,9 +183,9 @@ impl Surface<'_> {
         each_finite("a coordinate of a vertex", self.corners().flatten())
     }
 
-    /// Bound on what rounding can make of six times the volume: 8 eps times the sum of |p| |q| |r|, whatever way the mesh is turned.
+    /// Bound on the rounding error of six times the volume: 8 eps times the sum of |p| |q| |r|, whichever way the mesh is turned.
     ///
-    /// The products of a determinant come to at most 2/√3 of it. Three roundings each, one for each difference of coordinates, make 6 eps.
+    /// The products of a determinant add up to at most 2/√3 of |p| |q| |r|. Three roundings each, one for each difference of coordinates, make 6 eps.
     pub(super) fn largest_rounding_of_volume(&self, scale: Scale) -> f64 {
         let mut bound = 0.0;
         for corners in self.triangles {

@@ -1,17 +1,17 @@
 //! The ideal fluid as a top (tutorial 5.2): V. Zeitlin's truncation of the plane, the Euler top of SU(N).
 //!
-//! A two-dimensional ideal fluid on a doubly periodic square carries its vorticity along. Fourier's modes ω_m obey
-//! dω_m/dt = Σ (n∧m)/|n|² ω_n ω_{m−n}, infinitely many equations with infinitely many invariants. Cut the sum off and all but two
-//! invariants are lost. Zeitlin bends it instead: indices modulo an odd N, and the wedge replaced by its sine,
+//! A two-dimensional ideal fluid on a doubly periodic square carries its vorticity along. The Fourier modes ω_m obey
+//! dω_m/dt = Σ (n∧m)/|n|² ω_n ω_{m−n}, infinitely many equations with infinitely many invariants. Cut the sum off, and all but two
+//! invariants are lost. Zeitlin takes the indices modulo an odd N instead, and replaces the wedge product by a sine:
 //!
 //! dω_m/dt = (N/2π) Σ_n sin(2π(n∧m)/N) ω_n ω_{m−n}/|n|².
 //!
-//! Those are the structure constants of su(N). With W = Σ ω_m J_m they read dW/dt = \[A, W\], Euler's equations of a
-//! top whose rotations are the unitary N×N matrices; W is its angular momentum, A its angular velocity. So every
-//! tr Wᵖ is kept, and the energy.
+//! The sines are the structure constants of su(N). With W = Σ ω_m J_m the equations read dW/dt = \[A, W\], Euler's equations of a
+//! top whose rotations are the unitary N×N matrices; W is its angular momentum, A its angular velocity. So the energy and every
+//! tr Wᵖ are conserved.
 //!
-//! J_m = r^{m₁m₂} g^{m₁} h^{m₂} with the clock g and the shift h of the root of unity r², and **r must be the right one
-//! of the two square roots**, e^{2πi/N}, which is 1 when raised to N. The other, −r, changes no |ω_m|² and no tr W²; it spoils
+//! J_m = r^{m₁m₂} g^{m₁} h^{m₂} with the clock matrix g and the shift matrix h of the root of unity r², and **r must be the right one
+//! of its two square roots**, e^{2πi/N}, whose N-th power is 1. The other, −r, changes no |ω_m|² and no tr W², but it spoils
 //! tr W³ ([`SquareRoot`]).
 //!
 //! Source: V. Zeitlin, "Finite-mode analogs of 2D ideal hydrodynamics", Physica D 49 (1991) 353.
@@ -35,13 +35,13 @@ pub struct TruncatedFluid {
 /// Which square root of e^{4πi/N} stands in the phase of J_m.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SquareRoot {
-    /// e^{2πi/N}: itself an N-th root of unity, so that phases may be taken modulo N like the indices.
+    /// e^{2πi/N}: itself an N-th root of unity, so that exponents may be taken modulo N like the indices.
     OfUnity,
-    /// −e^{2πi/N}: its square is as good, its odd powers are not. Here to show what it breaks.
+    /// −e^{2πi/N}: the square is the same, odd powers are not. Offered to show what it breaks.
     Opposite,
 }
 
-/// Iterations after which a step is called too long.
+/// Iterations after which a step is refused as too long.
 const MOST_ITERATIONS: usize = 200;
 
 impl TruncatedFluid {
@@ -128,9 +128,9 @@ impl TruncatedFluid {
         (1..self.modes.len()).map(|place| (self.wave_vector(place), self.modes[place]))
     }
 
-    /// dω_m/dt for every mode, 1/s², as the fluid whose modes are the rates: Zeitlin's sine bracket, term by term (5.2).
+    /// dω_m/dt for every mode, 1/s², returned as a fluid whose modes are these rates: Zeitlin's sine bracket, term by term (5.2).
     ///
-    /// Kept beside the matrix form as the independent statement of the equations. Cost: N⁴ sines.
+    /// It states the equations independently of the matrix form that [`Self::advance`] uses. Cost: N⁴ sines.
     ///
     /// ```
     /// use nalgebra::Complex;
@@ -188,7 +188,7 @@ impl TruncatedFluid {
         w
     }
 
-    /// tr Wᵖ/N, kept by the fluid for every p ≥ 1: the Casimir invariants (5.2). With the opposite root it is not, from p = 3 on.
+    /// tr Wᵖ/N, a Casimir invariant of the fluid for every p ≥ 1 (5.2). With the opposite root it is not conserved from p = 3 on.
     ///
     /// ```
     /// use nalgebra::Complex;
@@ -240,7 +240,7 @@ impl TruncatedFluid {
                 .generator(m, SquareRoot::OfUnity)
                 .map(|(row, column, phase)| phase.conj() * w[(row, column)])
                 .sum();
-            // Both at once: a part of W that is not Hermitian would be noise, and the flow would amplify it.
+            // Each mode together with its mirror image: a part of W that is not Hermitian would be noise, and the flow would amplify it.
             fluid.put(m, sum / size as f64);
         }
         fluid
@@ -257,15 +257,15 @@ impl TruncatedFluid {
 
     /// Advances by one step of `step` seconds and keeps energy and every tr Wᵖ, whatever the step (5.2).
     ///
-    /// W goes to U W U†, where U is the Cayley transform of step·A, and A belongs to the mean of the old and the new W. The first makes
-    /// the step a rotation, so the spectrum stays; the second makes the energy stay, since the gain is
-    /// ⟨mean of A, \[mean of A, ·\]⟩ = 0. Symmetric in time, error O(step²). What is computed is the change of W, so that the rounding
-    /// is that of the change: observed drift 2e-14 relative after 2000 steps of 0.01. A step too long for accuracy may settle all the same; it keeps the invariants and nothing else.
-    /// Solved by iteration to rounding, a dozen rounds for step·|A| = 0.1. Cost: a round is one inverse and five products of N×N matrices
-    /// and N³ for the modes.
+    /// W goes to U W U†, where U is the Cayley transform of step·A, and A belongs to the mean of the old and the new W. Since U is
+    /// unitary, the spectrum is kept; since A belongs to the mean, the energy is kept: its gain is
+    /// ⟨mean of A, \[mean of A, ·\]⟩ = 0. The step is symmetric in time, with error O(step²). The change of W is what is computed, so that only
+    /// the change is rounded: observed drift 2e-14 relative after 2000 steps of 0.01. A step too long to be accurate may still converge; then it keeps the invariants and nothing else.
+    /// Solved by iteration to rounding, in a dozen rounds for step·|A| = 0.1. Cost: each round takes one inverse and five products of N×N matrices,
+    /// and N³ operations for the modes.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for the step, [`Error::Condition`] if the iteration does not settle; the fluid is then unchanged.
+    /// [`Error::NotFinite`] for the step, [`Error::Condition`] if the iteration does not converge; the fluid is then unchanged.
     ///
     /// ```
     /// use nalgebra::Complex;
@@ -298,7 +298,7 @@ impl TruncatedFluid {
             let next = &turned + turned.adjoint() + turned * d.adjoint();
             let moved = (&next - &change).norm();
             change = next;
-            // Settled: at the level of rounding, and no longer coming nearer. Either alone would take slow progress for the end.
+            // Converged: at the level of rounding and no longer getting closer. Either alone would mistake slow progress for the end.
             if moved == 0.0 || moved <= 4.0 * of_rounding * change.norm() && moved >= last {
                 let gain = Self::from_matrix(self.size, &change);
                 for (mode, gain) in self.modes.iter_mut().zip(gain.modes) {
@@ -309,7 +309,7 @@ impl TruncatedFluid {
             last = moved;
         }
         Err(Error::Condition {
-            condition: "the step must be short enough for the iteration to settle",
+            condition: "the step must be short enough for the iteration to converge",
             value: step,
         })
     }

@@ -1,11 +1,11 @@
 //! A meteorite strikes a planet and sticks (tutorial 4.2): the exact answer, and what the tutorial's formula leaves out.
 //!
-//! Two balances decide everything, momentum and angular momentum about the point where C is at the moment of impact:
+//! Two balances decide everything: of momentum, and of angular momentum about the point where C is at the moment of impact.
 //!
 //! * MV + mv = MV' + m(V' + Ω'∧x),
 //! * IΩ + x∧mv = IΩ' + x∧m(V' + Ω'∧x).
 //!
-//! All vectors are written along the axes of the planet as they stand at that moment: the planet has no time to turn.
+//! All vectors are written along the planet's axes as they stand at that moment: during the impact the planet has no time to turn.
 //!
 //! ```
 //! use spinning_bodies::frame::BodyVector;
@@ -43,7 +43,7 @@ impl Planet {
     ///
     /// # Errors
     /// [`Error::NotPositive`] for the mass or if the inertia has a vanishing moment (a needle, a point),
-    /// [`Error::NotFinite`] for anything.
+    /// [`Error::NotFinite`] for any argument.
     ///
     /// ```
     /// use spinning_bodies::{frame::BodyVector, impacts::Planet, inertia::InertiaMatrix};
@@ -61,7 +61,7 @@ impl Planet {
         let mass = positive("the planet's mass", mass)?;
         let velocity = finite_vector("the planet's velocity", velocity)?;
         let omega = finite_vector("the planet's angular velocity", omega)?;
-        // An answer is asked for here so that no later division by I can fail.
+        // Solved once here, so that no later division by I can fail.
         solve(&inertia.matrix(), Vector3::zeros())?;
         Ok(Self {
             mass,
@@ -107,7 +107,7 @@ impl Meteorite {
     /// A meteorite of mass m (kg) and velocity v (m/s).
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for the mass, [`Error::NotFinite`] for both.
+    /// [`Error::NotPositive`] for the mass, [`Error::NotFinite`] for the mass or the velocity.
     ///
     /// ```
     /// use spinning_bodies::{frame::BodyVector, impacts::Meteorite};
@@ -158,8 +158,8 @@ pub struct Strike {
 ///
 /// \[I + μ(|x|²δ − x xᵀ)\](Ω' − Ω) = μ x∧w.
 ///
-/// The matrix is the inertia of planet plus meteorite about their common centre of mass. It is the tutorial's two
-/// balances with V' eliminated, solved for the *change* of Ω: a pebble's change keeps all its digits.
+/// The matrix is the inertia of planet plus meteorite about their common centre of mass. The equation is the tutorial's
+/// two balances with V' eliminated, solved for the *change* of Ω: even the change by a pebble keeps all its digits.
 /// `at` is not required to lie on a surface, nor the meteorite to come from outside: see [`Strike::closing_speed`].
 ///
 /// Observed error: 2 ulp of each component against exact rationals. Cost: one 3×3 Cholesky solution.
@@ -224,7 +224,7 @@ impl Strike {
 
     /// Angle between Ω and Ω', radians, 0…π: how far the axis of rotation is tilted.
     ///
-    /// From sine and cosine together, and the sine from the change of Ω, so that a tilt of 10⁻¹² rad keeps its digits, as does one near π.
+    /// Formed from sine and cosine, the sine from the change of Ω, so that a tilt of 10⁻¹² rad keeps its digits, and so does one near π.
     ///
     /// # Errors
     /// [`Error::ZeroVector`] if the planet does not spin before or after.
@@ -247,9 +247,9 @@ impl Strike {
 
     /// The tutorial's approximation Ω' ≈ Ω + I⁻¹(x∧mv), rad/s, exactly as printed in 4.2.
     ///
-    /// It uses v, so its value depends on the frame: right for m ≪ M in the frame where the planet is at rest, where it
-    /// equals [`Strike::first_order_at_rest`]. On a uniform ball that does not spin, hit tangentially, its change of Ω is
-    /// too large by the factor 1 + (7/2)m/M exactly.
+    /// It uses v, so its value depends on the frame: it is right for m ≪ M in the frame where the planet is at rest, and there
+    /// equals [`Strike::first_order_at_rest`]. For a uniform ball at rest, hit tangentially, its change of Ω is too large by
+    /// exactly the factor 1 + (7/2)m/M.
     ///
     /// # Errors
     /// [`Error::NotFinite`] on overflow.
@@ -295,7 +295,7 @@ impl Strike {
     }
 }
 
-/// Solution of `matrix` y = `right` for a symmetric positive definite matrix, of any magnitude: scaled before Cholesky.
+/// Solution of `matrix` y = `right` for a symmetric positive definite matrix of any magnitude: it is scaled before Cholesky's method.
 fn solve(matrix: &Matrix3<f64>, right: Vector3<f64>) -> Result<BodyVector> {
     let scale = positive("the largest moment of inertia", matrix.amax())?;
     let factors = (matrix / scale).cholesky().ok_or(Error::NotPositive {
@@ -305,9 +305,9 @@ fn solve(matrix: &Matrix3<f64>, right: Vector3<f64>) -> Result<BodyVector> {
     Ok(BodyVector::from_components(factors.solve(&(right / scale))))
 }
 
-/// m/M of a meteorite that turns the axis by `tilt` (radians, 0…π) in a grazing hit that leaves |L| as it was: 2κ(RΩ/v) sin(tilt/2).
+/// Mass ratio m/M of a meteorite that tilts the axis by `tilt` (radians, 0…π) in a grazing hit without changing |L|: 2κ(RΩ/v) sin(tilt/2).
 ///
-/// The two angular momenta, equal in length, span an isosceles triangle whose base is what the meteorite brings, m v R;
+/// The angular momenta before and after are the equal sides of a triangle whose base is what the meteorite brings, m v R;
 /// `inertia_factor` κ = I/(MR²), `rim_speed` RΩ and `impact_speed` v in m/s. An order of magnitude: the planet's recoil
 /// and the meteorite's own share of the inertia, both of relative size m/M, are left out.
 ///
@@ -352,8 +352,8 @@ pub struct Observed {
     pub inertia_factor: f64,
 }
 
-/// Uranus, by the NASA Planetary Fact Sheet (D. R. Williams, Goddard Space Flight Center). It turns retrograde, which the obliquity of 97.77° says
-/// already; models of the interior reach an inertia factor of 0.23.
+/// Uranus, from the NASA Planetary Fact Sheet (D. R. Williams, Goddard Space Flight Center). Its rotation is retrograde, which the obliquity of 97.77°
+/// already expresses; models of the interior reach an inertia factor of 0.23.
 ///
 /// ```
 /// use spinning_bodies::impacts::{URANUS, grazing_mass_ratio};

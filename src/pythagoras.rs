@@ -1,8 +1,8 @@
-//! Pythagoras by rotation (tutorial 9): a box of gas on a hinge does not turn, and that is a theorem.
+//! Pythagoras by rotation (tutorial 9): a box of gas on a hinge does not turn by itself, and that is his theorem.
 //!
-//! Torques are per unit of pressure × height, so they come in m²; positive is the sense that turns A→R→B
-//! anticlockwise when A, R, B run anticlockwise. With that sense the gas on AR and on RB (right angle at R) pushes
-//! clockwise, that on AB anticlockwise. For the mirror image all three change sign, see [`GasBox::orientation`].
+//! Torques are per unit of pressure × height, so they come in m²; anticlockwise is positive. If the corners A, R, B run
+//! anticlockwise and R is a right angle, the gas on AR and on RB pushes clockwise, that on AB anticlockwise. For the
+//! mirror image all three change sign, see [`GasBox::orientation`].
 //!
 //! ```
 //! use spinning_bodies::pythagoras::GasBox;
@@ -17,7 +17,7 @@ use nalgebra::Vector3;
 use crate::error::{Error, Result, each_finite, finite, positive, within};
 use crate::precise::{DoubleDouble, Number, power_of_two_below};
 
-/// Which way round the corners A, R, B run.
+/// The sense in which the corners A, R, B run round the triangle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Orientation {
     /// Against the clock.
@@ -37,18 +37,18 @@ pub struct SideTorques {
     pub ab: f64,
 }
 
-/// Lever arms about the hinge A, m, each positive if the side turns the box the way it does in the right-angled case.
+/// Lever arms about the hinge A, m, each positive if the gas on that side pushes the same way as in a right-angled box.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arms {
     /// AR/2.
     pub ar: f64,
-    /// RB/2 − AR cos γ, with γ the angle at R: RB/2 at a right angle, negative when the sense has changed.
+    /// RB/2 − AR cos γ, with γ the angle at R: RB/2 at a right angle, negative where the gas on RB pushes the other way.
     pub rb: f64,
     /// AB/2.
     pub ab: f64,
 }
 
-/// A vector in the plane, exact differences of doubles.
+/// A vector in the plane; its components are exact differences of doubles.
 type Edge = [DoubleDouble; 2];
 
 /// A box on a triangular base A R B, hinged at A.
@@ -92,7 +92,7 @@ impl GasBox {
         };
         let (ar, rb) = (edge(a, r), edge(r, b));
         let area = (ar[0] * rb[1] - ar[1] * rb[0]).value();
-        // Two products below 4 in size, each good to 2⁻¹⁰³ of itself.
+        // Two products of magnitude below 4, each with a relative error of 2⁻¹⁰³ at most.
         const ROUNDING: f64 = 8.0 / (1u128 << 103) as f64;
         if area.abs() <= ROUNDING {
             return Err(Error::Condition {
@@ -117,7 +117,7 @@ impl GasBox {
     /// The box with sides AR and RB (m) and the angle `gamma` between them at R (radians), A at the origin, R on the x-axis.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::NotPositive`] for a side; [`Error::OutOfRange`] unless 0 ≤ γ ≤ π; otherwise as [`Self::new`], which γ = 0 does not pass.
+    /// [`Error::NotFinite`], [`Error::NotPositive`] for a side; [`Error::OutOfRange`] unless 0 ≤ γ ≤ π; otherwise as [`Self::new`], which refuses γ = 0.
     ///
     /// ```
     /// use spinning_bodies::pythagoras::GasBox;
@@ -132,7 +132,7 @@ impl GasBox {
         Self::new([0.0, 0.0], [ar, 0.0], [ar - rb * cos, rb * sin])
     }
 
-    /// Which way round the corners run.
+    /// The sense in which the corners A, R, B run.
     ///
     /// ```
     /// use spinning_bodies::pythagoras::{GasBox, Orientation};
@@ -156,10 +156,10 @@ impl GasBox {
         [self.ar, self.rb, self.ab()].map(|edge| length(edge) * self.unit)
     }
 
-    /// Torques of the gas on the sides about A, from the pressure integrated along each: −(midpoint − A)·(edge) for a box that
-    /// runs anticlockwise (9.1). Their sum vanishes: −½AR², −(½RB² − AR·RB cos γ), +½AB².
+    /// Torques of the gas on the sides about A, from the pressure integrated along each: −(midpoint − A)·(edge) if the corners
+    /// run anticlockwise (9.1). They are −½AR², −(½RB² − AR·RB cos γ) and +½AB², and their sum vanishes.
     ///
-    /// Each is one product of exact edges: a unit in the last place, needles included, and RB at its change of sign is right to
+    /// Each is one product of exact edges. Error: a unit in the last place, needles included; where the torque on RB changes sign,
     /// 2⁻¹⁰⁰ AR·RB.
     ///
     /// ```
@@ -203,9 +203,9 @@ impl GasBox {
         }
     }
 
-    /// AR² + RB² − AB² = 2 AR·RB cos γ, m²: zero at a right angle, the whole of the cosine law otherwise (9.2).
+    /// AR² + RB² − AB² = 2 AR·RB cos γ, m²: zero at a right angle, the term that the cosine law adds otherwise (9.2).
     ///
-    /// Not a difference of squares: −2 (R−A)·(B−R) with exact edges and 106-bit products, right to 2⁻¹⁰⁰ AR·RB for any triangle.
+    /// Formed without a difference of squares, as −2 (R−A)·(B−R) with exact edges and 106-bit products. Error: 2⁻¹⁰⁰ AR·RB for any triangle.
     ///
     /// ```
     /// use spinning_bodies::pythagoras::GasBox;
@@ -217,7 +217,7 @@ impl GasBox {
         dot(self.ar, self.rb).value() * -2.0 * self.unit * self.unit
     }
 
-    /// Angle γ at R, radians, in 0…π. From its sine and cosine together, so accurate near 0, π/2 and π alike; a few units in the last place.
+    /// Angle γ at R, radians, in 0…π. Formed from sine and cosine together, so right to a few units in the last place near 0, π/2 and π alike.
     ///
     /// ```
     /// use spinning_bodies::pythagoras::GasBox;
@@ -240,9 +240,9 @@ impl GasBox {
     }
 }
 
-/// AB from AR, RB and the angle γ between them (9.2): √((AR−RB)² + 4 AR·RB sin²(γ/2)), m.
+/// The side AB from AR, RB and the angle γ between them (9.2): √((AR−RB)² + 4 AR·RB sin²(γ/2)), m.
 ///
-/// The cosine law without its cancellation: for γ → 0 and AR ≈ RB the usual form loses half the digits, this one none. Three units in the
+/// The cosine law without its cancellation: for γ → 0 and AR ≈ RB the usual form loses half the digits, this one none. Error: three units in the
 /// last place; AR and RB may be huge or tiny.
 ///
 /// # Errors
@@ -263,7 +263,7 @@ pub fn opposite_side(ar: f64, rb: f64, gamma: f64) -> Result<f64> {
     )
 }
 
-/// The angle γ at which the gas on RB changes its sense (9.2): arccos(RB/(2AR)), radians; `None` if RB > 2AR, when it never does.
+/// The angle γ at which the torque of the gas on RB changes sign (9.2): arccos(RB/(2AR)), radians; `None` if RB > 2AR, when it never does.
 ///
 /// Formed as 2 arctan √((2AR−RB)/(2AR+RB)), accurate down to γ = 0.
 ///
@@ -279,7 +279,7 @@ pub fn opposite_side(ar: f64, rb: f64, gamma: f64) -> Result<f64> {
 pub fn reversal_angle(ar: f64, rb: f64) -> Result<Option<f64>> {
     let ar = positive("the side AR", ar)?;
     let rb = positive("the side RB", rb)?;
-    // Of a size that can be doubled and halved; next to γ = 0 the difference of the two is exact.
+    // Scaled so that doubling cannot overflow nor halving underflow; next to γ = 0 the difference of the two is exact.
     let unit = power_of_two_below(ar.max(rb));
     let (ar, half) = (ar / unit, 0.5 * (rb / unit));
     Ok((half <= ar).then(|| 2.0 * ((ar - half) / (ar + half)).sqrt().atan()))
@@ -287,8 +287,8 @@ pub fn reversal_angle(ar: f64, rb: f64) -> Result<Option<f64>> {
 
 /// Torques of a gas on the sides of any polygon about any hinge, per unit pressure × height, m², anticlockwise positive (9.1).
 ///
-/// Side k runs from vertex k to the next. Their sum is zero: ½|P|² telescopes round the polygon. The vertices run anticlockwise
-/// with the gas inside; clockwise all signs swap. Each is right to a unit in the last place of |midpoint||side|.
+/// Side k runs from vertex k to the next. The sum is zero: ½|P|² telescopes round the polygon. The vertices run anticlockwise
+/// with the gas inside; if they run clockwise all signs change. Error: a unit in the last place of |midpoint||side|.
 ///
 /// # Errors
 /// [`Error::Condition`] for fewer than three vertices; [`Error::NotFinite`] for a coordinate or a torque that overflows.
@@ -329,8 +329,8 @@ fn side_torque(from: [f64; 2], to: [f64; 2], hinge: [f64; 2]) -> Result<f64> {
 
 /// Outward area vectors of the four faces of a tetrahedron, m²: face k is the one opposite vertex k (9.1, a dimension up).
 ///
-/// Pressure times these are the forces of the gas; they add up to zero. For a corner with three right angles that is
-/// the theorem A² = A₁² + A₂² + A₃².
+/// Multiplied by the pressure they are the forces of the gas; their sum is zero. At a corner with three right angles this
+/// is the theorem A² = A₁² + A₂² + A₃².
 ///
 /// # Errors
 /// [`Error::NotFinite`] for an edge or an area; [`Error::Condition`] if the volume is zero.

@@ -1,7 +1,7 @@
 //! A rotating star of uniform density (tutorial 3.5): Maclaurin's spheroids and where Jacobi's ellipsoids branch off.
 //!
-//! A body that may deform has an inertia matrix that depends on what happens to it. The simplest star, a
-//! self-gravitating fluid of uniform density ρ turning at Ω, settles into an ellipsoid, and the whole family depends on
+//! The inertia matrix of a body that can deform depends on its motion. The simplest star, a
+//! self-gravitating fluid of uniform density ρ turning at Ω, can settle into an ellipsoid whose shape depends on
 //! one number, Ω²/(πGρ).
 //!
 //! ```
@@ -34,11 +34,11 @@ pub struct MaclaurinSpheroid {
     pub rotation: f64,
     /// Kinetic over gravitational energy T/|W| = (3/(2e²))[1 − e√(1−e²)/arcsin e] − 1, dimensionless, 0…½.
     ///
-    /// Computed as Ω²e/(4q arcsin e), the same by algebra and free of the subtraction. Observed error: at most 7 ulp, over the same e.
+    /// Computed as Ω²e/(4q arcsin e), with Ω² in units of πGρ: the same by algebra, without the subtraction. Observed error: at most 7 ulp, over the same e.
     pub energy_ratio: f64,
     /// Angular momentum L/√(GM³ā), dimensionless, with ā = (a²c)^{1/3}: (√3/5)(a/ā)² Ω/√(πGρ).
     ///
-    /// It grows with e without bound, although Ω does not: faster and faster stars of one density turn slower.
+    /// It grows with e without bound, although Ω does not: beyond the fastest spheroid, more angular momentum goes with slower rotation.
     pub angular_momentum: f64,
 }
 
@@ -90,10 +90,10 @@ impl MaclaurinSpheroid {
         Ok(Self::from_ratio(q))
     }
 
-    /// The fastest of all: e = 0.92995568545623299418 (Ω²/(πGρ) = 0.449331412…), where dΩ²/de = 0.
+    /// The spheroid that turns fastest: e = 0.92995568545623299418 (Ω²/(πGρ) = 0.449331412…), where dΩ²/de = 0.
     ///
     /// With t = e/√(1−e²) the derivative vanishes where (9+t²) arctan t = t(9+7t²)/(1+t²); found by bisection to the
-    /// last place of t, not by searching for the highest value, which would lose half the digits. Cost: 60 arctangents.
+    /// last place of t. A search for the highest Ω² would lose half the digits. Cost: 60 arctangents.
     ///
     /// ```
     /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
@@ -107,10 +107,10 @@ impl MaclaurinSpheroid {
         Self::of([e, 1.0 / secant], e * e)
     }
 
-    /// Where Jacobi's ellipsoids with three unequal axes branch off: e = 0.81267001061174294948 (Ω²/(πGρ) = 0.374229674…).
+    /// The spheroid at which Jacobi's ellipsoids with three unequal axes branch off: e = 0.81267001061174294948 (Ω²/(πGρ) = 0.374229674…).
     ///
-    /// The condition a⁴A₁₁ = c²A₃, i.e. [`JacobiEllipsoid`]'s at b = a, is solved for c/a. Beyond it a star with any
-    /// viscosity prefers to be a Jacobi ellipsoid: same angular momentum, less energy. Observed error: none in e, the double nearest the true value.
+    /// The condition a⁴A₁₁ = c²A₃, that of [`JacobiEllipsoid`] at b = a, is solved for c/a. Beyond it a star with any
+    /// viscosity turns into a Jacobi ellipsoid, which has the same angular momentum and less energy. Observed error: e is the double nearest the true value.
     ///
     /// ```
     /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
@@ -126,7 +126,7 @@ impl MaclaurinSpheroid {
         Self::of([square.sqrt(), q], square)
     }
 
-    /// From e and q, and e² as exact as can be.
+    /// From e and q = c/a, with `square` = e² to full precision.
     fn of([e, q]: [f64; 2], square: f64) -> Self {
         // ANCHOR: maclaurin
         let x = square / (2.0 * (1.0 + q)); // (1 − q)/2 from e², without the subtraction
@@ -154,9 +154,9 @@ impl MaclaurinSpheroid {
 pub struct JacobiEllipsoid {
     /// The semi-axes over the longest one: (1, b/a, c/a), dimensionless.
     pub axes: [f64; 3],
-    /// Ω²/(πGρ) = 2B₁₂ = 2abc ∫₀^∞ u du/(Δ(a²+u)(b²+u)), Δ² = (a²+u)(b²+u)(c²+u), dimensionless. The longer, the slower.
+    /// Ω²/(πGρ) = 2B₁₂ = 2abc ∫₀^∞ u du/(Δ(a²+u)(b²+u)), Δ² = (a²+u)(b²+u)(c²+u), dimensionless. It falls as the ellipsoid grows longer.
     pub rotation: f64,
-    /// Angular momentum L/√(GM³ā), ā = (abc)^{1/3}, dimensionless: (√3/10)((a²+b²)/ā²) Ω/√(πGρ). The longer, the more.
+    /// Angular momentum L/√(GM³ā), ā = (abc)^{1/3}, dimensionless: (√3/10)((a²+b²)/ā²) Ω/√(πGρ). It rises as the ellipsoid grows longer.
     pub angular_momentum: f64,
 }
 
@@ -219,7 +219,7 @@ fn equilibrium_axis_ratio(b: f64) -> f64 {
 
 /// abc ∫₀^∞ `factor`(u, [a², b², c²]) du/Δ by the trapezoidal rule in x, u = exp(π/2 sinh x) (Takahasi & Mori 1974).
 ///
-/// The substitution makes the integrand fall doubly exponentially at both ends, and the plain trapezoidal sum then
+/// The substitution makes the integrand fall doubly exponentially at both ends, so that the plain trapezoidal sum
 /// converges geometrically: halving the step of 1/24 changes the Jacobi axes by less than 10⁻¹⁵.
 fn potential_integral(axes: [f64; 3], factor: impl Fn(f64, [f64; 3]) -> f64) -> f64 {
     const STEP: f64 = 1.0 / 24.0;

@@ -8,7 +8,7 @@ use crate::frame::{SpaceVector, finite_vector};
 pub struct ForceAndTorque {
     /// F, newtons.
     pub force: SpaceVector,
-    /// N about the stated point, newton metres: the dimension of energy, though a vector (3.2).
+    /// N about the stated point, newton metres: the dimension of an energy, although it is a vector (3.2).
     pub torque: SpaceVector,
 }
 
@@ -51,7 +51,7 @@ pub fn uniform_gravity(
 ///
 /// `torque` N is the total outside torque about O in N m, `momentum` P in kg m/s. The extra term vanishes exactly
 /// if U is parallel to P: for O at rest, for O = C, and for the contact point of a body that rolls straight.
-/// L is taken with velocities relative to axes at rest. Not finite if an argument is not.
+/// The velocities in L are relative to axes at rest. An argument that is not finite makes the result not finite.
 ///
 /// ```
 /// use spinning_bodies::{conservation::angular_momentum_rate, frame::SpaceVector};

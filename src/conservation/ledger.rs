@@ -60,7 +60,7 @@ impl<Axes> From<FrameVector<Axes>> for Value {
 }
 
 impl Value {
-    /// This, if its components are finite.
+    /// The value, if its components are finite.
     fn checked(self, name: &'static str) -> Result<Self> {
         each_finite(name, self.components())?;
         Ok(self)
@@ -71,8 +71,8 @@ impl Value {
         x.hypot(y).hypot(z)
     }
 
-    /// A number as it is, of a vector the magnitude.
-    fn told(self) -> f64 {
+    /// A scalar itself, a vector's magnitude.
+    fn shown(self) -> f64 {
         match self {
             Self::Scalar(value) => value,
             vector => vector.magnitude(),
@@ -99,16 +99,16 @@ impl Entry {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn first(&self) -> f64 {
-        self.first.told()
+        self.first.shown()
     }
 
     /// Latest value recorded, as [`Entry::first`]; not finite if a record was refused.
     pub(crate) fn last(&self) -> f64 {
-        self.last.told()
+        self.last.shown()
     }
 
     /// Largest violation so far, as [`Law`] counts it, over the scale of the quantity, dimensionless. Never NaN: a value that was not finite
-    /// makes it infinite, for good; a quantity that starts at zero without a scale of its own has relative drift 0 until it moves, and infinity then.
+    /// makes it infinite for good. A quantity that starts at zero and was given no scale has drift 0 until it moves, infinite drift after.
     ///
     /// ```
     /// use spinning_bodies::conservation::{Law, Ledger};
@@ -126,8 +126,8 @@ impl Entry {
         }
     }
 
-    /// Books `value`; the largest component that is not finite comes back as an error, after the drift has
-    /// been made infinite, so that a caller who drops the error still cannot report a clean run.
+    /// Books `value`. One that is not finite makes the drift infinite before the error is returned, so that a caller
+    /// who drops the error still cannot report a clean run.
     fn book(&mut self, value: Value) -> Result<()> {
         self.last = value;
         let checked = value.checked(self.name);
@@ -144,7 +144,7 @@ impl Entry {
         let [x0, y0, z0] = self.first.components();
         match self.law {
             // Differences before squares: two long vectors that nearly agree have a small difference,
-            // which their lengths would have rounded away.
+            // which would be lost in the rounding of their lengths.
             Law::Conserved => (x - x0).hypot(y - y0).hypot(z - z0),
             law => {
                 let change = x - self.extreme;
@@ -273,7 +273,7 @@ impl Ledger {
         Ok(VectorAccount(self.push(name, Law::Conserved, value, scale)))
     }
 
-    /// Opens an account for a scalar or a conserved vector and records all its values. Its drift is measured against a scale; 0 means that any will do.
+    /// Opens an account for a scalar or a conserved vector and records all its values. Its drift is measured against `scale`, or against 1 if that is 0.
     ///
     /// # Errors
     /// [`Error::NotFinite`].
@@ -293,7 +293,7 @@ impl Ledger {
     /// Records a value of a scalar.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] if it is none, and the account keeps an infinite drift;
+    /// [`Error::NotFinite`] for such a value, and the account keeps an infinite drift;
     /// [`Error::Condition`] if the account belongs to another ledger.
     ///
     /// ```

@@ -1,15 +1,15 @@
-//! Conservation laws (tutorial 3): momentum, angular momentum, energy, and the books kept on them.
+//! Conservation laws (tutorial 3): momentum, angular momentum, energy, and the ledger that checks them.
 //!
 //! Three laws carry the whole subject:
 //!
 //! * dP/dt = F: momentum changes by the total outside force;
 //! * dL/dt = N: angular momentum about O changes by the total outside torque about O, if O is the centre of
-//!   mass or at rest (a moving O costs the extra term −U∧P, see [`angular_momentum_rate`]);
-//! * energy is conserved, once all its forms are counted, heat included.
+//!   mass or at rest (a moving O adds the term −U∧P, see [`angular_momentum_rate`]);
+//! * energy is conserved if all its forms are counted, heat included.
 //!
 //! [`Particles`] computes the quantities for point masses and
-//! [`RigidMotion`](crate::inertia::RigidMotion) for a rigid body, [`ForceAndTorque`] what changes them, and a
-//! [`Ledger`] watches whether a simulation kept them.
+//! [`RigidMotion`](crate::inertia::RigidMotion) for a rigid body. [`ForceAndTorque`] is what changes them, and a
+//! [`Ledger`] watches whether a simulation keeps them.
 //!
 //! ```
 //! use spinning_bodies::conservation::{Law, Ledger};

@@ -1,10 +1,10 @@
-//! Point masses: the bookkeeping of momentum, angular momentum and energy about any point.
+//! Point masses: their momentum, angular momentum and energy, about any point.
 
 use super::force::ForceAndTorque;
 use crate::error::{Error, Result, finite, positive};
 use crate::frame::{SpaceVector, finite_vector};
 
-/// A point mass and how it moves.
+/// A point mass, its position and its velocity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Particle {
     /// Mass, kg.
@@ -115,7 +115,7 @@ impl Particles {
 
     /// Angular momentum about `point`, L = Σ(x−O)∧mv (tutorial 2.2), kg m²/s.
     ///
-    /// Far from the origin the offsets are subtracted before the product, so the error is that of the positions.
+    /// Positions are subtracted before anything is multiplied, so that far from the origin the error is that of the positions.
     ///
     /// ```
     /// use spinning_bodies::{conservation::{Particle, Particles}, frame::SpaceVector};
@@ -217,8 +217,8 @@ impl Particles {
     /// Total torque of the forces that the particles exert on each other (tutorial 3.4), newton metres.
     ///
     /// `force_on_first(a, b)` is the force of b on a; b gets the opposite force, so the total force is zero and the
-    /// torque the same about every point: Σ(x_a − x_b)∧f over the pairs. It vanishes for central forces, and for them
-    /// only in general: "equal and opposite" is not enough for dL/dt = N.
+    /// torque the same about every point: Σ(x_a − x_b)∧f over the pairs. It vanishes if the forces are central, and in
+    /// general only then: "equal and opposite" is not enough for dL/dt = N.
     ///
     /// # Errors
     /// [`Error::NotFinite`] if a force or the total is not finite. Cost: one call for each of the n(n−1)/2 pairs.

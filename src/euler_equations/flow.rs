@@ -8,7 +8,7 @@ use crate::inertia::PrincipalMoments;
 /// ∂L/∂t = L∧Ω in N m: Euler's equations without torque, for the angular momentum seen from the body (5.1).
 ///
 /// Component 1 is (I₂ − I₃)/(I₂I₃) · L₂L₃, and cyclic. Domain: any vector. The result is at right angles to L and to Ω, so |L| and
-/// E stay. Error: each component to 3 ulp, without cancellation for nearly equal moments. Cost: six divisions. No errors.
+/// E are constant. Error: each component to 3 ulp, without cancellation for nearly equal moments. Cost: six divisions. No errors.
 ///
 /// ```
 /// use spinning_bodies::{euler_equations::{AxisMoments, flow}, frame::BodyVector};
@@ -33,7 +33,8 @@ pub enum Nature {
     Center,
     /// The flow comes in along one line and leaves along another: the axis of the middle moment.
     Saddle,
-    /// The flow stands still around it: two moments agree with this one, or only its neighbours move past.
+    /// Another moment equals this axis's: the equilibrium lies on a circle of equilibria, past which its neighbours drift; or all
+    /// three are equal, and nothing moves.
     Degenerate,
 }
 
@@ -50,8 +51,8 @@ pub struct Equilibrium {
 
 /// The six equilibria of [`flow`], ±x₁, ±x₂, ±x₃, each with what happens near it (5.1, 6.3, 6.7).
 ///
-/// Domain: any moments. If moments are equal there are more equilibria than these six, and those on the shared circle are
-/// called degenerate. Error: the growth to 4 ulp, as long as its square can be held in a double. Cost: a few divisions.
+/// Domain: any moments. If moments are equal there are more equilibria than these six, and those on the circle of equilibria are
+/// called degenerate. Error: the growth to 4 ulp, as long as its square is in the range of a double. Cost: a few divisions.
 ///
 /// ```
 /// use spinning_bodies::euler_equations::{AxisMoments, Nature, equilibria};
@@ -71,7 +72,7 @@ pub fn equilibria(moments: &AxisMoments) -> [Equilibrium; 6] {
         e[axis] = if n % 2 == 0 { 1.0 } else { -1.0 };
         Equilibrium {
             direction: BodyVector::new(e[0], e[1], e[2]),
-            // By the signs of the differences: the product may underflow.
+            // Decided by the signs of the differences: their product may underflow.
             nature: match (up != 0.0 && down != 0.0, (up > 0.0) == (down > 0.0)) {
                 (false, _) => Nature::Degenerate,
                 (true, true) => Nature::Saddle,
@@ -113,11 +114,11 @@ pub fn fastest_flow(moments: &PrincipalMoments) -> f64 {
 
 /// The points that the flow of L passes at times 0, `step`, …, `count`·`step` seconds (5.1).
 ///
-/// For pictures: the classical Runge–Kutta method with its O(step⁴) error, each point pulled back to the sphere it started
-/// on. Where accuracy matters, the free top is solved in closed form. Negative steps run backwards. Cost: 4·`count` evaluations of [`flow`].
+/// For pictures: the classical Runge–Kutta method with its O(step⁴) error, each point pulled back to the sphere of the
+/// start. Where accuracy matters, [`EulerTop`](crate::euler_top::EulerTop) has the closed form. Negative steps run backwards. Cost: 4·`count` evaluations of [`flow`].
 ///
 /// # Errors
-/// [`Error::NotFinite`](crate::Error::NotFinite) for a start or a step that is none.
+/// [`Error::NotFinite`](crate::Error::NotFinite) for the start or the step.
 ///
 /// ```
 /// use spinning_bodies::{euler_equations::{AxisMoments, streamline}, frame::BodyVector};

@@ -12,7 +12,7 @@ pub struct HeavyTop {
     kind: Integrability,
 }
 
-/// Angular velocity and the upward unit vector z, both along the body's axes: all that gravity can notice.
+/// Angular velocity and the upward unit vector z, both along the body's axes: all that the equations of motion need.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TopState {
     /// Ω, rad/s.
@@ -23,21 +23,21 @@ pub struct TopState {
 
 /// Whether a heavy top has an integral besides energy and L_vert (5.3).
 ///
-/// The theorem of 5.3, *quoted and not proved here*: the first five are all, if the integral is wanted for every initial
-/// condition. The sixth has one for some.
+/// The theorem of 5.3, *quoted and not proved here*, says that the first four kinds are all that have one for every initial
+/// condition. The fifth has one for some.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Integrability {
-    /// C = O: gravity has no lever. |L|² is kept.
+    /// C = O: gravity has no torque. |L|² is conserved.
     Euler,
-    /// I₁ = I₂ = I₃ with any C: L·C is kept. Lagrange's top in disguise, since any axis is principal.
+    /// I₁ = I₂ = I₃ with any C: L·C is conserved. Lagrange's top in disguise, since any axis is principal.
     SphericalInertia,
-    /// Two moments equal, C on the axis of the third (given by its number, 0 to 2): L along that axis is kept.
+    /// Two moments equal, C on the axis of the third (given by its number, 0 to 2): L along that axis is conserved.
     Lagrange(usize),
     /// Two moments equal to twice the third, C at right angles to the third axis: Kovalevskaya's integral (8.2).
     Kovalevskaya(usize),
     /// Two moments equal to four times the third, C at right angles to the third axis: Goryachev's and Chaplygin's
-    /// integral, kept if L_vert = 0 and only then.
-    OnLevelZero(usize),
+    /// integral, conserved if L_vert = 0 and only then.
+    GoryachevChaplygin(usize),
     /// No further integral.
     None,
 }
@@ -47,7 +47,7 @@ pub enum Integrability {
 pub struct Integral {
     /// Its value; the unit depends on the kind.
     pub value: f64,
-    /// Its rate of change by the formula of 5.3, not by differencing: zero, except on [`Integrability::OnLevelZero`],
+    /// Its rate of change by the formula of 5.3, not by differencing: zero, except on [`Integrability::GoryachevChaplygin`],
     /// where it is −(Mg/4I₃²)(C₁Ω₂ − C₂Ω₁)·L_vert.
     pub rate: f64,
 }
@@ -55,7 +55,7 @@ pub struct Integral {
 impl HeavyTop {
     /// The top with these moments about O (kg m²), along principal axes, and the lever MgC (N m), C the centre of mass seen from O.
     ///
-    /// The kind is decided here, by exact equality: a top that misses Kovalevskaya's ratio by one ulp is not hers.
+    /// The kind is decided here, by exact equality: a top whose moments miss Kovalevskaya's ratio by one ulp is not one of hers.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for the lever.
@@ -75,7 +75,7 @@ impl HeavyTop {
         })
     }
 
-    /// Which further integral it has, if any.
+    /// The further integral that the top has, if any.
     ///
     /// ```
     /// use spinning_bodies::{euler_equations::{AxisMoments, HeavyTop, Integrability}, frame::BodyVector};
@@ -109,7 +109,7 @@ impl HeavyTop {
 
     /// The state one step of `step` seconds later, by the classical Runge–Kutta method.
     ///
-    /// Error O(step⁵) a step; it keeps no invariant by construction, so their drift measures it. Cost: four [`rate`](Self::rate)s.
+    /// Error O(step⁵) a step. The method keeps no invariant by construction, so their drift measures its error. Cost: four [`rate`](Self::rate)s.
     ///
     /// ```
     /// use spinning_bodies::{euler_equations::{AxisMoments, HeavyTop, TopState}, frame::BodyVector};
@@ -155,7 +155,7 @@ impl HeavyTop {
         self.moments.angular_momentum(state.omega).dot(&state.up)
     }
 
-    /// The further integral of the top's kind and its rate, or nothing (5.3).
+    /// The further integral of the top's kind and its rate, or `None` (5.3).
     ///
     /// Euler |L|²; spherical inertia ⟨L, MgC⟩; Lagrange L₃; Kovalevskaya |w² − cζ|² with w = Ω₁+iΩ₂, ζ = z₁+iz₂,
     /// c = Mg(C₁+iC₂)/I₃; Goryachev–Chaplygin Ω₃(Ω₁²+Ω₂²) − (Mg/I₃)(C₁Ω₁+C₂Ω₂)z₃. The axis called 3 is the
@@ -181,7 +181,7 @@ impl HeavyTop {
                 let [re, im] = self.kovalevskaya(state, axis);
                 kept(re * re + im * im)
             }
-            Integrability::OnLevelZero(axis) => {
+            Integrability::GoryachevChaplygin(axis) => {
                 let [o1, o2, o3] = turned(state.omega, axis);
                 let [_, _, z3] = turned(state.up, axis);
                 let moment = self.moments.values()[axis];
@@ -197,7 +197,7 @@ impl HeavyTop {
         }
     }
 
-    /// w² − cζ of Kovalevskaya's top, its third axis being this one.
+    /// w² − cζ of Kovalevskaya's top, real and imaginary part; `axis` is its third axis.
     pub(crate) fn kovalevskaya(&self, state: &TopState, axis: usize) -> [f64; 2] {
         let moment = self.moments.values()[axis];
         let [o1, o2, _] = turned(state.omega, axis);
@@ -207,12 +207,12 @@ impl HeavyTop {
         [re, 2.0 * o1 * o2 - (c1 * z2 + c2 * z1)]
     }
 
-    /// Largest Lyapunov exponent over `duration` seconds, 1/s: the mean rate at which a neighbour runs away (5.3).
+    /// Largest Lyapunov exponent over `duration` seconds, 1/s: the mean rate at which a neighbouring motion departs (5.3).
     ///
     /// (1/T) Σ ln(d/d₀) for a neighbour 1e-8 away, pulled back to that distance after every 50 steps; both by
     /// [`step`](Self::step). Over a finite time T a regular motion shows a value near ln T/T, not zero; and a value near
     /// that level does not prove that the top is integrable, since every top has regular motions. Observed: halving the step
-    /// changes a chaotic value by up to 40 per cent, the chance of one orbit. Cost: 8·`duration`/`step` rates.
+    /// changes the value of a chaotic motion by up to 40 per cent, for it follows another orbit. Cost: 8·`duration`/`step` rates.
     ///
     /// # Errors
     /// [`Error::NotPositive`] for duration or step, [`Error::NotFinite`] for the start or if the motion is lost,
@@ -257,12 +257,12 @@ impl HeavyTop {
                 neighbour = core::array::from_fn(|i| y[i] + gap[i] * (APART / distance));
             }
         }
-        // The time that these steps take, which a duration of no whole number of them is not.
+        // Divided by the time that the steps take, which differs from a duration that is no whole number of steps.
         Ok(sum / (steps * step))
     }
 }
 
-/// Components with this axis as the third.
+/// Components with `axis` as the third, in cyclic order.
 fn turned(vector: BodyVector, axis: usize) -> [f64; 3] {
     let c = vector.components();
     [c[(axis + 1) % 3], c[(axis + 2) % 3], c[axis]]
@@ -295,7 +295,7 @@ pub(crate) fn classify(i: [f64; 3], lever: BodyVector) -> Integrability {
             return match i[j] / i[axis] {
                 _ if on_axis => Integrability::Lagrange(axis),
                 2.0 if across => Integrability::Kovalevskaya(axis),
-                4.0 if across => Integrability::OnLevelZero(axis),
+                4.0 if across => Integrability::GoryachevChaplygin(axis),
                 _ => Integrability::None,
             };
         }

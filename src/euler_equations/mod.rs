@@ -1,16 +1,16 @@
-//! Euler's equations (tutorial 5.1): how the angular velocity changes, told by a rider on the body.
+//! Euler's equations (tutorial 5.1): how the angular velocity changes, seen by a rider on the body.
 //!
-//! In space the law is short, dL/dt = N, and the inertia matrix turns with the body. On the body the matrix
-//! stands still and the law gets a second term: ∂L/∂t + Ω∧L = N. Written out along principal axes:
+//! In space the law is short, dL/dt = N, but the inertia matrix turns with the body. On the body the matrix
+//! is constant and the law gets a second term: ∂L/∂t + Ω∧L = N. Written out along principal axes:
 //!
 //! I₁ ∂Ω₁/∂t = (I₂ − I₃) Ω₂Ω₃ + N₁, and cyclic.
 //!
-//! * [`rate`] is these three lines, [`rate_in_any_axes`] the same for a full inertia matrix, [`rate_in_space`] the same
+//! * [`rate`] is these three equations, [`rate_in_any_axes`] the same for a full inertia matrix, [`rate_in_space`] the same
 //!   along axes at rest;
 //! * [`rate_about`] takes torque and inertia about the point you choose: the centre of mass, a pivot, or any
 //!   point of the body whose acceleration you know;
 //! * [`flow`] shows the equations as a flow of L on its sphere;
-//! * [`HeavyTop`] adds gravity, and knows which tops have a further integral (5.3).
+//! * [`HeavyTop`] adds gravity, and tells which tops have a further integral (5.3).
 
 mod flow;
 mod heavy;
@@ -27,8 +27,8 @@ use crate::inertia::{InertiaMatrix, MassProperties, PrincipalMoments};
 
 /// Principal moments I₁, I₂, I₃ in kg m² **in the order of the body's axes**, each positive.
 ///
-/// [`PrincipalMoments`] are sorted; here the first number belongs to the first axis, whatever its size, because
-/// Ω₁ does too. A rod (a moment zero) is refused: its spin about its own line has no equation.
+/// [`PrincipalMoments`] are sorted; here the first number belongs to the first axis, whatever its size, as
+/// Ω₁ does. A rod (a moment zero) is refused: no equation governs its spin about its own line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AxisMoments([f64; 3]);
 
@@ -52,8 +52,8 @@ impl AxisMoments {
         Ok(Self([i1, i2, i3]))
     }
 
-    /// Those of a body that may be a rod, for what needs no equation.
-    pub(crate) const fn of_rods_too(moments: [f64; 3]) -> Self {
+    /// The moments of a body that may be a rod, for uses that do not divide by them.
+    pub(crate) const fn allowing_rods(moments: [f64; 3]) -> Self {
         Self(moments)
     }
 
@@ -112,7 +112,7 @@ impl AxisMoments {
 /// I₁ ∂Ω₁/∂t = (I₂ − I₃) Ω₂Ω₃ + N₁ and cyclic, with `omega` in rad/s and `torque` in N m about the same point as the
 /// moments: the centre of mass or a point of the body that is at rest (else [`rate_about`]).
 ///
-/// Domain: any vectors; what is not finite, or overflows, comes out not finite. By 5.1 the result is dΩ/dt as well:
+/// Domain: any vectors; if one is not finite, or the result overflows, the result is not finite. By 5.1 it is dΩ/dt as well:
 /// for Ω itself the two derivatives agree. Error: each component to 2.5 ulp of the larger of its two terms, because the
 /// differences of moments are formed first. Cost: three divisions and nine multiplications. No errors.
 ///
@@ -137,9 +137,9 @@ pub fn rate(moments: &AxisMoments, omega: BodyVector, torque: BodyVector) -> Bod
 
 /// ∂Ω/∂t in rad/s², along any axes of the body: I ∂Ω/∂t = IΩ∧Ω + N (5.1).
 ///
-/// Domain: every moment positive. Method: along the principal axes by [`rate`], so that a nearly round body keeps the
-/// digits of its differences. Observed error: 4e-16 of |I|·|Ω|²/I₁ for random bodies. Cost: one
-/// [`InertiaMatrix::principal_axes`]; whoever asks often should go to principal axes once.
+/// Domain: every moment positive. Method: along the principal axes by [`rate`], so that for a nearly round body the
+/// differences of moments keep their digits. Observed error: 4e-16 of |I|·|Ω|²/I₁ for random bodies. Cost: one
+/// [`InertiaMatrix::principal_axes`]; for many calls, change to principal axes once and use [`rate`].
 ///
 /// # Errors
 /// [`Error::NotPositive`](crate::Error::NotPositive) for a rod or a particle.
@@ -171,8 +171,8 @@ pub fn rate_in_any_axes(
 /// dΩ/dt in rad/s², along axes at rest: I(t) dΩ/dt = N − Ω∧I(t)Ω with I(t) = R I Rᵀ (3.2, 5.1).
 ///
 /// The same change as [`rate`], seen from space: `omega` and `torque` along the axes of space, the moments along those
-/// of the body, which stands at `attitude`. That the answer is [`rate`]'s, only turned, is the transport theorem for
-/// Ω∧Ω = 0. Error: two more rotations, 1e-15 relative observed. Cost: three rotations. No errors.
+/// of the body, which stands at `attitude`. The result is that of [`rate`], turned: by the transport theorem, because
+/// Ω∧Ω = 0. Error: that of two more rotations, 1e-15 relative observed. Cost: three rotations. No errors.
 ///
 /// ```
 /// use spinning_bodies::{euler_equations::{AxisMoments, rate_in_space}, frame::{Attitude, SpaceVector}};
@@ -202,8 +202,8 @@ pub enum ReferencePoint {
     Center,
     /// A point of the body that is at rest in space; its coordinates along the body's axes, m.
     Pivot(BodyVector),
-    /// A point of the body that is carried about: its coordinates, m, and its acceleration dU/dt, m/s², along the
-    /// body's axes. The equation then has the torque of inertia −M(C−O)∧dU/dt.
+    /// A point of the body whose motion is prescribed: its coordinates, m, and its acceleration dU/dt, m/s², along the
+    /// body's axes. The equation then has the inertial torque −M(C−O)∧dU/dt.
     Carried {
         /// The point O.
         point: BodyVector,
@@ -214,11 +214,11 @@ pub enum ReferencePoint {
 
 /// ∂Ω/∂t in rad/s² of a body whose torque is known about a point of your choice (3.2, 5.1).
 ///
-/// I_O ∂Ω/∂t + Ω∧I_OΩ = N_O − M(C−O)∧dU/dt, where O is the point, U its velocity, N_O the torque about it in N m. About the
-/// centre C the last term vanishes, about a pivot it does as well; nowhere else may it be left out.
+/// I_O ∂Ω/∂t + Ω∧I_OΩ = N_O − M(C−O)∧dU/dt, where O is the point, U its velocity, N_O the torque about it in N m. The last
+/// term vanishes about the centre C and about a pivot; for other points it must not be left out.
 ///
-/// Domain: as [`rate_in_any_axes`]; for a point far from C the inertia about it is large, and the answer loses
-/// I_O/I_C in relative accuracy. Cost: parallel axes and [`rate_in_any_axes`].
+/// Domain: as [`rate_in_any_axes`]; for a point far from C the inertia about it is large, and the relative error of the
+/// result grows by I_O/I_C. Cost: parallel axes and [`rate_in_any_axes`].
 ///
 /// # Errors
 /// [`Error::NotFinite`](crate::Error::NotFinite) for the point, [`Error::NotPositive`](crate::Error::NotPositive) if a moment about it is zero.
@@ -255,7 +255,7 @@ pub fn rate_about(
 
 /// dq/dt for the attitude's quaternion q: ½ qΩ, components w, x, y, z (2.2, 5.1).
 ///
-/// The basis vectors turn with the body, de/dt = Ω∧e, in the form that integrators take. Cost: twelve multiplications.
+/// It states that the body's axes turn with it, de/dt = Ω∧e, in the form that integrators take. Cost: twelve multiplications.
 ///
 /// ```
 /// use spinning_bodies::{euler_equations::quaternion_rate, frame::BodyVector};

@@ -10,7 +10,7 @@ const MASS: f64 = 0.125;
 
 /// Six particles at the corners of an octahedron, every two joined by a spring: nearly a rigid body.
 ///
-/// It knows nothing of angular velocity once it is started. What it does is Newton's law for particles and Hooke's for springs.
+/// Once it is started, nothing in it mentions angular velocity: it moves by Newton's law for particles and Hooke's for springs.
 #[derive(Debug, Clone)]
 pub struct SpringBody {
     moments: AxisMoments,
@@ -24,8 +24,8 @@ impl SpringBody {
     /// A body with these principal moments (kg m²), particles of ⅛ kg, springs of `stiffness` N/m at rest length, turning
     /// at `omega` (rad/s).
     ///
-    /// The pairs stand on the axes at ±a_i with a_i² = 2(I_j + I_k − I_i). The springs are unstretched at first, so
-    /// the body begins to shiver, by about m|Ω|²/stiffness of its size.
+    /// The pairs stand on the axes at ±a_i with a_i² = 2(I_j + I_k − I_i). The springs start unstretched, so the body
+    /// begins to vibrate, with an amplitude of about m|Ω|²/stiffness of its size.
     ///
     /// # Errors
     /// [`Error::NotPositive`] for the stiffness or for a lamina, whose pairs coincide; [`Error::NotFinite`].
@@ -61,9 +61,9 @@ impl SpringBody {
         })
     }
 
-    /// Lets `duration` seconds pass in `steps` steps of the leapfrog method, at least one; error O(step²).
+    /// Advances by `duration` seconds in `steps` steps of the leapfrog method, at least one; error O(step²).
     ///
-    /// The springs set the step: below 2/√(12·stiffness/mass) it is stable, a tenth of that is accurate. Cost: fifteen springs a step.
+    /// The springs limit the step: below 2/√(12·stiffness/mass) it is stable, a tenth of that is accurate. Cost: fifteen springs a step.
     ///
     /// # Errors
     /// [`Error::NotFinite`] if the step was too long and the body flew apart.
@@ -116,7 +116,7 @@ impl SpringBody {
         forces
     }
 
-    /// What a rider would call Ω, rad/s: I⁻¹L with L measured along the body's present axes.
+    /// The angular velocity Ω = I⁻¹L, rad/s, with L taken along the body's present axes.
     ///
     /// L = Σ m x∧v is exact; the axes are read off the three pairs, orthogonalised. The stretch of the springs enters at first
     /// order: about m|Ω|²/stiffness, relative.

@@ -481,7 +481,7 @@ fn s8_3_seventy_eight_years() {
     // Goryachev's remark with code: kept on the level L_vert = 0, and only there.
     let moments = AxisMoments::new(4.0, 4.0, 1.0).expect("a body");
     let top = HeavyTop::new(moments, vector(LEVER)).expect("a top");
-    assert_eq!(top.kind(), Integrability::OnLevelZero(2));
+    assert_eq!(top.kind(), Integrability::GoryachevChaplygin(2));
     let omega = vector([0.7, 0.3, 0.5]);
     let level = |z: [f64; 3]| {
         let up = vector(z).direction("up").expect("a direction");

@@ -167,7 +167,7 @@ impl Body {
     }
 
     pub(super) const fn axis_moments(&self) -> AxisMoments {
-        AxisMoments::of_rods_too(self.moments)
+        AxisMoments::allowing_rods(self.moments)
     }
 
     /// MC, kg m.

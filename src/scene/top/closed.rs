@@ -63,7 +63,7 @@ impl ClosedForm {
                 let top = KovalevskayaTop::new([i1, i2, i3], lever, omega, attitude)?;
                 return Ok(Some(Self::Kovalevskaya(Box::new(top), axes)));
             }
-            Integrability::OnLevelZero(_) | Integrability::None => return Ok(None),
+            Integrability::GoryachevChaplygin(_) | Integrability::None => return Ok(None),
         };
         let [transverse, _, axial] = axes.exchanged(moments);
         let top = match axes.shift {

@@ -132,7 +132,7 @@ fn s5_3_goryachev_and_chaplygin_on_one_level() {
     });
     assert_eq!(rate, other);
     let top = heavy([4.0, 4.0, 1.0], [0.6, 0.8, 0.0]);
-    assert_eq!(top.kind(), Integrability::OnLevelZero(2));
+    assert_eq!(top.kind(), Integrability::GoryachevChaplygin(2));
     let of = |s: &TopState| top.further_integral(s).unwrap();
     let on = on_level_zero();
     let swing = |start: TopState| {

@@ -92,7 +92,7 @@ pub fn complete_b(parameter: impl Into<Characteristic>) -> Result<f64> {
 
 /// K − π/2 for m ≤ 1, without that difference: πm/8 next to m = 0, negative for m < 0, infinite at m = 1.
 ///
-/// What a pendulum's period has more than that of small swings, or a top's polhode more than the circle. With cₙ and aₙ of the arithmetic–geometric mean it
+/// By it a pendulum's quarter period exceeds that of small swings. With the cₙ and the limit a of the arithmetic–geometric mean it
 /// is π/2 Σcₙ/a. Error 0.44 ε at most of 40 rows, m and mc to 10⁻³⁰⁰ and less. Cost 130–300 ns.
 ///
 /// ```
@@ -112,7 +112,7 @@ pub fn complete_first_excess(parameter: impl Into<Characteristic>) -> Result<f64
         return Ok(f64::INFINITY);
     }
     if m.high() < -1.0 {
-        // Nothing cancels there, and squares of √mc may have no room.
+        // Nothing cancels here, and the squares of √mc could underflow.
         return Ok((complete(Kind::First, parameter)? - RIGHT_ANGLE).value());
     }
     Ok((from_the_mean(m, mc)[2] * m).value())
@@ -128,9 +128,9 @@ fn second_kind(parameter: Characteristic) -> [Dd; 2] {
         let [b, d, _] = from_the_mean(m, mc);
         return [b, d];
     }
-    // The imaginary modulus, cosine for sine: B(m) = D(−m/mc)/√mc, and the other way round.
+    // The imaginary modulus exchanges sine and cosine: B(m) = D(−m/mc)/√mc, D(m) = B(−m/mc)/√mc.
     let [b, d, _] = from_the_mean(-m / mc, Dd::from(1.0) / mc);
-    // Of a quarter of mc, for the square of the root of the greatest double is beyond it.
+    // The root of mc/4: squaring the root of the greatest double would overflow.
     let root = mc.scaled(0.25).square_root().scaled(2.0);
     [d / root, b / root]
 }
@@ -138,7 +138,7 @@ fn second_kind(parameter: Characteristic) -> [Dd; 2] {
 /// B, D and (K − π/2)/m by the arithmetic–geometric mean that gives K; the first two for 0 ≤ m < 1.
 ///
 /// With c₀² = m and cₙ = (aₙ₋₁ − bₙ₋₁)/2, which is cₙ₋₁²/(4aₙ), (K − E)/K = Σ 2ⁿ⁻¹cₙ² and 1 − a = Σ cₙ. Here rₙ = cₙ/m and uₙ = cₙ²/m are carried: nothing is
-/// lost next to m = 0, where the first terms are all. Next to m = 1 the rest of Σ 2ⁿ⁻¹uₙ to 1 is about 1/K, of which two words lose three digits at most. Source:
+/// lost next to m = 0, where only the first terms count. Next to m = 1 what Σ 2ⁿ⁻¹uₙ lacks to 1 is about 1/K, so two words lose three digits at most. Source:
 /// Digital Library of Mathematical Functions, 19.8.
 fn from_the_mean(m: Dd, mc: Dd) -> [Dd; 3] {
     let mut b = mc.square_root();
@@ -167,7 +167,7 @@ fn from_the_mean(m: Dd, mc: Dd) -> [Dd; 3] {
     ]
 }
 
-/// Π for n < 1 and m < 1, where it is an integral of what is positive: Bulirsch's transformation, in which all terms are, too.
+/// Π for n < 1 and m < 1, where the integrand is positive: by Bulirsch's transformation, whose terms are all positive too.
 ///
 /// Source: R. Bulirsch, Numerical calculation of elliptic integrals and elliptic functions III, Numerische Mathematik 13 (1969) 305–315.
 fn third_kind(nc: Dd, mc: Dd) -> Dd {
@@ -183,7 +183,7 @@ fn third_kind(nc: Dd, mc: Dd) -> Dd {
         p = p.add_alike(g);
         let last = mean;
         mean = mean.add_alike(root);
-        // Then the next gap is its square, below the last of two words.
+        // The next gap is the square of this one, below the last bit of two words.
         if (last - root).high().abs() <= 1e-17 * last.high() {
             return RIGHT_ANGLE * b.add_alike(a * mean) / (mean * mean.add_alike(p));
         }
@@ -200,7 +200,7 @@ struct Angle {
     cosine: Dd,
 }
 
-/// What π/2 is more than its 106 bits.
+/// π/2 less its value to 106 bits.
 const RIGHT_ANGLE_REST: f64 = -1.497_384_904_859_169_8e-33;
 
 impl Angle {
@@ -208,7 +208,7 @@ impl Angle {
         const GREATEST: f64 = 9_007_199_254_740_992.0;
         let phi = within("angle phi", phi, -GREATEST, GREATEST)?;
         let (mut quarters, mut rest) = (0.0, Dd::from(phi));
-        // The first quotient may be rounded to the wrong side of an eighth of a turn, and by one where it is as great as that.
+        // Twice, because the first quotient may round to the wrong integer.
         for _ in 0..2 {
             let more = (rest.high() * core::f64::consts::FRAC_2_PI).round();
             quarters += more;
@@ -225,7 +225,7 @@ impl Angle {
                 cosine,
             }
         } else {
-            // From the multiple of π beyond it, unless it falls short of the right angle: the cosine has all its digits next to that.
+            // Short of the right angle on from the multiple of π before it, beyond it back from the next: next to it the cosine has all its digits.
             Self {
                 halves: 0.5 * (quarters + 1.0_f64.copysign(rest.high())),
                 negative: rest.high() > 0.0,
@@ -235,7 +235,7 @@ impl Angle {
         })
     }
 
-    /// The value at the rest with its sign, and what each multiple of π adds.
+    /// The value at the rest, with its sign, plus `half_period` for each multiple of π.
     fn assemble(&self, at_rest: Dd, half_period: Dd) -> f64 {
         let signed = if self.negative { -at_rest } else { at_rest };
         if self.halves == 0.0 || signed.high().is_infinite() {
@@ -261,7 +261,7 @@ const SINE: [Dd; 8] = [
     Dd::new(-7.647163731819816e-13, -7.03872877733453e-30),
 ];
 
-/// Sine and cosine of 0 ≤ x ≤ π/4, to 10⁻³¹ of them: as far as 1/15! in two words, and in one what follows.
+/// Sine and cosine of 0 ≤ x ≤ π/4, with relative error 10⁻³¹: terms up to 1/15! in two words, the rest in one.
 fn sine_cosine(x: Dd) -> (Dd, Dd) {
     let square = x.quick_product(x);
     let fourth = square.quick_product(square);
@@ -292,7 +292,7 @@ enum Kind {
     Third(Characteristic),
 }
 
-/// An integral from 0 to φ at any angle: its value at the rest of φ, and twice the complete one for each π.
+/// An integral from 0 to any φ: its value at the rest of φ, plus twice the complete integral for each multiple of π.
 fn at_angle(kind: Kind, phi: f64, parameter: Characteristic) -> Result<f64> {
     let angle = Angle::new(phi)?;
     let rest = within_quarter(kind, [angle.sine, angle.cosine], parameter)?;
@@ -313,7 +313,7 @@ fn complete(kind: Kind, parameter: Characteristic) -> Result<Dd> {
             let inverse = Dd::from(1.0) / mc;
             let other = Parameter::from_both(-m * inverse, inverse);
             let quarter = Modulus::new(other).quarter_period_dd();
-            // Of a quarter of mc, for the square of the root of the greatest double is beyond it.
+            // The root of mc/4: squaring the root of the greatest double would overflow.
             Ok(quarter / mc.scaled(0.25).square_root().scaled(2.0))
         }
         Kind::First => Ok(Modulus::new(Parameter::from_both(m, mc)).quarter_period_dd()),
@@ -332,7 +332,7 @@ fn complete(kind: Kind, parameter: Characteristic) -> Result<Dd> {
     }
 }
 
-/// A parameter of which the complete integrals are real: m up to 1.
+/// The parameter, if its complete integrals are real: m ≤ 1.
 fn real(parameter: Characteristic) -> Result<Characteristic> {
     if parameter.nc() < 0.0 {
         return Err(not_real(parameter.n));
@@ -342,7 +342,7 @@ fn real(parameter: Characteristic) -> Result<Characteristic> {
 
 fn not_real(m: Dd) -> Error {
     Error::Condition {
-        condition: "m sin² must not exceed 1 on the way from angle 0, where the integral is not real",
+        condition: "m sin² must not exceed 1 between 0 and phi, where the integral is not real",
         value: m.value(),
     }
 }
@@ -361,7 +361,7 @@ fn within_quarter(kind: Kind, [sine, cosine]: [Dd; 2], parameter: Characteristic
     }
 }
 
-/// sin φ, its square and that of cos φ, Δ² = 1 − m sin²φ, m and mc.
+/// sin φ, sin²φ, cos²φ, Δ² = 1 − m sin²φ, m and mc.
 struct Place<N> {
     s: N,
     s2: N,
@@ -430,8 +430,8 @@ impl<N: Number> Place<N> {
         let one = N::from_double(1.0);
         let third_of_cube = (s * s2).quotient(N::from_double(3.0));
         if m.leading() < 0.0 {
-            let (d, alike) = carlson::second([c2, delta2, one]);
-            return (s * alike.first()).add_alike(-m * (d * third_of_cube));
+            let (d, rest) = carlson::second([c2, delta2, one]);
+            return (s * rest.first()).add_alike(-m * (d * third_of_cube));
         }
         if mc.is_zero() {
             return s;
@@ -441,9 +441,9 @@ impl<N: Number> Place<N> {
             let end = delta2.quotient(c2).square_root() * s;
             return (-mc * d).add_alike(end);
         }
-        let (d, alike) = carlson::second([c2, one, delta2]);
+        let (d, rest) = carlson::second([c2, one, delta2]);
         let end = s * c2.quotient(delta2).square_root();
-        let whole = mc * (s * alike.first()).add_alike(m * (d * third_of_cube));
+        let whole = mc * (s * rest.first()).add_alike(m * (d * third_of_cube));
         whole.add_alike(m * end)
     }
 
@@ -453,20 +453,20 @@ impl<N: Number> Place<N> {
         let third_of_cube = (s * s2).quotient(N::from_double(3.0));
         let negative = n.leading() < 0.0;
         if !negative && p.leading() > 0.0 {
-            let (tail, alike) = carlson::third(self.arguments(), p);
-            return (s * alike.first()).add_alike(n * (tail * third_of_cube));
+            let (tail, rest) = carlson::third(self.arguments(), p);
+            return (s * rest.first()).add_alike(n * (tail * third_of_cube));
         }
         if negative && m.leading() < 0.0 {
-            // To the characteristic 1 − mc/nc (19.7.9 there, with its sign of n).
+            // Transformed to the characteristic 1 − mc/nc (19.7.9 of the Digital Library, with its sign of n).
             let few = mc.quotient(nc);
             let q = c2.add_alike(few * s2);
             let arc = carlson::elementary(delta2, p * q);
             let arc = s * c2.square_root() * arc;
-            let (tail, alike) = carlson::third(self.arguments(), q);
+            let (tail, rest) = carlson::third(self.arguments(), q);
             let sum = arc.add_alike(few * (tail * third_of_cube));
-            return (s * alike.first()).add_alike(-n * sum).quotient(nc);
+            return (s * rest.first()).add_alike(-n * sum).quotient(nc);
         }
-        // To the characteristic m/n, of which 1 − m/n = (mc − nc)/n does not cancel for n > 1.
+        // Transformed to the characteristic m/n; 1 − m/n = (mc − nc)/n does not cancel for n > 1.
         let ratio = m.quotient(n);
         let q = if negative {
             N::from_double(1.0).add_alike(-ratio * s2)
@@ -481,8 +481,8 @@ impl<N: Number> Place<N> {
 
 /// F(φ) = ∫₀^φ dθ/√(1 − m sin²θ) for any m; the inverse of am.
 ///
-/// Odd in φ, and for m ≤ 1 at any angle, F(φ + π) = F(φ) + 2K; for m > 1 as far as it is real, m sin²φ ≤ 1. The multiple of π is taken off with 160
-/// bits, and cos φ has all its digits next to quarter turns. Infinite at m = 1 beyond π/2.
+/// Odd in φ. For m ≤ 1 at any angle, with F(φ + π) = F(φ) + 2K; for m > 1 as far as it is real, m sin²φ ≤ 1. Multiples of π are subtracted with 160
+/// bits, so that cos φ has all its digits next to odd multiples of π/2. Infinite at m = 1 beyond π/2.
 ///
 /// An m outside 0…1 is given as a [`Characteristic`], with its complement.
 ///
@@ -500,12 +500,12 @@ impl<N: Number> Place<N> {
 ///
 /// # Errors
 ///
-/// If φ is not finite or beyond 2⁵³, or if m sin² exceeds 1 on the way to φ.
+/// If φ is not finite or beyond 2⁵³, or if m sin² exceeds 1 between 0 and φ.
 pub fn incomplete_first(phi: f64, parameter: impl Into<Characteristic>) -> Result<f64> {
     at_angle(Kind::First, phi, parameter.into())
 }
 
-/// E(φ) = ∫₀^φ √(1 − m sin²θ) dθ for any m, as [`incomplete_first`]; E(φ + π) = E(φ) + 2E, at m = 1 a staircase of sines.
+/// E(φ) = ∫₀^φ √(1 − m sin²θ) dθ for any m, with the domain of [`incomplete_first`]; E(φ + π) = E(φ) + 2E. At m = 1 it is sin φ up to π/2, and goes on in steps.
 ///
 /// Error 0.42 ε at most of 150 rows, as for [`incomplete_first`]. Cost 0.5–0.7 µs. Source: Digital Library of Mathematical
 /// Functions, 19.25.9 to 19.25.11, whichever has terms of one sign.
@@ -527,7 +527,7 @@ pub fn incomplete_second(phi: f64, parameter: impl Into<Characteristic>) -> Resu
 /// Π(n) = ∫₀^{π/2} dθ/((1 − n sin²θ)√(1 − m sin²θ)) for m ≤ 1; the principal value for n > 1; infinite at m = 1, and
 /// where it exceeds the greatest double.
 ///
-/// n < 0 and n > 1 are carried to other characteristics, so that no sum cancels.
+/// Where Bulirsch's transformation does not apply, n < 0 and n > 1 are transformed to other characteristics, so that no sum cancels.
 ///
 /// Error 0.46 ε at most of 160 rows: any n, nc and mc to ±10⁻³⁰⁰, n within an ulp of m. Cost 180–320 ns for n < 1; beyond,
 /// where it is a principal value, 4–9 µs; and up to 0.1 ms where one of the
@@ -555,7 +555,7 @@ pub fn complete_third(
 
 /// Π(φ, n) = ∫₀^φ dθ/((1 − n sin²θ)√(1 − m sin²θ)) for any n and m; the principal value where n sin² passes 1.
 ///
-/// Odd in φ, and for m ≤ 1 at any angle: each π adds 2Π(n), the principal value's period included. For m > 1 as far as it is real,
+/// Odd in φ. For m ≤ 1 at any angle: each π adds 2Π(n), for principal values too. For m > 1 as far as it is real,
 /// m sin²φ ≤ 1. Infinite at m = 1 beyond π/2.
 ///
 /// Error 0.47 ε at most of 560 rows, as for [`complete_third`] and with φ as for [`incomplete_first`]. Cost 0.7–0.9 µs within a quarter turn for n < 1; 4–9 µs
@@ -564,7 +564,7 @@ pub fn complete_third(
 ///
 /// # Errors
 ///
-/// If φ is not finite or beyond 2⁵³, if n sin²φ = 1, or if m sin² exceeds 1 on the way to φ.
+/// If φ is not finite or beyond 2⁵³, if n sin²φ = 1, or if m sin² exceeds 1 between 0 and φ.
 ///
 /// ```
 /// use spinning_bodies::elliptic::{Characteristic, Parameter, incomplete_third};
@@ -588,8 +588,8 @@ fn complement(x: f64) -> Dd {
 
 /// The u in −K…K with sn u = x; ±infinity at m = 1, x = ±1.
 ///
-/// Error 0.4 ε at most of 48 rows, x from 10⁻³⁰⁰ to the float below 1. What the rounding of x itself does to u is another
-/// matter: 1/(cn dn) times that, without bound next to ±1, where [`inverse_cn`] or [`inverse_cn_sn`] should be asked.
+/// Error 0.4 ε at most of 48 rows, x from 10⁻³⁰⁰ to the float below 1, x taken as exact. An error of x enters u
+/// multiplied by 1/(cn dn), which is unbounded next to ±1: use [`inverse_cn`] or [`inverse_cn_sn`] there.
 /// Cost 0.3 µs. Source: Digital Library of Mathematical Functions, 19.25.31, 22.15.
 ///
 /// # Errors
@@ -642,12 +642,12 @@ fn reflected(u: Dd, negative: bool, parameter: Parameter) -> f64 {
     (half - u).value()
 }
 
-/// The u in −2K…2K at which (cn u, sn u) has the direction of (x, y); −2K itself is not given.
+/// The u in −2K…2K at which (cn u, sn u) has the direction of (x, y); −2K itself is never returned.
 ///
 /// Well conditioned for every direction, where the inverses from one value alone lose half the digits next to the
 /// extremes of that value. The length of (x, y) does not matter. ±infinity at m = 1, x ≤ 0.
 ///
-/// Error: u within 0.41 of what 4 ε in y/x make. Cost 1–2 µs.
+/// Error: at most 0.41 of the change of u that a relative change of 4 ε in y/x makes. Cost 1–2 µs.
 ///
 /// # Errors
 ///
@@ -676,8 +676,8 @@ pub fn inverse_cn_sn(x: f64, y: f64, parameter: Parameter) -> Result<f64> {
 
 /// The u in 0…K with dn u = x; 0 at m = 0.
 ///
-/// Error 0.5 ε at most of 30 rows. Ill-conditioned next to 1 and to √mc, and everywhere for small m: there
-/// [`inverse_cn_sn`] should be asked. Cost 1–2 µs. Source: Digital Library of Mathematical Functions, 19.25.31, 22.15.
+/// Error 0.5 ε at most of 30 rows. Ill-conditioned next to 1 and to √mc, and everywhere for small m: use
+/// [`inverse_cn_sn`] there. Cost 1–2 µs. Source: Digital Library of Mathematical Functions, 19.25.31, 22.15.
 ///
 /// # Errors
 ///
@@ -702,7 +702,7 @@ pub fn inverse_dn(x: f64, parameter: Parameter) -> Result<f64> {
     Ok(from_squares(s2.square_root(), [s2, c2, Dd::from(1.0)], parameter).value())
 }
 
-/// From s, and s², c² and their sum, in any unit.
+/// The argument from s, and from s², c² and their sum, in any unit.
 #[inline(always)]
 fn from_squares(s: Dd, [s2, c2, whole]: [Dd; 3], parameter: Parameter) -> Dd {
     if s.value() == 0.0 {

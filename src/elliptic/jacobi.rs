@@ -1,4 +1,4 @@
-//! The Jacobi functions and the amplitude: of one argument, of one whose modulus is not used again, and of many.
+//! The Jacobi functions and the amplitude: of one argument, of one argument from scratch, and of many.
 
 use super::landen;
 use super::modulus::{Modulus, Reduction, Side};
@@ -30,7 +30,7 @@ impl Modulus {
     ///
     /// Error: relative, in units in the last place, over 9700 arguments of the committed table and six like it
     /// (|u| to 10¹⁵, m and mc to 10⁻³⁰⁰, neighbours of multiples of K): sn 4.0, cn 3.2, dn 2.9, am 2.6 at most, with no
-    /// allowance for exponentially small values; 2.8·10⁻¹⁶ absolute. am does not fall over successive floats across
+    /// allowance for exponentially small values; 2.8·10⁻¹⁶ absolute. am never decreases from one float to the next across
     /// multiples of K.
     ///
     /// Cost: 24–40 ns, beyond 2²⁵ quarter periods 40–50 ns. With unlucky arguments (one in 10⁴ at |u| = 10¹¹, most at 10¹⁵)
@@ -52,9 +52,9 @@ impl Modulus {
         self.evaluate(u)
     }
 
-    /// sn u, cn u and dn u, the very values of [`Modulus::jacobi`], without the amplitude.
+    /// sn u, cn u and dn u, to the bit as [`Modulus::jacobi`] gives them, without the amplitude.
     ///
-    /// Cost: 16–24 ns, two thirds of what it is with the amplitude.
+    /// Cost: 16–24 ns, two thirds of the cost with the amplitude.
     ///
     /// # Errors
     ///
@@ -67,7 +67,7 @@ impl Modulus {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn sn_cn_dn(&self, u: f64) -> Result<(f64, f64, f64)> {
-        // Written out in place, so that the compiler leaves the amplitude away.
+        // Inlined here, so that the compiler drops the amplitude.
         let Jacobi { sn, cn, dn, .. } = self.evaluate(u)?;
         Ok((sn, cn, dn))
     }
@@ -91,7 +91,7 @@ impl Modulus {
         self.long(u)
     }
 
-    /// Arguments beyond 2²⁵ quarter periods, unluckily close to one, or out of bounds.
+    /// Arguments beyond 2²⁵ quarter periods, unluckily close to a multiple of K, or out of bounds.
     #[cold]
     fn long(&self, u: f64) -> Result<Jacobi> {
         let greatest = self.greatest_argument();
@@ -123,7 +123,7 @@ impl Modulus {
         }
         if rest.high().abs() < FEW_BITS_LEFT * u.high().abs() {
             let finer = landen::remainder(self.parameter, u, count);
-            // A top's mc may be less than a double can tell; then it is the prepared K that is right.
+            // A top's mc may be below the range of doubles, and then the prepared K is the right one.
             if (finer - rest).high().abs() < SAME_QUARTER * u.high().abs() {
                 rest = finer;
             }
@@ -166,7 +166,7 @@ impl Modulus {
     }
 }
 
-/// sn u, cn u and dn u of a modulus that is not used again: the very values of [`Modulus::jacobi`].
+/// sn u, cn u and dn u from scratch, for a modulus that is not used again; to the bit as [`Modulus::jacobi`] gives them.
 ///
 /// Cost: 50–150 ns with [`Parameter::new`], less than [`Modulus::new`] and [`Modulus::sn_cn_dn`] together, since nothing is stored.
 ///
@@ -186,15 +186,15 @@ pub fn sn_cn_dn(u: f64, parameter: Parameter) -> Result<(f64, f64, f64)> {
     Ok((sn, cn, dn))
 }
 
-/// A remainder with less of the argument left than this is too short in bits, and K is taken to 150 bits instead.
+/// If less than this fraction of the argument remains, too few bits are right, and K is taken to 150 bits instead.
 /// Both sides agree here: the prepared K, of 101 bits and more, leaves 51 right ones.
 const FEW_BITS_LEFT: f64 = 1.0 / (1_u64 << 50) as f64;
 
-/// By how much two remainders differ at most, in units of the argument, if K is the same in both: the prepared one has 101 bits.
+/// The most by which two remainders differ, as a fraction of the argument, if both use the same K: the prepared K has 101 bits.
 const SAME_QUARTER: f64 = 1.0 / (1_u128 << 96) as f64;
 
 impl Reduction {
-    /// Whether an argument has too many quarter periods. One that is not a number comes out unlucky.
+    /// Whether an argument has too many quarter periods. NaN passes, and is then found unlucky by [`Self::apply`].
     #[inline(always)]
     fn refuses(&self, u: f64) -> bool {
         u.abs() > self.limit
@@ -203,14 +203,14 @@ impl Reduction {
     /// The count of quarter periods with [`ROUNDER`] added, the argument less these, and whether enough of its bits are left.
     #[inline(always)]
     fn apply(&self, u: f64) -> (f64, [f64; 2], bool) {
-        // In order, unless the argument is unlucky. Of the two zeros −0 is the one that costs no addition.
+        // The words are in order unless the argument is unlucky. Adding −0 is free, adding +0 is not.
         let (rounded, [high, low]) = reduced([u, -0.0], self.inverse, self.parts);
-        // So written that not-a-number is unlucky.
+        // Written so that NaN counts as unlucky.
         (rounded, [high, low], high.abs() >= FEW_BITS_LEFT * u.abs())
     }
 }
 
-/// sn, cn and dn at v = `high + low` after as many quarter turns as the lowest bits say, and the sine of what the amplitude is ahead of v by.
+/// sn, cn and dn at v = `high + low` after a number of quarter turns given by the two lowest bits, and the sine of the amplitude's lead over v.
 #[inline(always)]
 fn circular(series: &Series, bits: u64, high: f64, low: f64) -> ([f64; 3], f64) {
     let (sine, cosine) = quick::small_sine_cosine(high, low);
@@ -239,8 +239,8 @@ pub(super) fn circular_at(set: &Corrections, s: f64, c: f64) -> ([f64; 3], f64) 
 /// quarters · π/2 + v + ahead, rounded once.
 #[inline(always)]
 fn turned(quarters: f64, v: f64, ahead: f64) -> f64 {
-    // Beyond 2²⁵ quarters the first two products are inexact, but then far below the last place of the sum: the
-    // second word makes it up.
+    // Beyond 2²⁵ quarters the products are inexact: the error of the first is added as a second word, that of the second is
+    // far below the last place of the sum.
     let (first, error) = if quarters.abs() <= quick::EXACT_COUNT {
         (quarters * QUARTER_PARTS[0], 0.0)
     } else {
@@ -252,32 +252,32 @@ fn turned(quarters: f64, v: f64, ahead: f64) -> f64 {
     all.high() + rest
 }
 
-/// Beyond m = 1/2: sn, cn and dn at v = `high + low` from the nearest multiple of K, as many of which as the lowest bits say, with the
-/// corrections that belong to the lowest.
+/// Beyond m = 1/2: sn, cn and dn at v = `high + low` from the nearest multiple of K; the two lowest bits count the multiples, `set` are
+/// the corrections for the lowest bit.
 #[inline(always)]
 fn hyperbolic(series: &Series, set: &Corrections, bits: u64, high: f64, low: f64) -> [f64; 3] {
-    let crest = Crest::new(series.root, high, low);
-    hyperbolic_at(series.complementary_modulus, set, bits, &crest)
+    let argument = SignedHyperbolic::new(series.root, high, low);
+    hyperbolic_at(series.complementary_modulus, set, bits, &argument)
 }
 
 /// sinh and cosh of |v|, the sign of v as a bit, and z = 4 √q′ sinh² v.
-pub(super) struct Crest {
+pub(super) struct SignedHyperbolic {
     pub(super) sign: u64,
-    pub(super) wave: Wave,
+    pub(super) scaled: ScaledHyperbolic,
     pub(super) z: f64,
 }
 
-impl Crest {
+impl SignedHyperbolic {
     /// At v = `high + low`; `root` is 2q′^{1/4}.
     #[inline(always)]
     pub(super) fn new(root: f64, high: f64, low: f64) -> Self {
         let sign = high.to_bits() & (1 << 63);
         let (high, low) = (high.abs(), f64::from_bits(low.to_bits() ^ sign));
-        let wave = Wave::new(high, low);
-        let root = quick::lesser(root * wave.growth * wave.sine, 2.0);
+        let scaled = ScaledHyperbolic::new(high, low);
+        let root = quick::lesser(root * scaled.growth * scaled.sine, 2.0);
         Self {
             sign,
-            wave,
+            scaled,
             z: root * root,
         }
     }
@@ -289,17 +289,17 @@ pub(super) fn hyperbolic_at(
     complementary_modulus: f64,
     set: &Corrections,
     bits: u64,
-    crest: &Crest,
+    argument: &SignedHyperbolic,
 ) -> [f64; 3] {
     let odd = (bits & 1).wrapping_neg();
-    let Crest { sign, wave, z } = crest;
+    let SignedHyperbolic { sign, scaled, z } = argument;
     let inverse = 1.0 / polynomial(&set.denominator, *z);
-    let upper = complementary_modulus * wave.growth;
-    let below = 1.0 / wave.cosine;
-    let sech = below * wave.decay[0] * wave.decay[1];
-    let s = quick::select(odd, 1.0, wave.sine / wave.cosine);
-    let c = quick::select(odd, upper * wave.sine, sech);
-    let d = quick::select(odd, upper * wave.cosine, sech);
+    let upper = complementary_modulus * scaled.growth;
+    let below = 1.0 / scaled.cosine;
+    let sech = below * scaled.decay[0] * scaled.decay[1];
+    let s = quick::select(odd, 1.0, scaled.sine / scaled.cosine);
+    let c = quick::select(odd, upper * scaled.sine, sech);
+    let d = quick::select(odd, upper * scaled.cosine, sech);
     let sn = s + s * (polynomial(&set.sn, *z) * inverse);
     let cn = c + c * (polynomial(&set.cn, *z) * inverse);
     let dn = d + d * (polynomial(&set.dn, *z) * inverse);
@@ -315,16 +315,16 @@ pub(super) fn hyperbolic_at(
 }
 
 /// sinh x and cosh x for x ≥ 0, both divided by the power of two 2^j next to e^x.
-pub(super) struct Wave {
+pub(super) struct ScaledHyperbolic {
     pub(super) sine: f64,
     pub(super) cosine: f64,
-    /// 2^j, or so much of it as a double holds.
+    /// 2^j, or the greatest power of two that a double holds.
     pub(super) growth: f64,
     /// 2^−j as a product, so that it may be less than the least double.
     pub(super) decay: [f64; 2],
 }
 
-impl Wave {
+impl ScaledHyperbolic {
     #[inline(always)]
     fn new(high: f64, low: f64) -> Self {
         const LN2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
@@ -337,7 +337,7 @@ impl Wave {
         let g = leading + j * LN2[1];
         let rest = ((leading - g) + j * LN2[1]) - low;
         let (s, c) = quick::small_hyperbolic(g, rest);
-        // 2^−j in two factors, 4^−j, and 2^j: where an exponent does not fit it is cut off, and does not count.
+        // 2^−j in two factors, 4^−j, and 2^j: exponents out of range are clamped, where the factor no longer matters.
         let half = (0.5 * j + ROUNDER) - ROUNDER;
         let decay = [
             quick::power_of_two(ROUNDER - half),
@@ -355,17 +355,17 @@ impl Wave {
     }
 }
 
-/// So many arguments are worked on before those are looked for that need more than the common path.
+/// Arguments evaluated by the common path before those are sought that need more.
 const CHUNK: usize = 64;
 
 impl Modulus {
     /// sn, cn and dn of every argument, into slices of the same length.
     ///
-    /// The values are those of [`Modulus::jacobi`] to the last bit, and so is the error.
+    /// The values are those of [`Modulus::jacobi`] to the last bit.
     ///
-    /// Cost: 6–12 ns an argument, for any number of them from about 64 on, with the instructions every processor of
-    /// the kind has. A chunk of 64 in which one argument lies beyond 2²⁵ quarter periods, or unluckily close to a
-    /// multiple of K, costs what single calls do.
+    /// Cost: 6–12 ns an argument, for any number of them from about 64 on, with the instructions that every processor of
+    /// the family has. A chunk of 64 in which one argument lies beyond 2²⁵ quarter periods, or unluckily close to a
+    /// multiple of K, costs as much as single calls.
     ///
     /// # Errors
     ///
@@ -416,7 +416,7 @@ impl Modulus {
         Ok(())
     }
 
-    /// Whether some argument needs more than this.
+    /// Evaluates a chunk by the common path; returns whether some argument needs more.
     #[inline(always)]
     fn chunk(
         &self,

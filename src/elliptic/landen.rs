@@ -1,6 +1,6 @@
-//! From a parameter to its mean, quarter period and nome: Gauss's transformation in one word or two, the mean alone in two, and in three.
+//! Arithmetic-geometric mean, quarter period and nome of a parameter: by Gauss's transformation in two words, or the mean alone in two words or three.
 //!
-//! Gauss's transformation goes from a parameter of at most 1/2 to parameter 0 in three steps and a remainder. Each step replaces the modulus k by k₁ = (1 − k′)/(1 + k′) and divides both K and u by 1 + k₁, so that z = πu/(2K) stays.
+//! Gauss's transformation takes a parameter of at most 1/2 to parameter 0 in three steps and a remainder. Each step replaces the modulus k by k₁ = (1 − k′)/(1 + k′) and divides both K and u by 1 + k₁, so that z = πu/(2K) does not change.
 //! At the end K is π/2 and sn z is sin z. The mean of 1 and k′, the nome and the functions of z all come from the same steps.
 
 use core::ops::{Add, Mul};
@@ -10,7 +10,7 @@ use crate::precise::{
     DoubleDouble as Dd, Number, RIGHT_ANGLE, logarithm, power_of_two_below, quick,
 };
 
-/// The moduli on the way down.
+/// The moduli of the steps, and what follows from them.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Landen<N: Number> {
     /// 1 + k′ₙ for n = 0, 1, 2.
@@ -28,7 +28,7 @@ pub(crate) struct Landen<N: Number> {
 }
 
 impl<N: Number> Landen<N> {
-    /// For the parameter m = k² ≤ 1/2 and the complementary modulus k′, both to all the digits of their kind.
+    /// For the parameter m = k² ≤ 1/2 and the complementary modulus k′, both accurate to the last digit of their types.
     #[inline(always)]
     pub(crate) fn new(parameter: N, complement: Dd) -> Self {
         let one = Dd::from(1.0);
@@ -79,7 +79,7 @@ impl<N: Number> Landen<N> {
         logarithm.quotient(self.mean.scaled(2.0))
     }
 
-    /// sin z, or sinh x if `sign` is −1, as a double: good for one place, not for a rate.
+    /// sin z, or sinh x if `sign` is −1, to double precision: enough for a position, not for a rate.
     #[inline(always)]
     pub(crate) fn nearest_sine(&self, start: f64, delta: f64, sign: f64) -> f64 {
         let (mut s, mut d) = (start, delta);
@@ -105,7 +105,7 @@ impl<N: Number> Landen<N> {
             d = one.add_alike(-square).square_root();
         }
         s = (s * self.sums[2]).quotient(one.add_alike(d));
-        // The rest of the way: (1 + k′₃)/(1 + √(1 − k₃² s²)) and one factor more, both 1 up to 4·10⁻¹⁰.
+        // The remainder: (1 + k′₃)/(1 + √(1 − k₃² s²)) and one more factor, both 1 up to 4·10⁻¹⁰.
         let a = self.last;
         // a s², where s² alone may overflow.
         let root = a.sqrt() * s.leading();
@@ -116,9 +116,9 @@ impl<N: Number> Landen<N> {
     }
 }
 
-/// Below this the lesser of m and mc is so small that the first terms of each series are the whole.
+/// If the lesser of m and mc is below this, the first terms of each series suffice.
 ///
-/// What is left out is 3·10⁻³⁴ of the mean and 10⁻²⁶ of a theta function: both sides agree.
+/// The terms left out are 3·10⁻³⁴ of the mean and 10⁻²⁶ of a theta function, so both sides agree.
 pub(super) const SMALL: f64 = 1e-8;
 
 /// The arithmetic-geometric mean of 1 and √x for x in 1/2…1.
@@ -129,8 +129,8 @@ pub(super) struct Mean {
 }
 
 impl Mean {
-    /// Two rounds, and the third from its series. Pairs (number, error) are carried without being made canonical:
-    /// that shortens the chain of operations, each of which waits for the one before.
+    /// Two rounds, and the third from its series. Pairs (number, error) are not normalised in between: that shortens
+    /// the chain of operations, each of which waits for the one before.
     #[inline(always)]
     pub(super) fn new(x: Dd, complement: Dd) -> Self {
         if complement.high() < SMALL {
@@ -183,7 +183,7 @@ impl Mean {
     }
 }
 
-/// K = π/2 (1 + m/4 + 9m²/64 + 25m³/256 + …) for m below [`SMALL`]: no quotient to wait for.
+/// K = π/2 (1 + m/4 + 9m²/64 + 25m³/256 + …) for m below [`SMALL`], without a division.
 #[inline(always)]
 pub(super) fn quarter_next_to_zero(m: Dd) -> Dd {
     let x = m.high();
@@ -222,7 +222,7 @@ impl Nome {
     /// ln(1/q) to 101 bits and more, for q > 0.
     pub(super) fn logarithm(&self, lesser: Dd, product: Dd) -> Dd {
         // ln(q/l) = 2 y + 13 y² + (368/3) y³ + …, y = l⁴ ≤ 3.6e-6.
-        // The quotient is formed with a power of two taken off: mc may be as small as a double can be.
+        // The quotient is formed with a power of two taken out: mc may be as small as a double can be.
         let unit = power_of_two_below(lesser.high());
         let exponent = 1023 - (unit.to_bits() >> 52) as i32;
         let ratio = Dd::quick_quotient(product.scaled(16.0), lesser.scaled(1.0 / unit));
@@ -250,8 +250,8 @@ impl Nome {
 
 /// A sum of three doubles, each below the last place of the one before: about 150 bits, for arguments unluckily close to a multiple of K.
 ///
-/// Some doubles of size 10¹⁵ lie within 10⁻¹⁷ of their size and less of such a multiple. What remains after it is taken off needs more
-/// than the 101 bits of the prepared K: for them K is computed again with three words, by the plain arithmetic-geometric mean.
+/// Some doubles near 10¹⁵ agree with such a multiple to within 10⁻¹⁷ relative, or closer. The difference then needs more than the 101 bits of the
+/// prepared K: for these arguments K is computed again with three words, by the plain arithmetic-geometric mean.
 #[derive(Debug, Clone, Copy)]
 struct Triple([f64; 3]);
 
@@ -263,7 +263,7 @@ const HALF_PI: Triple = Triple([
 ]);
 
 impl Triple {
-    /// The sum of terms of any size: each pass carries what is lost one place down.
+    /// The sum of terms of any size: each pass carries the rounding errors one word down.
     fn sum<const N: usize>(mut terms: [f64; N]) -> Self {
         for _ in 0..4 {
             for i in (1..N).rev() {
@@ -330,7 +330,7 @@ impl Mul for Triple {
 /// The arithmetic-geometric mean of 1 and k′ in three words, for mc > 0.
 fn mean(parameter: Parameter) -> Triple {
     let (m, mc) = (parameter.m_dd(), parameter.mc_dd());
-    // The greater of m and mc is formed again from the lesser, whose 106 bits are the truth.
+    // The greater of m and mc is formed again from the lesser, whose 106 bits are exact.
     let (mc, power) = if m.value() <= mc.value() {
         let mc = Triple::sum([1.0, -m.high(), -m.low(), 0.0]);
         (mc, 1.0)
@@ -345,7 +345,7 @@ fn mean(parameter: Parameter) -> Triple {
     };
     let mut a = Triple([1.0, 0.0, 0.0]);
     let mut b = mc.square_root().scaled(power);
-    // Twelve rounds for the least mc there is. The gap left is squared once more by the last mean.
+    // The least mc takes twelve rounds. The last mean squares the remaining gap once more.
     for _ in 0..16 {
         let next = (a + b).scaled(0.5);
         let gap = (a + b.scaled(-1.0)).0[0];
@@ -358,7 +358,7 @@ fn mean(parameter: Parameter) -> Triple {
     a
 }
 
-/// `u − count K`, where the prepared K leaves too few bits: u times the mean, less so many right angles, over the mean.
+/// `u − count K`, where the prepared K leaves too few bits: u times the mean, less `count` right angles, over the mean.
 pub(super) fn remainder(parameter: Parameter, u: Dd, count: f64) -> Dd {
     let mean = mean(parameter);
     let rest = Triple::pair(u) * mean + HALF_PI * Triple([-count, 0.0, 0.0]);

@@ -1,15 +1,15 @@
 //! Arguments reduced to the nearest multiple of K, and sn, cn and dn there, one argument a lane.
 //!
-//! Written once for one lane and for several: loops over lanes without a branch. With one lane that is the code of a single state, eight the
-//! compiler lays out side by side, and the bits are the same. The passes are short: of a long one the processor sees too little ahead to
-//! work on the next lanes while it waits.
+//! Written once for any number of lanes, as loops without a branch. One lane is the code of a single state; eight lanes the
+//! compiler vectorises, and the bits are the same. The passes are kept short, so that the processor can look far enough ahead to
+//! start on the next lanes while it waits.
 
 #![allow(
     clippy::needless_range_loop,
     reason = "a lane is its index: all rows are read and written at it"
 )]
 
-use super::jacobi::{Crest, Wave, circular_at, hyperbolic_at};
+use super::jacobi::{ScaledHyperbolic, SignedHyperbolic, circular_at, hyperbolic_at};
 use super::modulus::{Modulus, Side};
 use super::theta::Corrections;
 use super::turning::Theta;
@@ -19,17 +19,17 @@ use crate::precise::quick::{
 };
 use crate::precise::{DoubleDouble, Number};
 
-/// So many states are formed side by side.
+/// Number of states formed side by side.
 pub(crate) const LANES: usize = 8;
 
-/// From so many states on the lanes are worth filling up.
+/// From this many states on, it pays to evaluate all lanes.
 const WORTHWHILE: usize = 3;
 
-/// 2⁶² radians, the greatest angle of two words of which sine and cosine are of use: 106 bits leave 10⁻¹³ of it.
+/// 2⁶² radians, the greatest angle of two words whose sine and cosine are meaningful: 106 bits leave them an error of 10⁻¹³.
 const GREATEST_ANGLE: f64 = 4.6e18;
 
-/// A little less than all.
-const NEARLY: f64 = 0.99;
+/// Keeps a bound a little below its limit.
+const MARGIN: f64 = 0.99;
 
 /// The argument u = start + rate · t of the functions of one modulus.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,20 +40,20 @@ pub(crate) struct Course {
 }
 
 impl Course {
-    /// Up to this time, s, it and phases of these rates, of which the `share` is turned by, are reduced without a branch: half of the right angles that
-    /// [`sine_cosine`] takes are for the time, half for the lags. Beyond, and where rates are at the ends of the doubles (−1), in 106 bits.
+    /// The time, s, up to which the argument and phases of these rates, times `share`, are reduced without a branch: half of the right angles that
+    /// [`sine_cosine`] takes are for the time, half for the lags. Later times are reduced in 106 bits; where a rate is near the ends of the range of doubles, all are, and the result is −1.
     pub(crate) fn reach(&self, share: f64, rates: &[DoubleDouble]) -> f64 {
-        // Others would overflow or underflow in halves.
-        let tame = |rate: f64| rate == 0.0 || (1e-280..=1e280).contains(&rate);
+        // Halves of other rates would overflow or underflow.
+        let in_range = |rate: f64| rate == 0.0 || (1e-280..=1e280).contains(&rate);
         let rate = self.rate.high().abs();
         let fastest = rates
             .iter()
             .fold(0.0_f64, |most, rate| most.max(rate.high().abs()));
-        if !(tame(rate) && rates.iter().all(|rate| tame(rate.high().abs()))) {
+        if !(in_range(rate) && rates.iter().all(|rate| in_range(rate.high().abs()))) {
             return -1.0;
         }
-        let quarters = (NEARLY * EXACT_COUNT - 1.0) * self.modulus.quarter_period() / rate;
-        let turning = NEARLY * 0.5 * EXACT_COUNT * core::f64::consts::PI / (2.0 * share * fastest);
+        let quarters = (MARGIN * EXACT_COUNT - 1.0) * self.modulus.quarter_period() / rate;
+        let turning = MARGIN * 0.5 * EXACT_COUNT * core::f64::consts::PI / (2.0 * share * fastest);
         (0.5 / share * quarters)
             .min(turning)
             .min(1e290 / rate.max(1.0))
@@ -78,7 +78,7 @@ pub(crate) fn phase(rate: DoubleDouble, t: f64, lag: DoubleDouble, quarters: f64
     [twice.high(), low]
 }
 
-/// Sine and cosine of an angle at a time t, if it is one that its digits tell from its neighbours: beyond [`EXACT_COUNT`] right angles the slow way of
+/// Sine and cosine of the angle reached at time t, or an error if its digits no longer determine them. Beyond [`EXACT_COUNT`] right angles by the slower
 /// [`DoubleDouble::sin_cos`], which agrees.
 pub(crate) fn turned(angle: DoubleDouble, t: f64) -> Result<(f64, f64)> {
     let right_angles = angle.high() * core::f64::consts::FRAC_2_PI;
@@ -91,7 +91,7 @@ pub(crate) fn turned(angle: DoubleDouble, t: f64) -> Result<(f64, f64)> {
     }
 }
 
-/// Where arguments lie, and the functions there.
+/// The reduced arguments of W lanes, and the functions there.
 #[derive(Debug)]
 pub(crate) struct Places<const W: usize> {
     /// u = quarters · K + rest, and the quarters in the lowest bits.
@@ -99,7 +99,7 @@ pub(crate) struct Places<const W: usize> {
     pub(crate) bits: [u64; W],
     /// The rest times π/(2K), or π/(2K′) beyond m = 1/2.
     angle: [[f64; W]; 2],
-    /// Sine and cosine of πu/(2K) itself, the quarters included; or sinh and cosh of what is left, as in [`Wave`].
+    /// Sine and cosine of πu/(2K), quarters included; or sinh and cosh of the rest, scaled as in [`ScaledHyperbolic`].
     pub(crate) sine: [f64; W],
     pub(crate) cosine: [f64; W],
     sign: [u64; W],
@@ -127,7 +127,7 @@ impl<const W: usize> Places<W> {
         }
     }
 
-    /// Where the argument is at times within [reach](Course::reach).
+    /// Reduces the argument at times within [reach](Course::reach).
     #[inline(always)]
     pub(crate) fn follow(&mut self, course: &Course, times: &[f64; W]) {
         for i in 0..W {
@@ -138,15 +138,15 @@ impl<const W: usize> Places<W> {
         }
     }
 
-    /// Where the argument is at any time at which its digits still tell that, in the first lane.
-    pub(crate) fn follow_afar(&mut self, course: &Course, t: f64) -> Result<()> {
+    /// Reduces the argument at any time at which it still has digits to tell the place, in the first lane.
+    pub(crate) fn follow_any_time(&mut self, course: &Course, t: f64) -> Result<()> {
         let u = course.rate * DoubleDouble::from(t) + course.start;
         let greatest = course.modulus.greatest_argument();
         let countable = u.high().abs() <= greatest;
         if !countable {
             return Err(too_long(t, greatest / course.rate.high().abs()));
         }
-        self.put_from_afar(0, &course.modulus, u);
+        self.put_any(0, &course.modulus, u);
         Ok(())
     }
 
@@ -159,8 +159,8 @@ impl<const W: usize> Places<W> {
         self.put_rest(i, modulus, rounded - ROUNDER, rest);
     }
 
-    /// Any argument. The error is a part of u, not of the rest: a place needs no more.
-    pub(crate) fn put_from_afar(&mut self, i: usize, modulus: &Modulus, u: DoubleDouble) {
+    /// Any argument. The error is relative to u, not to the rest, which suffices for a position.
+    pub(crate) fn put_any(&mut self, i: usize, modulus: &Modulus, u: DoubleDouble) {
         if u.high().abs() <= modulus.reduction.limit {
             return self.put(i, modulus, [u.high(), u.low()]);
         }
@@ -194,20 +194,20 @@ impl<const W: usize> Places<W> {
             }
             Side::Hyperbolic => {
                 for i in 0..W {
-                    let Crest { sign, wave, z } =
-                        Crest::new(series.root, self.angle[0][i], self.angle[1][i]);
+                    let SignedHyperbolic { sign, scaled, z } =
+                        SignedHyperbolic::new(series.root, self.angle[0][i], self.angle[1][i]);
                     self.sign[i] = sign;
-                    self.sine[i] = wave.sine;
-                    self.cosine[i] = wave.cosine;
-                    self.growth[i] = wave.growth;
-                    self.decay[0][i] = wave.decay[0];
-                    self.decay[1][i] = wave.decay[1];
+                    self.sine[i] = scaled.sine;
+                    self.cosine[i] = scaled.cosine;
+                    self.growth[i] = scaled.growth;
+                    self.decay[0][i] = scaled.decay[0];
+                    self.decay[1][i] = scaled.decay[1];
                     self.z[i] = z;
                 }
                 for i in 0..W {
                     let set = Corrections::chosen(series, self.bits[i]);
                     let root = series.complementary_modulus;
-                    let functions = hyperbolic_at(root, &set, self.bits[i], &self.crest(i));
+                    let functions = hyperbolic_at(root, &set, self.bits[i], &self.argument(i));
                     self.put_functions(i, functions);
                 }
             }
@@ -228,10 +228,10 @@ impl<const W: usize> Places<W> {
     }
 
     #[inline(always)]
-    fn crest(&self, i: usize) -> Crest {
-        Crest {
+    fn argument(&self, i: usize) -> SignedHyperbolic {
+        SignedHyperbolic {
             sign: self.sign[i],
-            wave: Wave {
+            scaled: ScaledHyperbolic {
                 sine: self.sine[i],
                 cosine: self.cosine[i],
                 growth: self.growth[i],
@@ -241,8 +241,8 @@ impl<const W: usize> Places<W> {
         }
     }
 
-    /// The same with its derivative by the angle, `shifted` by a quarter period or not, over e^x where the sum of both parities is even. On the circular side
-    /// the theta function holds the polynomials of the derivative in place of those next to odd multiples.
+    /// A theta function and its derivative by the angle, `shifted` by a quarter period or not, over e^x where the sum of both parities is even. On the circular side
+    /// `theta` holds the polynomials of the derivative in place of those near odd multiples.
     #[inline(always)]
     pub(crate) fn theta_with_slope(
         &self,
@@ -292,7 +292,7 @@ impl<const W: usize> Places<W> {
         }
     }
 
-    /// What a theta function shifted by a quarter period is to be multiplied with, beside one that is not.
+    /// The factor that puts a theta function shifted by a quarter period on the scale of one that is not.
     #[inline(always)]
     pub(crate) fn weight_of_shifted(&self, i: usize, modulus: &Modulus) -> f64 {
         match modulus.side {
@@ -315,7 +315,7 @@ fn with_derivative(coefficients: &[f64; 4], x: f64) -> [f64; 2] {
     [value, (d * x + (d * x + c)) * x + ((d * x + c) * x + b)]
 }
 
-/// States at many times: eight side by side where all are within reach, otherwise one by one.
+/// Fills `states` with those at `times`: eight side by side where all are within reach, otherwise one by one.
 pub(crate) fn fill<S>(
     times: &[f64],
     states: &mut [S],
@@ -326,7 +326,7 @@ pub(crate) fn fill<S>(
     same_length(times.len(), states.len())?;
     for (times, states) in times.chunks(LANES).zip(states.chunks_mut(LANES)) {
         if times.len() >= WORTHWHILE && times.iter().all(|t| t.abs() <= reach) {
-            // Where there are fewer, the last is formed again.
+            // Lanes left over repeat the last time.
             let lanes = core::array::from_fn(|i| times[i.min(times.len() - 1)]);
             side_by_side(&lanes, states);
         } else {

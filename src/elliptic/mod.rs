@@ -6,28 +6,28 @@
 //!   the separatrix, m → 1, nothing is lost. For the functions `m` and `mc` lie in 0…1, the ends included; the integrals are
 //!   taken for any m at which they are real.
 //! - K = ∫₀^{π/2} dθ/√(1 − m sin²θ); am is the inverse of F: F(am u) = u; sn = sin am, cn = cos am, dn = √(1 − m sn²).
-//! - Π has the factor 1/(1 − n sin²θ): positive n up to 1 makes it greater than F. For n > 1 it is the principal
-//!   value, and goes on with the period π in φ like F does.
+//! - Π has the factor 1/(1 − n sin²θ): for 0 < n < 1 it is greater than F. For n > 1 it is the principal
+//!   value, and continues beyond π/2 in φ as F does.
 //! - Angles in radians; a function of two angles takes the amplitude φ, never its sine.
 //!
-//! # What there is
+//! # Contents
 //!
 //! | | |
 //! |---|---|
-//! | [`Parameter`], [`Characteristic`] | m with mc in 0…1; n with nc of any size, and an m of any size in the integrals |
-//! | [`Modulus`] | prepared once; sn, cn, dn, am of one argument or of many |
+//! | [`Parameter`], [`Characteristic`] | m and mc in 0…1; n and nc of any size, or an m outside 0…1 in the integrals |
+//! | [`Modulus`] | prepared once; then sn, cn, dn, am of one argument or of many |
 //! | [`complete_first`] K, [`complete_first_excess`] K − π/2, [`complete_second`] E, [`complete_d`] D, [`complete_b`] B, [`complete_third`] Π | complete integrals |
 //! | [`incomplete_first`] F, [`incomplete_second`] E, [`incomplete_third`] Π | at any angle |
 //! | [`inverse_sn`], [`inverse_cn`], [`inverse_dn`], [`inverse_cn_sn`] | the argument that belongs to a value |
 //! | [`rf`], [`rc`], [`rd`], [`rj`], [`rg`] | Carlson's symmetric forms R_F, R_C, R_D, R_J, R_G of any doubles |
 //!
-//! # How right it is
+//! # Accuracy
 //!
-//! Every figure is against references of 34 digits at exact arguments; the scripts that make them use two independent
-//! routes each. Jacobi functions: [`Modulus::jacobi`]. The integrals are formed in twice the precision and rounded once:
-//! at most 0.47 ε in 1800 rows, 600 of them over the whole range of doubles, and 0.60 ε in 1200 with another seed, with no margin left out. All are our own: the crate `ellip` 1.2 was measured on
-//! the 1232 rows of `elliptic_integrals.csv` whose functions it has, with m and n rounded and through Bulirsch's forms, which take √mc and nc (greatest error of its finite answers in
-//! ε, and the rows on which it refuses, or is infinite, or not a number; the better of the two entries):
+//! Errors are measured against references of 34 digits at exact arguments; the scripts that make them use two independent
+//! routes each. For the Jacobi functions see [`Modulus::jacobi`]. The integrals are formed in twice the precision and rounded once:
+//! at most 0.47 ε in 1800 rows, 600 of them over the whole range of doubles, and 0.60 ε in 1200 with another seed, no row left out. For comparison, the crate `ellip` 1.2 was measured on
+//! the 1232 rows of `elliptic_integrals.csv` whose functions it has, once with m and n rounded and once through Bulirsch's forms, which take √mc and nc. The table shows the better of the two: the
+//! greatest error of its finite answers in ε, and the rows on which it has none, because it refuses or returns infinity or NaN:
 //!
 //! | | ours | `ellip`, ordinary arguments | `ellip`, hard ones |
 //! |---|---|---|---|
@@ -43,7 +43,7 @@
 //! | R_G | 0.43 | 1.5 | 8.5 with arguments 10^±140 |
 //!
 //! `cargo bench -p lab --bench elliptic_accuracy` prints the whole comparison. The price is time: 0.03–0.3 µs a
-//! complete integral and 0.3–9 µs an incomplete one here, where the peer's own report gives 0.01–0.3 µs. Beside Boost in long double, which has 64 bits, in one
+//! complete integral and 0.3–9 µs an incomplete one, where `ellip` itself reports 0.01–0.3 µs. Relative to Boost in long double, which has 64 bits, in one
 //! run: F 1.7 of its time, E(φ) 0.9, Π(φ) 0.7–0.8, R_F 1.9–2.0, R_D 0.6, R_J 0.7–0.8, R_C 1.8, R_G 1.5 (`cargo bench -p lab --bench elliptic` prints them).
 
 mod carlson;

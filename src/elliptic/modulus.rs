@@ -1,5 +1,5 @@
-//! The prepared modulus: quarter period to 101 bits and more, nome, and what takes quarter periods off an argument; and as an exact top
-//! prepares it before its first state, from m and mc in all their digits.
+//! The prepared modulus: quarter period to 101 bits and more, nome, and the constants that reduce an argument by quarter periods; and the
+//! modulus as an exact top prepares it, from m and mc in all their digits.
 
 use super::landen::{Landen, Mean, Nome, SMALL, quarter_next_to_zero};
 use super::parameter::Parameter;
@@ -7,7 +7,7 @@ use super::theta::Series;
 use crate::precise::quick::{self, EXACT_COUNT};
 use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE};
 
-/// On which side of m = 1/2 the parameter lies, and so which nome is the small one.
+/// The side of m = 1/2 on which the parameter lies, and so the nome that is small.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Side {
     /// m ≤ mc: sine and cosine with small corrections.
@@ -20,12 +20,12 @@ pub(crate) enum Side {
 /// the theta functions in powers of sin² or sinh².
 ///
 /// Below m = 1/2 the functions are sine and cosine with corrections in the nome of m, above it hyperbolic functions
-/// with corrections in the nome of mc; either nome is at most e^{−π}, so that three or four terms are the whole.
+/// with corrections in the nome of mc; either nome is at most e^{−π}, so that three or four terms suffice.
 ///
 /// Cost on one core of a server, beside GSL's `gsl_sf_elljac_e` in the same run (`cargo bench -p lab --bench
 /// elliptic`): `new` 30–110 ns; then 16–24 ns for sn, cn, dn of one argument (0.30–0.33 of GSL's time), 24–40 ns with the
 /// amplitude (0.43–0.53), 6–12 ns in a batch (0.11–0.16). From scratch, [`Parameter::new`] and [`sn_cn_dn`](super::sn_cn_dn), 80–150 ns (1.5–2.0). For
-/// tiny m GSL has little to do, 33 ns; there the four are 0.49, 0.71, 0.19 and 1.6 of it.
+/// tiny m GSL takes only 33 ns; there the four ratios are 0.49, 0.71, 0.19 and 1.6.
 ///
 /// Source: Digital Library of Mathematical Functions, 20.2, 22.2 and 19.8; the range reduction is our own.
 ///
@@ -44,13 +44,13 @@ pub struct Modulus {
     pub(crate) side: Side,
     /// K.
     pub(super) quarter: DoubleDouble,
-    /// What the arguments of the theta functions are multiplied with: π/(2K), or π/(2K′) on the hyperbolic side.
+    /// The factor from u to the argument of the theta functions: π/(2K), or π/(2K′) on the hyperbolic side.
     pub(super) rate: DoubleDouble,
     pub(super) reduction: Reduction,
     pub(super) series: Series,
 }
 
-/// What takes the quarter periods off an argument when there are at most 2²⁵ of them.
+/// The constants that subtract quarter periods from an argument, when there are at most 2²⁵ of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Reduction {
     /// 1/K.
@@ -114,7 +114,7 @@ impl Modulus {
         self.rate.high()
     }
 
-    /// The greatest argument that still has a place: 2⁵³ quarter periods, if that is a double.
+    /// The greatest argument whose quarter periods can be counted: 2⁵³ of them, if that is a double.
     pub(crate) fn greatest_argument(&self) -> f64 {
         (9_007_199_254_740_992.0 * self.quarter.high()).min(f64::MAX)
     }
@@ -169,17 +169,17 @@ impl Modulus {
     }
 }
 
-/// A modulus in all the digits of m and mc, with the transformation by which it was prepared.
+/// A modulus prepared from all the digits of m and mc, with the transformation that prepared it.
 #[derive(Clone, Copy)]
 pub(crate) struct Descent<N: Number> {
     pub(crate) m: N,
     pub(crate) mc: N,
     pub(crate) modulus: Modulus,
-    /// Of the lesser of m and mc.
+    /// Gauss's transformation of the lesser of m and mc.
     pub(crate) landen: Landen<N>,
 }
 
-/// The squares of the three functions at one place, without their denominators: neither m nor a difference need be formed again.
+/// The squares of the three functions at one argument, as numerators over units, so that neither m nor a difference is formed again.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Squares<N> {
     pub(crate) sn: N,
@@ -192,7 +192,7 @@ pub(crate) struct Squares<N> {
 }
 
 impl<N: Number> Descent<N> {
-    /// Both are taken as they are: each right to all its digits, neither formed from the other.
+    /// Takes m and mc as they are: each must be right to all its digits, neither formed from the other.
     #[inline]
     pub(crate) fn new(m: N, mc: N) -> Self {
         let (side, lesser, greater) = if m.exceeds(mc) {
@@ -208,7 +208,7 @@ impl<N: Number> Descent<N> {
                 Series::circular(landen.nome.value(), complementary_modulus),
             ),
             Side::Hyperbolic => {
-                // √q is still there where q underflows.
+                // √q is still in range where q underflows.
                 let half = complementary_modulus * landen.nome_over_square.value().sqrt();
                 let rate = landen.mean.value();
                 let series = Series::hyperbolic(half, complementary_modulus, rate);
@@ -224,12 +224,12 @@ impl<N: Number> Descent<N> {
         }
     }
 
-    /// The u in 0…K with these functions, good to a double's precision.
+    /// The u in 0…K with these functions, to double precision.
     #[inline]
     pub(crate) fn argument(&self, squares: &Squares<N>) -> DoubleDouble {
         let Squares { sn, cn, dn, .. } = *squares;
         let (whole, dn_whole) = (squares.whole, squares.dn_whole);
-        // Beyond the middle of the quarter period, where mc sn⁴ > cn⁴, count from its end: there sn is cn/dn and dn is k′/dn.
+        // Beyond the middle of the quarter period, where mc sn⁴ > cn⁴, u is counted back from K: sn(K − u) is cn/dn, dn(K − u) is k′/dn.
         let from_end = (self.mc * sn.square()).exceeds(cn.square());
         let angle = match self.modulus.side {
             Side::Circular => {

@@ -5,8 +5,8 @@ use crate::precise::{DoubleDouble, Number};
 
 /// The parameter m = k² and its complement mc = 1 − m, neither formed from the other by a subtraction that cancels.
 ///
-/// The lesser of the two is kept to the last bit it was given with, the greater is one minus that to 106 bits. So
-/// a parameter within 10⁻³⁰⁰ of 1 is as good as one within 10⁻³⁰⁰ of 0.
+/// The lesser of the two is kept to the bit as it was given, the greater is one minus it to 106 bits. So
+/// a parameter within 10⁻³⁰⁰ of 1 is as accurate as one within 10⁻³⁰⁰ of 0.
 ///
 /// ```
 /// use spinning_bodies::elliptic::Parameter;
@@ -22,7 +22,7 @@ pub struct Parameter {
 }
 
 impl Parameter {
-    /// The parameter from both m and mc, as mechanics gives them; the lesser is believed.
+    /// The parameter from both m and mc, as mechanics gives them; the lesser is taken as exact.
     ///
     /// # Errors
     ///
@@ -97,7 +97,7 @@ impl Parameter {
         }
     }
 
-    /// The parameter of which m and mc are exchanged: that of K′.
+    /// The parameter with m and mc exchanged: that of K′.
     ///
     /// ```
     /// use spinning_bodies::elliptic::Parameter;
@@ -154,8 +154,8 @@ fn within_unit(quantity: &'static str, value: f64) -> Result<f64> {
 
 /// The factor n of sin² in an integral, together with its complement nc = 1 − n: any finite n.
 ///
-/// It is the characteristic of Π, and a parameter m outside 0…1 of F, E and Π. (Within, a [`Parameter`] will do
-/// in its place.) Next to n = 1 an integral goes as 1/√nc or ln nc; there nc is what must be known. The one given is exact, the
+/// It is the characteristic n of Π, and also carries a parameter m outside 0…1 to F, E and Π. (Inside, a [`Parameter`] can be
+/// given instead.) Next to n = 1 an integral goes as 1/√nc or ln nc, so there it is nc that must be known. The number given is exact, the
 /// other is one minus it to 106 bits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Characteristic {

@@ -1,4 +1,4 @@
-//! Theta functions of real arguments as polynomials: corrections of the elementary functions.
+//! Theta functions of real arguments as polynomials, which correct the elementary functions.
 
 use super::landen::SMALL;
 use crate::precise::quick::select;
@@ -6,9 +6,9 @@ use crate::precise::quick::select;
 /// Coefficients in powers of z: z = sin² on the circular side, z = 4 √q′ sinh² on the hyperbolic one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Series {
-    /// Near an even multiple of K; on the circular side for every argument.
+    /// Near even multiples of K; on the circular side for every argument.
     pub(super) even: Corrections,
-    /// Near an odd multiple of K, on the hyperbolic side only.
+    /// Near odd multiples of K, on the hyperbolic side only.
     pub(super) odd: Corrections,
     /// 2 q′^{1/4}: its square times sinh² is z.
     pub(super) root: f64,
@@ -26,7 +26,7 @@ pub(super) struct Corrections {
 }
 
 impl Corrections {
-    /// The set for as many quarter periods as the lowest bit says, without a branch.
+    /// The set for an even or odd number of quarter periods, by the lowest of `bits`, without a branch.
     #[inline(always)]
     pub(super) fn chosen(series: &Series, bits: u64) -> Self {
         let odd = (bits & 1).wrapping_neg();
@@ -52,9 +52,9 @@ fn powers(root: f64) -> [f64; 25] {
     powers
 }
 
-/// The four theta functions divided by sin, cos, 1, 1 and by 2q^{1/4} where it is due, as polynomials in sin² = z.
+/// The four theta functions as polynomials in z = sin²: ϑ₁ divided by 2q^{1/4} sin, ϑ₂ by 2q^{1/4} cos, ϑ₃ and ϑ₄ as they are.
 ///
-/// `p` gives q^a z^j with the powers of q that the change of variable z → −sinh² leaves.
+/// `p(a, j)` gives q^a z^j, with the powers of q that the change of variable z → −sinh² leaves.
 #[inline(always)]
 fn thetas(p: impl Fn(usize, usize) -> f64) -> [[f64; 4]; 4] {
     let theta1 = [
@@ -84,7 +84,7 @@ fn thetas(p: impl Fn(usize, usize) -> f64) -> [[f64; 4]; 4] {
     [theta1, theta2, theta3, theta4]
 }
 
-/// The same beyond m = 1/2 for a small nome, from its root: what is left out has q³ and less.
+/// The same beyond m = 1/2 for a small nome, from `half` = √q; terms of order q³ are left out.
 fn few_thetas(half: f64) -> [[f64; 4]; 4] {
     let (q, q2) = (half * half, half * half * (half * half));
     let (z, z2) = (-0.25 * half, -0.25 * half * q);
@@ -105,7 +105,7 @@ fn correction(factor: f64, numerator: [f64; 4], denominator: [f64; 4]) -> [f64; 
 impl Series {
     #[inline(always)]
     pub(super) fn circular(q: f64, complementary_modulus: f64) -> Self {
-        // Below it what has q² is 3·10⁻¹⁸ at most.
+        // Below it terms in q² are 3·10⁻¹⁸ at most.
         let even = if 16.0 * q < SMALL {
             Corrections {
                 denominator: [1.0 - 2.0 * q, 4.0 * q, 0.0, 0.0],
@@ -167,7 +167,7 @@ fn circular_corrections([t1, t2, t3, t4]: [[f64; 4]; 4]) -> Corrections {
     }
 }
 
-/// Next to even and next to odd multiples of K; `rate` is π/(2K′).
+/// The corrections near even and near odd multiples of K; `rate` is π/(2K′).
 #[inline(always)]
 fn hyperbolic_corrections([t1, t2, t3, t4]: [[f64; 4]; 4], rate: f64) -> [Corrections; 2] {
     let slope = 1.0 / (rate * t1[0]);

@@ -1,12 +1,12 @@
-//! Theta functions of complex arguments u + iη, of which the angles of the exact tops are made (tutorial 6.8, 7.2): how their own argument goes
-//! with u, in 106 bits where it grows with time, as polynomials where it repeats.
+//! Theta functions at complex arguments u + iη, from whose phases the angles of the exact tops are made (tutorial 6.8, 7.2): the phase as a function
+//! of u, in 106 bits where it grows with time, as polynomials where it repeats.
 
 use super::landen::Landen;
 use super::modulus::{Descent, Side};
 use crate::precise::quick::select;
 use crate::precise::{DoubleDouble as Dd, Number};
 
-/// One of the two equivalent arguments η and ξ = K′ − η, by its functions for the complementary modulus.
+/// One of the two equivalent arguments η and ξ = K′ − η, given by its elliptic functions of the complementary modulus.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Elevation<N> {
     which: Which,
@@ -16,7 +16,7 @@ pub(crate) struct Elevation<N> {
     unit: N,
 }
 
-/// Which of them: the smaller, so that its functions are far from their ends.
+/// Which of the two it is: the smaller, so that its functions stay away from their extremes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Which {
     Eta,
@@ -24,7 +24,7 @@ enum Which {
 }
 
 impl<N: Number> Elevation<N> {
-    /// The smaller of both, each by sn² and cn² in one unit, and that unit.
+    /// The smaller of the two, each given by sn² and cn² in one unit, and that unit.
     #[inline(always)]
     pub(crate) fn smaller(eta: [N; 3], xi: [N; 3]) -> Self {
         let (which, [rise, run, unit]) = if (xi[0] * eta[1]).exceeds(eta[0] * xi[1]) {
@@ -40,11 +40,11 @@ impl<N: Number> Elevation<N> {
         }
     }
 
-    /// ρ = q e^{2w} and ε = e^{−2w}, w = πη/2K, the powers of q and e that a theta function of a complex argument has as coefficients, and 1 − ε. For m ≤ 1/2.
+    /// ρ = q e^{2w} and ε = e^{−2w}, w = πη/2K, whose powers are the coefficients of a theta function of a complex argument, and 1 − ε. For m ≤ 1/2.
     #[inline]
     fn exponentials(&self, landen: &Landen<N>, m: N) -> [Dd; 3] {
         let one = Dd::from(1.0);
-        // Beyond this e^{−2x} is nothing to anything it is added to, and what follows might overflow.
+        // Beyond this e^{−2x} is negligible wherever it is added, and later steps could overflow.
         let most = Dd::from(1e150);
         // sinh x of the smaller argument x, w or πξ/2K.
         let sinh = if self.run.is_zero() {
@@ -60,7 +60,7 @@ impl<N: Number> Elevation<N> {
         let growth = sinh.add_alike(one.add_alike(sinh * sinh).square_root());
         let decay = one.quotient(growth);
         let lesser = decay * decay;
-        // No more than 10³⁰¹ is e^{2x}: if q has underflowed, this is zero.
+        // e^{2x} is at most 10³⁰¹, so this is zero if q has underflowed.
         let other = landen.nome * growth * growth;
         // For ξ in place of η they change roles.
         match self.which {
@@ -84,8 +84,8 @@ impl<N: Number> Elevation<N> {
     }
 }
 
-/// A theta function of u + iη as polynomials: real part, and imaginary part over the odd factor. For m ≤ 1/2 in sin² z, z = πu/2K, and alike everywhere; beyond in
-/// 4√q′ sinh² x, x = πu/2K′, next to even and next to odd multiples of K.
+/// A theta function of u + iη as polynomials: real part, and imaginary part over its odd factor. For m ≤ 1/2 they are polynomials in sin² z, z = πu/2K, the same for all u; beyond in
+/// 4√q′ sinh² x, x = πu/2K′, one set near even and one near odd multiples of K.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Theta {
     pub(crate) even: [[f64; 4]; 2],
@@ -141,7 +141,7 @@ impl Theta {
         }
     }
 
-    /// The polynomials next to even multiples of K, or where the mask is ones next to odd ones.
+    /// The polynomials near even multiples of K, or near odd ones if all bits of the mask are set.
     #[inline(always)]
     pub(crate) fn chosen(&self, mask: u64) -> [[f64; 4]; 2] {
         let part =
@@ -153,18 +153,18 @@ impl Theta {
     }
 }
 
-/// How the argument of a theta function of u + iη goes with u: by a lag for each quarter period, at a slope, and the rest by polynomials.
+/// The phase of a theta function of u + iη as a function of u: a lag for each quarter period, a slope, and polynomials for the rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Turning {
-    /// By how much it falls with each quarter period beyond what the polynomials show, radians.
+    /// Fall of the phase with each quarter period that the polynomials do not contain, radians.
     pub(crate) lag: Dd,
-    /// Its derivative by u at u = K.
+    /// Derivative of the phase by u at u = K.
     pub(crate) slope: Dd,
     pub(crate) theta: Theta,
 }
 
 impl Turning {
-    /// Of ϑ₁(π(u + iη)/2K), without the factor that grows with η; beyond m = 1/2 of ϑ₂(ix − v) with v = πη/2K′ − π/2. On the circular side there is no lag, and the
+    /// For ϑ₁(π(u + iη)/2K), without the factor that grows with η; beyond m = 1/2 of ϑ₂(ix − v) with v = πη/2K′ − π/2. On the circular side there is no lag, and the
     /// second pair of polynomials is that of the derivatives.
     pub(crate) fn new<N: Number>(descent: &Descent<N>, elevation: &Elevation<N>) -> Self {
         let landen = &descent.landen;

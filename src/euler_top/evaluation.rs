@@ -307,7 +307,7 @@ impl Moving {
             work.states(self, &[t]);
         } else {
             let constants = &self.constants;
-            work.places.follow_afar(&constants.course, t)?;
+            work.places.follow_any_time(&constants.course, t)?;
             let lag = constants.lag * DoubleDouble::from(work.places.quarters[0]);
             let half = (constants.turning_rate * DoubleDouble::from(t) - lag).scaled(0.5);
             (work.sine[0], work.cosine[0]) = turned(half, t)?;

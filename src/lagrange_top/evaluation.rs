@@ -162,7 +162,7 @@ impl Constants {
     /// α and β at one place, with their derivatives by time.
     fn pair(&self, t: f64, u: DoubleDouble) -> Result<([f64; 3], [Complex; 4])> {
         let mut work = Work::<1>::new();
-        work.places.put_from_afar(0, &self.course.modulus, u);
+        work.places.put_any(0, &self.course.modulus, u);
         work.put_phases_afar(self, t)?;
         work.evaluate(self);
         Ok((work.places.functions(0), work.pair(0)))
@@ -174,7 +174,7 @@ impl Constants {
         if t.abs() <= self.reach {
             work.put(self, &[t]);
         } else {
-            work.places.follow_afar(&self.course, t)?;
+            work.places.follow_any_time(&self.course, t)?;
             work.put_phases_afar(self, t)?;
         }
         work.evaluate(self);

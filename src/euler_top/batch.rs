@@ -1,4 +1,4 @@
-//! Many states at once (tutorial 6.6, 6.8): those of [`EulerTop::at`] to the last bit, by eight lanes of the same code.
+//! Many states at once (tutorial 6.6, 6.8): equal to those of [`EulerTop::at`] to the last bit, by the same code in eight lanes.
 
 use super::evaluation::State;
 use super::motion::{EulerTop, Motion};
@@ -6,16 +6,16 @@ use crate::elliptic::lanes::fill;
 use crate::error::Result;
 
 impl EulerTop {
-    /// Ω, L and attitude at each of these times (s), in any order, into a slice of the same length (6.6, 6.8).
+    /// Fills a slice with Ω, L and attitude at each of these times (s), which may be in any order; the slices have one length (6.6, 6.8).
     ///
-    /// The states of [`at`](Self::at) to the last bit, and so its domain and error: eight times go side by side up to some 8·10⁶ turns from the start, and where
-    /// no rate is at the ends of the doubles; one by one what lies beyond. Parts of the slices may be filled by different threads.
+    /// The states are those of [`at`](Self::at) to the last bit, with its domain and error. Eight times are computed side by side up to some 8·10⁶ turns from the
+    /// start, unless a rate is near the ends of the range of doubles; the others one by one. Different threads may fill parts of the slices.
     ///
-    /// Cost: beside [`at`](Self::at) in the same run (`cargo bench -p lab --bench ensembles`), with the instructions every processor of the kind
-    /// has: 0.35 of the time a state where m ≤ 1/2, 0.42 where m > 1/2, the same where Ω stays; 1.1 for a batch of one time.
+    /// Cost a state, relative to [`at`](Self::at) in the same run (`cargo bench -p lab --bench ensembles`), with the instructions that every processor of the
+    /// family has: 0.35 where m ≤ 1/2, 0.42 where m > 1/2, 1 where Ω is constant; 1.1 for a batch of one time.
     ///
     /// # Errors
-    /// [`Error::Condition`](crate::Error::Condition) if the slices differ in length; otherwise that of the first time that [`at`](Self::at) refuses, the states being partly
+    /// [`Error::Condition`](crate::Error::Condition) if the slices differ in length; otherwise that of the first time that [`at`](Self::at) refuses, with some of the states
     /// written.
     ///
     /// ```

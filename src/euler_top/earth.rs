@@ -1,7 +1,7 @@
-//! The Earth as a symmetric top (tutorial 6.5): the figures, where they come from, and what they predict.
+//! The Earth as a symmetric top (tutorial 6.5): its numbers, their sources, and what they predict.
 //!
-//! Computed here: the rigid period, and the naive lengthening by elasticity. Quoted from geodesy: the ellipticity, the
-//! Love number, the observed period.
+//! Computed here: the period of a rigid Earth, and how much elasticity lengthens it in the simplest model. Quoted from geodesy: the
+//! ellipticity, the Love number, the observed period.
 
 use crate::error::{Result, finite, positive, within};
 
@@ -26,7 +26,7 @@ pub(crate) const DYNAMICAL_FORM_FACTOR: f64 = 1.082_635_9e-3;
 /// Period of the free wobble of a rigid Earth, in turns of the Earth: 1/(I₃/I₁ − 1) = 1/H − 1 for H = (I₃ − I₁)/I₃ (6.5).
 ///
 /// # Errors
-/// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::NotPositive`](crate::Error::NotPositive); [`Error::OutOfRange`](crate::Error::OutOfRange) for H above ½, which no body has (2.4).
+/// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::NotPositive`](crate::Error::NotPositive); [`Error::OutOfRange`](crate::Error::OutOfRange) for H above ½, which no body with I₁ = I₂ has (2.4).
 ///
 /// ```
 /// use spinning_bodies::euler_top::earth::{DYNAMICAL_ELLIPTICITY, rigid_period};
@@ -40,7 +40,7 @@ pub fn rigid_period(ellipticity: f64) -> Result<f64> {
     finite("the rigid period", (1.0 - value) / value)
 }
 
-/// Secular Love number k_s = 3 J₂ GM/(a³Ω²), dimensionless: the k₂ of an Earth that gave way as a fluid does.
+/// Secular Love number k_s = 3 J₂ GM/(a³Ω²), dimensionless: the k₂ that an Earth yielding like a fluid would have.
 ///
 /// About 0.94 from the constants above.
 ///
@@ -53,10 +53,10 @@ pub fn secular_love_number() -> f64 {
     3.0 * DYNAMICAL_FORM_FACTOR * (GRAVITATIONAL_PARAMETER / EQUATORIAL_RADIUS) / speed_squared
 }
 
-/// Period of a body that yields to its own wobble: T = T_rigid/(1 − k₂/k_s), in the unit of `rigid`.
+/// Period of the wobble of an elastic body: T = T_rigid/(1 − k₂/k_s), in the unit of `rigid`.
 ///
-/// The part k₂/k_s of the bulge follows the axis at once and gives no restoring torque (Newcomb 1892, Love 1909). A naive
-/// model of the whole Earth as one elastic body: no ocean, which would lengthen the period further, and no
+/// The fraction k₂/k_s of the bulge follows the axis at once and gives no restoring torque (Newcomb 1892, Love 1909). The
+/// model takes the whole Earth as one elastic body, without the ocean, which would lengthen the period further, and without the
 /// fluid core, which shortens it.
 ///
 /// # Errors

@@ -1,7 +1,6 @@
-//! A prepared motion at one time: where L is, by how much the body has turned, and what repeats (tutorial 6.6, 6.8).
+//! The state of a prepared motion at one time, and its period, mean precession and solid angle (tutorial 6.6, 6.8).
 //!
-//! L is (P₁ cn u, P₂ sn u, P₃ dn u) along the renumbered axes, u = u₀ + λt, and the attitude a turn by ψ about L after the shortest
-//! rotation of L onto axis 3; a single time is a row of one lane.
+//! L is (P₁ cn u, P₂ sn u, P₃ dn u) along the renumbered axes, u = u₀ + λt. The same code serves one lane, for a single time, and eight.
 //!
 //! Let axis 3 be the one whose component of L keeps its sign (that of dn), let P(L) be the shortest rotation that carries L
 //! onto it, and write the attitude as a turn by ψ about L after P(L). Then ψ' = 2E/|L| − (1 − cos θ) φ', an elliptic integral of
@@ -32,7 +31,7 @@ use crate::frame::{Attitude, BodyVector};
 use crate::precise::quick::{in_quadrant, sine_cosine};
 use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE};
 
-/// A free top at one time.
+/// The state of a free top at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State {
@@ -40,12 +39,12 @@ pub struct State {
     pub omega: BodyVector,
     /// L along the body's axes, kg m²/s.
     pub angular_momentum: BodyVector,
-    /// How the body stands in space.
+    /// The attitude of the body in space.
     pub attitude: Attitude,
 }
 
 impl Default for State {
-    /// At rest, the body's axes along those of space: what a slice of states may hold before it is filled.
+    /// At rest, with the body's axes along those of space, to initialise a slice of states.
     fn default() -> Self {
         Self {
             omega: BodyVector::zero(),
@@ -55,12 +54,12 @@ impl Default for State {
     }
 }
 
-/// A body's axes, renumbered and turned over so that axis 3 has the component that keeps its sign and components 1 and 3
+/// A body's axes, renumbered and with signs chosen so that the component of L along axis 3 keeps its sign and components 1 and 3
 /// start positive; right-handed like the old ones.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Renumbering {
     axis: [usize; 3],
-    /// Which of the new axes is which of the old ones.
+    /// For each of the body's own axes, its new number.
     pub(super) own: [usize; 3],
     pub(super) sign: [f64; 3],
 }
@@ -80,17 +79,18 @@ impl Renumbering {
         }
     }
 
-    pub(super) fn there<T: Copy>(&self, v: [T; 3]) -> [T; 3] {
+    /// Values along the body's own axes in the new order, without the signs.
+    pub(super) fn renumber<T: Copy>(&self, v: [T; 3]) -> [T; 3] {
         self.axis.map(|i| v[i])
     }
 
-    /// Back along the body's own axes.
-    pub(super) fn back(&self, w: [f64; 3]) -> [f64; 3] {
+    /// Components along the body's own axes, from those along the new ones.
+    pub(super) fn restore(&self, w: [f64; 3]) -> [f64; 3] {
         let signed = self.signed(w);
         self.own.map(|k| signed[k])
     }
 
-    /// With the signs of the old axes, in the order of the new ones.
+    /// Components with the signs of the old axes, still in the new order.
     pub(super) fn signed(&self, w: [f64; 3]) -> [f64; 3] {
         core::array::from_fn(|k| self.sign[k] * w[k])
     }
@@ -109,7 +109,7 @@ pub(super) fn handedness(axes: [usize; 3]) -> f64 {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Constants {
     pub(super) axes: Renumbering,
-    /// u.
+    /// The argument u as a function of time.
     pub(super) course: Course,
     /// P₁, P₂, P₃.
     pub(super) amplitudes: [f64; 3],
@@ -117,27 +117,27 @@ pub(super) struct Constants {
     pub(super) aspect: f64,
     /// Z̄, or iZ̄ on the circular side.
     pub(super) turning: Turning,
-    /// What Z falls behind with each quarter period.
+    /// The lag of the phase of Z with each quarter period.
     pub(super) lag: DoubleDouble,
     /// ψ = `turning_rate` t − quarters · `lag` + …
     pub(super) turning_rate: DoubleDouble,
 }
 
-/// A motion ready for any time.
+/// A motion prepared for any time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Moving {
     pub(super) constants: Constants,
-    /// What L, Ω and L/|L| have in front of cn, sn and dn, along the renumbered axes.
+    /// The coefficients of cn, sn and dn in L, Ω and L/|L|, along the renumbered axes.
     l: [f64; 3],
     omega: [f64; 3],
     direction: [f64; 3],
-    /// The attitude less what ψ and the rotation make of it, along those axes.
+    /// The constant factor of the attitude, to which the turn by ψ and P(L) are applied, along those axes.
     base: [f64; 4],
-    /// Up to this time, s, phases are reduced without a branch; beyond, and where rates are at the ends of the doubles, in 106 bits.
+    /// The time, s, up to which phases are reduced without a branch, as [`Course::reach`] has it.
     pub(super) reach: f64,
 }
 
-/// What one pass over the lanes hands to the next.
+/// Intermediate values that one pass over the lanes leaves to the next.
 pub(super) struct Work<const W: usize> {
     places: Places<W>,
     /// Sine and cosine of half of νt − quarters · lag; then of half of ψ, not normalised.
@@ -172,7 +172,7 @@ impl<const W: usize> Work<W> {
         self.turn(body);
     }
 
-    /// From the places and the phases to the attitudes.
+    /// Computes the attitudes from the reduced arguments and phases.
     #[inline(always)]
     fn turn(&mut self, body: &Moving) {
         let constants = &body.constants;
@@ -184,7 +184,7 @@ impl<const W: usize> Work<W> {
                     .theta_with_slope(i, modulus, &constants.turning.theta, false);
             (self.z[0][i], self.z[1][i]) = (value[0], value[1]);
         }
-        // On the hyperbolic side Z does not turn with the quarter periods, and so much is taken off.
+        // On the hyperbolic side Z does not turn with the quarter periods, so these quarter turns are subtracted.
         let turns = match modulus.side {
             Side::Circular => {
                 self.z.swap(0, 1);
@@ -198,14 +198,14 @@ impl<const W: usize> Work<W> {
         for i in 0..W {
             let [sn, cn, _] = self.places.functions(i);
             let (real, imaginary) = (self.z[0][i], self.z[1][i]);
-            // Z over P₁ cn + i P₂ sn, an angle of at most a right one, and half of it.
+            // The phase of Z over P₁ cn + i P₂ sn, at most a right angle, and half of it.
             let across = constants.aspect * cn;
             let (aside, along) = in_quadrant(
                 self.places.bits[i] & turns,
                 imaginary * across - real * sn,
                 real * across + imaginary * sn,
             );
-            // Their size may be that of any double: less a power of two. Where both are zero, so is the angle.
+            // They may be of any magnitude, so they are scaled by a power of two. Where both are zero, so is the angle.
             let unit = inverse_unit(along, aside);
             let (along, aside) = (along * unit, aside * unit);
             let x = (along * along + aside * aside).sqrt() + along + 1e-150;
@@ -237,7 +237,7 @@ impl<const W: usize> Work<W> {
         }
     }
 
-    /// One of them, along the body's own axes.
+    /// The state in lane `i`, along the body's own axes.
     #[inline(always)]
     pub(super) fn state(&self, i: usize, body: &Moving) -> State {
         let [sn, cn, dn] = self.places.functions(i);
@@ -254,7 +254,7 @@ impl<const W: usize> Work<W> {
     }
 }
 
-/// The reciprocal of the power of two next below the greater of two sizes, for sizes below 10³⁰⁰: without a branch.
+/// The reciprocal of the power of two next below the greater of two magnitudes, both below 10³⁰⁰; without a branch.
 #[inline(always)]
 fn inverse_unit(a: f64, b: f64) -> f64 {
     const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
@@ -268,7 +268,7 @@ pub(super) fn vector([x, y, z]: [f64; 3]) -> BodyVector {
 }
 
 impl Moving {
-    /// From the greatest components of Ω along the body's own axes, and the attitude at time 0.
+    /// From the constants, the greatest components of Ω along the body's own axes, and the attitude at time 0.
     pub(super) fn new(
         constants: Constants,
         greatest_omega: [f64; 3],
@@ -278,7 +278,7 @@ impl Moving {
         let size = amplitudes[0].hypot(amplitudes[2]);
         let mut moving = Self {
             l: axes.signed(amplitudes),
-            omega: axes.there(greatest_omega),
+            omega: axes.renumber(greatest_omega),
             direction: amplitudes.map(|x| x / size),
             base: [1.0, 0.0, 0.0, 0.0],
             reach: constants.course.reach(0.5, &[constants.turning_rate]),
@@ -286,12 +286,12 @@ impl Moving {
         };
         let found = moving.at(0.0)?.attitude.quaternion().into_inner();
         let base = attitude.quaternion().into_inner() * found.conjugate();
-        let [x, y, z] = axes.signed(axes.there([base.i, base.j, base.k]));
+        let [x, y, z] = axes.signed(axes.renumber([base.i, base.j, base.k]));
         moving.base = [base.w, x, y, z];
         Ok(moving)
     }
 
-    /// The states at eight times within reach; of fewer, the first ones.
+    /// The states at eight times within reach; only as many as `states` has room for.
     #[inline(never)]
     pub(super) fn side_by_side(&self, times: &[f64; LANES], states: &mut [State]) {
         let mut work = Work::new();
@@ -331,7 +331,7 @@ impl Constants {
         }
     }
 
-    /// ν less the lag of each quarter period, and a right angle more for each: the azimuth of L in the body advances by that.
+    /// ν less the lag of each quarter period, plus a right angle for each, by which the azimuth of L in the body advances.
     pub(super) fn mean_precession_rate(&self) -> f64 {
         let quarter = self.course.modulus.quarter_period_dd();
         if quarter.high() == f64::INFINITY {
@@ -342,13 +342,13 @@ impl Constants {
         (self.turning_rate + gain * quarters).value()
     }
 
-    /// Solid angle of the cone that L draws in the body in one period, with the sense of du/dt.
+    /// Solid angle of the cone that L traces in the body in one period, with the sign of du/dt.
     pub(super) fn solid_angle(&self) -> f64 {
         let [p1, p2, p3] = self.amplitudes;
         let size = p1.hypot(p3);
         let magnitude = match self.course.modulus.side {
-            // ∮ (1 − cos θ) dφ = P₁P₂/P₃ ∫ P₃ dn/(|L| (|L| + P₃ dn)) du, a periodic function with poles beyond ±iK′: the rule of
-            // equal ordinates leaves out q¹⁶, and nothing cancels for a small cone.
+            // ∮ (1 − cos θ) dφ = P₁P₂/P₃ ∫ P₃ dn/(|L| (|L| + P₃ dn)) du, over a periodic function with poles beyond ±iK′: the
+            // trapezoidal rule has an error of order q¹⁶, and nothing cancels for a small cone.
             Side::Circular => {
                 let quarter = self.course.modulus.quarter_period_dd();
                 let ordinates = (0..16).map(|k| {

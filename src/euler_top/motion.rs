@@ -11,7 +11,7 @@ use crate::frame::{Attitude, BodyVector, SpaceVector, finite_vector};
 use crate::inertia::{InertiaMatrix, PrincipalMoments};
 use crate::precise::{DoubleDouble, Extended, Number, power_of_two_below, sum_of_products};
 
-/// A free rigid body, its motion prepared.
+/// A free rigid body whose motion has been prepared.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EulerTop {
     pub(super) moments: [f64; 3],
@@ -27,7 +27,7 @@ pub struct EulerTop {
     reason = "a top is one value without allocation; most tops move"
 )]
 pub(super) enum Motion {
-    /// Ω constant: its components, its size to 106 bits, its direction.
+    /// Ω is constant: its components, its magnitude to 106 bits, its direction.
     Steady {
         omega: [f64; 3],
         rate: DoubleDouble,
@@ -41,8 +41,8 @@ impl EulerTop {
     /// (kg m²/s) and this attitude at time 0.
     ///
     /// Domain: any moments that a body can have, rods and laminae included, at any scale; any L, however close to an axis
-    /// or to the separatrix: what matters is the exact value of the doubles given. Cost: fourteen to nineteen evaluations of
-    /// [`at`](Self::at), the price of constants to 106 bits: with them no later time costs a digit.
+    /// or to the separatrix. The doubles given are taken as exact. Cost: fourteen to nineteen evaluations of
+    /// [`at`](Self::at), for constants to 106 bits; with them later times lose no digit.
     ///
     /// # Errors
     /// [`Error::NotFinite`], also if Ω or the rate of the motion would leave the range of doubles; [`Error::Negative`] and
@@ -68,7 +68,7 @@ impl EulerTop {
 
     /// The same from the angular velocity along the principal axes at time 0, rad/s; I Ω is formed without rounding.
     ///
-    /// Along an axis whose moment is zero there is no angular velocity to speak of: that component is ignored.
+    /// The component along an axis whose moment is zero has no meaning and is ignored.
     ///
     /// # Errors
     /// As for [`new`](Self::new); [`Error::Condition`] if I Ω is below the range of doubles.
@@ -85,7 +85,7 @@ impl EulerTop {
         Self::beyond_bodies_from_omega(moments, omega, attitude)
     }
 
-    /// The same as [`new`](Self::new) for moments that no body need have, such as 1, 2, 5: Euler's equations do not ask.
+    /// The same as [`new`](Self::new) for any moments, such as 1, 2, 5, which no body has: Euler's equations hold for them as well.
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Negative`] for a moment, [`Error::Condition`] if one moment is zero and L has a component
@@ -131,13 +131,13 @@ impl EulerTop {
     /// The body with these principal moments (kg m², in any order), L² (kg² m⁴/s²) and kinetic energy E (J), with this attitude at time 0 (6.6).
     ///
     /// At time 0 Ω crosses the plane of the axes of the smallest and the largest moment, its components along both not negative:
-    /// L₁² = I₁(2EI₃ − L²)/(I₃ − I₁), L₂ = 0, L₃² = I₃(L² − 2EI₁)/(I₃ − I₁) for ascending moments; with L² = 2EI₂ that is the middle of the one half turn.
-    /// A symmetric top has Ω among its equal axes along the first of them in that order, a sphere along its third axis.
-    /// All differences are exact for the doubles given, so the separatrix is told exactly; where 2EI₂ is no double,
+    /// L₁² = I₁(2EI₃ − L²)/(I₃ − I₁), L₂ = 0, L₃² = I₃(L² − 2EI₁)/(I₃ − I₁) for ascending moments; with L² = 2EI₂ this is the middle of the single flip.
+    /// In a symmetric top the part of Ω in the plane of the equal moments is along the first of their axes in that order, in a sphere Ω is along its third axis.
+    /// All differences are exact for the doubles given, so the separatrix is recognised exactly; where 2EI₂ is not a double,
     /// [`beside_separatrix`](Self::beside_separatrix) reaches it. Cost: some twenty evaluations of [`at`](Self::at).
     ///
     /// # Errors
-    /// As for [`new`](Self::new), but [`Error::NotPositive`] for a moment that is zero: what a rod does, L alone tells; [`Error::Negative`] for L² or E;
+    /// As for [`new`](Self::new), but [`Error::NotPositive`] for a moment that is zero, because L² and E do not determine how a rod moves; [`Error::Negative`] for L² or E;
     /// [`Error::Condition`] unless 2EI₁ ≤ L² ≤ 2EI₃.
     ///
     /// ```
@@ -156,11 +156,11 @@ impl EulerTop {
         attitude: Attitude,
     ) -> Result<Self> {
         not_negative("the square of the angular momentum", l_squared)?;
-        Self::kept(moments, energy, [l_squared, 0.0], attitude)
+        Self::from_energy(moments, energy, [l_squared, 0.0], attitude)
     }
 
-    /// The same as [`from_integrals`](Self::from_integrals) from the energy (J) and the distance L² − 2EI₂ from the separatrix (kg² m⁴/s²): zero is the
-    /// separatrix of every body, and next to it no digit is lost.
+    /// The same as [`from_integrals`](Self::from_integrals), from the energy (J) and the distance L² − 2EI₂ from the separatrix (kg² m⁴/s²). Distance zero is the
+    /// separatrix itself for every body, and next to it no digit is lost.
     ///
     /// # Errors
     /// As for [`from_integrals`](Self::from_integrals).
@@ -180,11 +180,11 @@ impl EulerTop {
         attitude: Attitude,
     ) -> Result<Self> {
         finite("the distance L² − 2EI₂ from the separatrix", distance)?;
-        Self::kept(moments, energy, [distance, 2.0], attitude)
+        Self::from_energy(moments, energy, [distance, 2.0], attitude)
     }
 
-    /// From E, and L² as a double and so many times EI₂.
-    fn kept(
+    /// From E, and L² as the sum of a double and a multiple of EI₂.
+    fn from_energy(
         moments: [f64; 3],
         energy: f64,
         [l_squared, share]: [f64; 2],
@@ -206,7 +206,7 @@ impl EulerTop {
         let number = Extended::from_double;
         if least.leading() < 0.0 || greatest.leading() > 0.0 {
             return Err(Error::Condition {
-                condition: "L² must lie between 2E times the smallest and the largest moment",
+                condition: "L² must lie between 2E times the smallest and 2E times the largest moment",
                 value: (middle + number(energy).times(2.0) * number(i[1])).value(),
             });
         }
@@ -222,7 +222,7 @@ impl EulerTop {
         (l[order[0]], l[order[2]]) = (part(-greatest, i[0]).square_root(), third.square_root());
         let separation = middle * number(i[0]) * number(i[2]);
         let decided = decide_from(moments, l, |_, _| separation);
-        Self::settled(moments, &l, attitude, decided)
+        Self::assembled(moments, &l, attitude, decided)
     }
 
     fn prepared(
@@ -248,11 +248,11 @@ impl EulerTop {
                 value: largest,
             });
         }
-        Self::settled(moments, &l, attitude, decide(moments, start))
+        Self::assembled(moments, &l, attitude, decide(moments, start))
     }
 
-    /// From L before rounding.
-    fn settled(
+    /// From the regime, the constants and L before rounding.
+    fn assembled(
         moments: [f64; 3],
         exact: &[Extended; 3],
         attitude: Attitude,
@@ -274,8 +274,8 @@ impl EulerTop {
                     "the rate of the motion",
                     rate.max(constants.turning_rate.value()),
                 )?;
-                // What is finite at the start may swing onto an axis with a smaller moment, or round up.
-                let peaks = ratio(constants.axes.back(constants.amplitudes), moments);
+                // L may swing onto an axis with a smaller moment, where Ω is greater than at the start, or round up.
+                let peaks = ratio(constants.axes.restore(constants.amplitudes), moments);
                 for peak in peaks {
                     finite("twice the greatest angular velocity", 2.0 * peak)?;
                 }
@@ -291,7 +291,7 @@ impl EulerTop {
         })
     }
 
-    /// What kind of motion it is, decided once from exact differences.
+    /// The kind of motion, decided once from exact differences.
     ///
     /// ```
     /// use spinning_bodies::{euler_top::{EulerTop, Regime}, frame::{Attitude, BodyVector}};
@@ -318,11 +318,11 @@ impl EulerTop {
         self.moments
     }
 
-    /// Ω, L and attitude at any time t (s), before or after (6.6, 6.8).
+    /// Ω, L and attitude at any time t (s), before or after the start (6.6, 6.8).
     ///
     /// (L₁, L₂, L₃) = (P₁ cn u, P₂ sn u, P₃ dn u), u = u₀ + λt, and the attitude turned about L by an angle that theta functions
     /// give. Error observed against 998 references of 32 digits, ordinary bodies and every hard case: attitude at most
-    /// 9e-16 rad, Ω and L 5e-16, at any time up to 10⁹ periods; beyond, up to 10⁻²⁶ of the angle turned comes on top. Cost: the same at every
+    /// 9e-16 rad, Ω and L 5e-16, at any time up to 10⁹ periods; beyond, up to 10⁻²⁶ of the angle turned is added. Cost: the same at every
     /// time, that of one sn, cn, dn in the GNU Scientific Library.
     ///
     /// ```
@@ -338,7 +338,7 @@ impl EulerTop {
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::OutOfRange`] beyond 2⁵³ quarter periods,
-    /// where a double no longer counts them, or 2⁶³ radians.
+    /// where a double can no longer count them, or 2⁶³ radians.
     pub fn at(&self, t: f64) -> Result<State> {
         let t = finite("the time", t)?;
         match &self.motion {
@@ -423,7 +423,7 @@ impl EulerTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn angular_momentum_in_space(&self) -> SpaceVector {
-        // Rotating adds products up, which may overflow or underflow before the result does.
+        // The products that rotation adds may overflow or underflow where the result does not.
         let unit = power_of_two_below(self.angular_momentum.components().amax());
         let l = self.attitude.to_space(self.angular_momentum / unit) * unit;
         let [x, y, z] =
@@ -431,9 +431,9 @@ impl EulerTop {
         SpaceVector::new(x, y, z)
     }
 
-    /// Period of Ω in the body, 4K/λ, s: the polhode run through once (6.6). The attitude does not return with it.
+    /// Period of Ω in the body, 4K/λ, s: once round the polhode (6.6). In general the attitude does not return with it.
     ///
-    /// Infinite where Ω stays, and on the separatrix. Error: 2 ulp.
+    /// Infinite where Ω is constant, and on the separatrix. Error: 2 ulp.
     ///
     /// ```
     /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
@@ -450,8 +450,8 @@ impl EulerTop {
         }
     }
 
-    /// The parameter m = k² of the elliptic functions that Ω runs through, and its complement (6.6): 0 for a symmetric top, 1 on the separatrix. None where Ω
-    /// stays. Error: 1 ulp of the lesser of m and 1 − m.
+    /// The parameter m = k² of the elliptic functions in Ω, and its complement (6.6): 0 for a symmetric top, 1 on the separatrix. `None` where Ω
+    /// is constant. Error: 1 ulp of the lesser of m and 1 − m.
     ///
     /// ```
     /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
@@ -467,9 +467,9 @@ impl EulerTop {
         }
     }
 
-    /// Mean rate, rad/s, at which the axis that L circles goes round L in space, right-handed about L (6.5, 6.8).
+    /// Mean rate, rad/s, at which the axis that L circles in the body goes round L in space, right-handed about L (6.5, 6.8).
     ///
-    /// |L|/I₁ for a symmetric top. Where Ω stays: the rate 2E/|L| at which the body turns about L; 0 at rest. Error: 2 ulp.
+    /// |L|/I₁ for a symmetric top. Where Ω is constant: the rate 2E/|L| at which the body turns about L; 0 at rest. Error: 2 ulp.
     ///
     /// ```
     /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
@@ -486,7 +486,7 @@ impl EulerTop {
         }
     }
 
-    /// By how much the body has turned about L when Ω has returned, in Montgomery's two terms (6.8); none where Ω has no period.
+    /// The angle by which the body has turned about L when Ω has returned, in Montgomery's two terms (6.8); `None` where Ω has no period.
     ///
     /// ```
     /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
@@ -515,29 +515,29 @@ impl EulerTop {
     }
 }
 
-/// The turn about L after one period of Ω, radians: the sum of both, up to whole turns (6.8).
+/// The turn about L after one period of Ω, radians: the sum of the two terms, up to whole turns (6.8).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GeometricPhase {
-    /// 2ET/|L|: as if Ω had stayed at its mean component along L.
+    /// 2ET/|L|: the constant component of Ω along L, times the period T.
     pub dynamical: f64,
-    /// Less the solid angle of the cone that L draws in the body, counted positive if L goes round right-handed as seen from its
-    /// own end. It depends on the shape of the path alone, not on the pace.
+    /// Minus the solid angle of the cone that L traces in the body, counted positive if L goes round anticlockwise as seen from its
+    /// own tip. It depends on the shape of the path alone, not on the pace.
     pub geometric: f64,
 }
 
-/// A free body of any inertia matrix, its motion prepared: [`EulerTop`] inside, Ω, L and attitude along the axes of the matrix outside.
+/// A free body with any inertia matrix, its motion prepared: an [`EulerTop`] whose Ω, L and attitude are given along the axes of the matrix.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FreeBody {
     principal: EulerTop,
-    /// Turns components along the principal axes into those along the body's own.
+    /// The rotation that turns components along the principal axes into those along the body's own.
     own: UnitQuaternion<f64>,
 }
 
 impl FreeBody {
     /// The body with this inertia matrix about its centre of mass (kg m²), with this Ω (rad/s) and this attitude at time 0, all along its own axes (2.3, 6.6).
     ///
-    /// Error: that of [`EulerTop`], and a rounding or two of the principal moments, which the angle turned multiplies. Cost: [`EulerTop::new`] and
-    /// [`InertiaMatrix::principal_axes`]; a state costs that of [`EulerTop::at`] and three turns.
+    /// Error: that of [`EulerTop`], plus a rounding or two of the principal moments times the angle turned. Cost: [`EulerTop::new`] and
+    /// [`InertiaMatrix::principal_axes`]; a state costs [`EulerTop::at`] and three rotations.
     ///
     /// # Errors
     /// As for [`EulerTop::from_omega`].
@@ -556,7 +556,7 @@ impl FreeBody {
     pub fn new(inertia: &InertiaMatrix, omega: BodyVector, attitude: Attitude) -> Result<Self> {
         let axes = inertia.principal_axes();
         let own = axes.turn();
-        // From Ω, not from L: what rounding leaves of a rod's own moment is next to nothing to divide by.
+        // From Ω, not from L: rounding leaves a rod's own moment tiny, and L would have to be divided by it.
         let omega = own.inverse_transform_vector(&omega.components());
         let principal = EulerTop::from_omega(
             axes.principal_moments().values(),
@@ -566,7 +566,7 @@ impl FreeBody {
         Ok(Self { principal, own })
     }
 
-    /// The motion along the principal axes: period, regime, integrals.
+    /// The motion along the principal axes, which has period, regime and integrals.
     ///
     /// ```
     /// use spinning_bodies::{euler_top::FreeBody, frame::{Attitude, BodyVector}, inertia::InertiaMatrix};
@@ -579,7 +579,7 @@ impl FreeBody {
         &self.principal
     }
 
-    /// Ω, L and attitude at time t (s), of the body's own axes (6.6, 6.8).
+    /// Ω, L and attitude at time t (s), along the body's own axes (6.6, 6.8).
     ///
     /// # Errors
     /// As for [`EulerTop::at`].

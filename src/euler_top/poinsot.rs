@@ -1,7 +1,7 @@
 //! Poinsot's picture of the free top (tutorial 6.2, 6.3): an ellipsoid that rolls on a plane.
 //!
-//! No time enters here: the curves are those on which the motion runs, in closed form. What decides between them are three
-//! differences, L² − 2EI₁ ≥ 0, 2EI₃ − L² ≥ 0 and L² − 2EI₂ of either sign. None is formed by subtracting 2EI from L²:
+//! Time does not enter here: the curves on which the motion runs are given in closed form. Three differences decide between
+//! them, L² − 2EI₁ ≥ 0, 2EI₃ − L² ≥ 0 and L² − 2EI₂ of either sign. None is formed by subtracting 2EI from L²:
 //! the first two are sums of squares, the third is a difference of two squares in 106 bits.
 
 use super::evaluation::handedness;
@@ -10,36 +10,36 @@ use crate::error::{Error, Result, positive};
 use crate::frame::{BodyVector, finite_vector};
 use crate::precise::{DoubleDouble, Number, exponent_of, power_of_two_below, shifted};
 
-/// About which axis the polhode goes.
+/// The axis that the polhode circles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sector {
-    /// L² < 2EI₂: about the axis of the smallest moment, one way or the other.
+    /// L² < 2EI₂: about the axis of the smallest moment.
     AroundSmallest,
     /// L² > 2EI₂: about the axis of the largest moment.
     AroundLargest,
-    /// L² = 2EI₂ to the last bit: on the curves that cross on the middle axis, or at the crossing.
+    /// L² = 2EI₂ to the last bit: on one of the curves that cross on the middle axis, or at a crossing.
     Separatrix,
-    /// All moments equal: every point is a polhode by itself (6.4).
+    /// All moments equal: every polhode is a point (6.4).
     Point,
 }
 
 /// The ellipsoid of inertia Θ on its invariable plane Π, with polhode and herpolhode (6.2).
 ///
-/// The semi-axes and the curves have the unit of Ω, rad/s. Axes are those given, sorted or not; in the formulas 1, 2, 3
-/// are the axes of the smallest, the middle and the largest moment. A result too large for a double is infinite.
+/// The semi-axes and the curves have the unit of Ω, rad/s. The axes keep the order in which they are given; in the formulas 1, 2, 3
+/// are those of the smallest, the middle and the largest moment. A result too large for a double is infinite.
 ///
-/// Error, observed over 20 000 bodies, symmetric ones and those off by one unit in the last place among them, tilts down to
-/// 10⁻³⁰⁰ and scales 10^±150: 8·10⁻¹⁶ relative, for the curves as for the radii.
+/// Error, observed over 20 000 bodies, among them symmetric ones and ones a unit in the last place off symmetry, with tilts down to
+/// 10⁻³⁰⁰ and scales 10^±150: 8·10⁻¹⁶ relative, for curves and radii.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Poinsot {
     /// Moments over a power of two: ascending, or descending where the polhode goes about the smallest, so that it always goes about the third axis.
     moments: [f64; 3],
     /// L over a power of two, along the axes in that order.
     l: [f64; 3],
-    /// Which given axes these are.
+    /// The numbers of these axes in the order given.
     axes: [usize; 3],
     units: Units,
-    /// About which axis the polhode goes, decided once.
+    /// The axis that the polhode circles, decided once.
     pub sector: Sector,
     /// Semi-axes √(2E/I_i) of the ellipsoid Θ: ⟨Ix, x⟩ = 2E, rad/s, in the order of the given axes (6.2).
     ///
@@ -54,7 +54,7 @@ pub struct Poinsot {
 /// Thinner bodies are rods: their products of components would overflow.
 const LEAST_RATIO: f64 = 1e-100;
 
-/// Exponents of the powers of two taken off. The powers themselves may be beyond the doubles where what is made of them is not.
+/// Exponents of the powers of two that were divided out. The powers themselves may overflow where the results do not.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Units {
     omega: i32,
@@ -64,8 +64,8 @@ struct Units {
 impl Poinsot {
     /// The picture for these principal moments (kg m², in the order of the axes) and this angular momentum (J s).
     ///
-    /// Moments that no body has (I₁ + I₂ < I₃) are allowed: the geometry does not mind, and the herpolhode then shows
-    /// that they are none ([`Self::herpolhode_curvature`]). Cost: a few dozen operations, six roots.
+    /// Moments that no body has (I₁ + I₂ < I₃) are allowed: the geometry holds for them too, and the curvature of the herpolhode
+    /// then gives them away ([`Self::herpolhode_curvature`]). Cost: a few dozen operations, six roots.
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::NotPositive`] for a moment (the ellipsoid of a rod is a cylinder);
@@ -121,7 +121,7 @@ impl Poinsot {
         Ok(picture)
     }
 
-    /// The three differences, the sector, and the order of the axes that goes with it.
+    /// Computes the three differences, the sector, and the order of axes that goes with it.
     fn decide(&mut self) {
         let ([i1, i2, i3], [l1, l2, l3]) = (self.moments, self.l);
         let weight = |more: f64, less: f64, over: f64| ((more - less) / over).sqrt();
@@ -145,7 +145,7 @@ impl Poinsot {
         } else if middle > 0.0 {
             Sector::AroundLargest
         } else if middle < 0.0 || i2 == i3 {
-            // With I₂ = I₃ the equator is the widest of the circles about x₁, and no separatrix.
+            // With I₂ = I₃ the equator is the widest of the circles about x₁, not a separatrix.
             self.moments.swap(0, 2);
             self.l.swap(0, 2);
             self.axes.swap(0, 2);
@@ -158,11 +158,11 @@ impl Poinsot {
 
     /// A point of the polhode, Ω in body axes, at the parameter `s` in radians (6.3).
     ///
-    /// One turn of `s` is the closed curve, and `s` grows with the motion: it is the amplitude of the elliptic functions of
+    /// One turn of `s` runs through the closed curve, and `s` grows with time: it is the amplitude of the elliptic functions of
     /// 6.6, zero where Ω₂ = 0. About the largest moment L₁ = A cos s, L₂ = B sin s and
     /// L₃² = I₃((L² − 2EI₁)cos²s/(I₃−I₁) + (L² − 2EI₂)sin²s/(I₃−I₂)), with A² = I₁(2EI₃ − L²)/(I₃−I₁) and B² = I₂(2EI₃ − L²)/(I₃−I₂);
-    /// about the smallest with 1 and 3 exchanged. Sums only, so a few units in the last place for the thinnest and the widest
-    /// polhode. On the separatrix the curve is the rim of the sector that the motion bounds: two arcs that meet on the middle axis.
+    /// about the smallest with 1 and 3 exchanged. Only sums are formed, so the error is a few units in the last place for the thinnest and the
+    /// widest polhode. On the separatrix the curve is the rim of the sector that the motion bounds: two arcs that meet on the middle axis.
     /// For three equal moments every `s` gives Ω.
     ///
     /// ```
@@ -181,7 +181,7 @@ impl Poinsot {
         BodyVector::from_components(self.unsorted(omega, self.units.omega).into())
     }
 
-    /// The same point of the polhode as L in body axes, J s: on the sphere |L| and the ellipsoid Σ L_i²/(2EI_i) = 1 (6.3).
+    /// The same point of the polhode as L in body axes, J s, where the sphere of radius |L| cuts the ellipsoid Σ L_i²/(2EI_i) = 1 (6.3).
     ///
     /// ```
     /// use spinning_bodies::{euler_top::Poinsot, frame::BodyVector};
@@ -208,15 +208,15 @@ impl Poinsot {
             return 0.0;
         }
         let ([i1, i2, i3], [l1, l2, _]) = (self.moments, self.l);
-        // The half width along the middle axis over that along the first, which may be less than any double: the quotient is not.
+        // Half widths along the middle and along the first axis: they may underflow, their quotient does not.
         let width = |i: f64| (i / (i3 - i).abs()).sqrt();
         l2.atan2(l1 * (width(i2) / width(i1))) * self.sense()
     }
 
     /// ds/dt at the parameter `s`, rad/s: √((I₃−I₁)(I₃−I₂)/(I₁I₂))·|Ω₃|, about the smallest moment with 1 and 3 exchanged (6.6).
     ///
-    /// The pace, which the picture by itself does not tell. Near the separatrix it drops to nearly nothing twice a turn:
-    /// there the top dawdles next to the middle axis. Zero for three equal moments.
+    /// The pace of the motion, which the picture alone does not show. Near the separatrix it drops almost to zero twice a turn:
+    /// there the top lingers next to the middle axis. Zero for three equal moments.
     ///
     /// ```
     /// use spinning_bodies::{euler_top::Poinsot, frame::BodyVector};
@@ -231,12 +231,12 @@ impl Poinsot {
         self.in_units(share(i1) * share(i2) * (self.point(s)[2] / i3).abs())
     }
 
-    /// In rad/s.
+    /// A rate converted to rad/s.
     fn in_units(&self, rate: f64) -> f64 {
         shifted(rate, self.units.omega)
     }
 
-    /// Back to the given axes, with the unit.
+    /// Components in the order of the given axes, multiplied by 2^`exponent`.
     fn unsorted(&self, sorted: [f64; 3], exponent: i32) -> [f64; 3] {
         let mut given = [0.0; 3];
         for (value, axis) in sorted.into_iter().zip(self.axes) {
@@ -245,7 +245,7 @@ impl Poinsot {
         given
     }
 
-    /// Whether the parameter as it stands in the formulas runs with the motion (+1) or against it: dL₂/dt = (I₃−I₁)/(I₃I₁)·L₃L₁ along right-handed axes.
+    /// +1 if the parameter in the formulas grows with time, −1 if it falls: dL₂/dt = (I₃−I₁)/(I₃I₁)·L₃L₁ along right-handed axes.
     fn sense(&self) -> f64 {
         let [i1, _, i3] = self.moments;
         1.0_f64.copysign(handedness(self.axes) * (i3 - i1) * self.l[2])
@@ -286,7 +286,7 @@ impl Poinsot {
     ///
     /// Greatest √((L²−2EI₁)(2EI₃−L²)/(I₁I₃))/|L|, where Ω₂ = 0; least √((L²−2EI₂)(2EI₃−L²)/(I₂I₃))/|L| about the largest moment,
     /// √((2EI₂−L²)(L²−2EI₁)/(I₁I₂))/|L| about the smallest: zero on the separatrix, where the curve spirals into the foot.
-    /// Few units in the last place, but for L² − 2EI₂ next to the separatrix, which is as good as 106 bits of the given numbers.
+    /// Error: a few units in the last place; next to the separatrix L² − 2EI₂ is as accurate as 106 bits of the given numbers allow.
     ///
     /// ```
     /// use spinning_bodies::{euler_top::Poinsot, frame::BodyVector};
@@ -308,8 +308,8 @@ impl Poinsot {
     ///
     /// With u = ∂Ω/∂t it is Σ_k u_k²((I_i+I_j−I_k)(L_i²+L_j²)/(I_iI_j) + I_kΩ_k²) over |L||u|³, {i, j, k} the three axes.
     /// For moments that a body has, every bracket is positive: **the herpolhode never bends the other way**. Moments with
-    /// I₁ + I₂ < I₃ can give it inflections. Sums of one sign for every body, so a few units in the last place.
-    /// Not a number for a permanent rotation, whose herpolhode is a point.
+    /// I₁ + I₂ < I₃ can give it inflections. For every body the sums have terms of one sign, so the error is a few units in the last place.
+    /// NaN for a permanent rotation, whose herpolhode is a point.
     ///
     /// ```
     /// use spinning_bodies::{euler_top::Poinsot, frame::BodyVector};

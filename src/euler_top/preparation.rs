@@ -1,4 +1,4 @@
-//! From moments and a start to the regime and the constants of the motion, in 106 bits and without a cancellation (tutorial 6.3, 6.6).
+//! The regime and the constants of the motion, from the moments and the start, in 106 bits and without cancellation (tutorial 6.3, 6.6).
 
 use nalgebra::Vector3;
 
@@ -18,11 +18,11 @@ use crate::precise::{
 pub enum Regime {
     /// L = 0: nothing moves.
     AtRest,
-    /// All moments equal: Ω stays (6.4).
+    /// All moments equal: Ω is constant (6.4).
     Sphere,
-    /// One moment is zero: a rod, which turns steadily about L. Along itself it has no angular velocity to speak of; that component is returned as zero.
+    /// One moment is zero: a rod, which turns steadily about L. Its angular velocity along itself has no meaning and is returned as zero.
     Rod,
-    /// L along a principal axis, or among the equal moments of a symmetric top: Ω stays (6.2).
+    /// L along a principal axis, or in the plane of the equal moments of a symmetric top: Ω is constant (6.2).
     PermanentRotation,
     /// Two moments equal: Ω circles the axis of the third (6.5).
     Symmetric,
@@ -30,18 +30,18 @@ pub enum Regime {
     AroundSmallest,
     /// L² > 2EI₂: L circles the axis of the largest moment (6.6).
     AroundLargest,
-    /// L² = 2EI₂ exactly: one half turn over, from the middle axis to the middle axis, and no return (6.6).
+    /// L² = 2EI₂ exactly: from one end of the middle axis to the other, once, without return (6.6).
     Separatrix,
 }
 
-/// How a motion starts: what was given along the body's axes, exact as it stands.
+/// The start of a motion: L or Ω as given along the body's axes, taken as exact.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Start {
     pub(super) quantity: Quantity,
     pub(super) components: [f64; 3],
 }
 
-/// What the components are of.
+/// The vector whose components are given.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Quantity {
     /// L, kg m²/s.
@@ -62,7 +62,7 @@ impl Start {
         })
     }
 
-    /// A body on a line must not spin about that line, nor be a line in only one of two directions.
+    /// Refuses a rod with L along itself, and one whose other two moments differ.
     pub(super) fn refuse_impossible_rod(&self, moments: [f64; 3]) -> Result<()> {
         let [first, middle, last] = ascending(moments);
         if moments[first] > 0.0 {
@@ -105,7 +105,7 @@ pub(super) fn ascending(moments: [f64; 3]) -> [usize; 3] {
     order
 }
 
-/// 1/I_i − 1/I_j all multiplied by I₁I₂I₃, from exact differences: c₁ = I₁(I₃ − I₂), c₂ = I₂(I₃ − I₁), c₃ = I₃(I₂ − I₁),
+/// The differences 1/I_i − 1/I_j, all multiplied by I₁I₂I₃, from exact differences: c₁ = I₁(I₃ − I₂), c₂ = I₂(I₃ − I₁), c₃ = I₃(I₂ − I₁),
 /// for ascending moments.
 pub(super) fn differences<N: Number>(i: [f64; 3]) -> [N; 3] {
     [
@@ -115,7 +115,7 @@ pub(super) fn differences<N: Number>(i: [f64; 3]) -> [N; 3] {
     ]
 }
 
-/// (L² − 2EI₂) I₁I₃ from exact products, of which no bit is lost whatever cancels, for ascending moments and the axes in that order.
+/// (L² − 2EI₂) I₁I₃ from exact products, so that no bit is lost however much cancels; `order` is that of the ascending moments `i`.
 fn separation<N: Number>(i: [f64; 3], order: [usize; 3], start: Start) -> N {
     let x = order.map(|k| start.components[k]);
     let sum = |a: f64, b: f64| {
@@ -132,12 +132,12 @@ fn separation<N: Number>(i: [f64; 3], order: [usize; 3], start: Start) -> N {
     })
 }
 
-/// 2⁻²⁰⁰: the fourth power of what is above it is a normal double.
+/// 2⁻²⁰⁰: the fourth power of a greater number is a normal double.
 const FAR_BELOW: f64 = 6.223_015_277_861_142e-61;
 
 impl Constants {
-    /// From a motion whose unit of L was `momentum` and whose unit of rates 2^`exponent`.
-    fn put_in_units(&mut self, (momentum, exponent): (f64, i32)) {
+    /// Converts to SI the constants of a motion with `momentum` as the unit of L and 2^`exponent` as that of rates.
+    fn restore_units(&mut self, (momentum, exponent): (f64, i32)) {
         for rate in [&mut self.course.rate, &mut self.turning_rate] {
             let digits = *rate;
             *rate = Extended { digits, exponent }.narrow();
@@ -148,17 +148,15 @@ impl Constants {
     }
 }
 
-/// What kind of motion it is: decided here, once, by exact differences.
-///
-/// Returns the constants too if Ω moves.
+/// The regime of the motion, decided here once from exact differences, and its constants if Ω moves in the body.
 pub(super) fn decide(moments: [f64; 3], start: Start) -> (Regime, Option<Constants>) {
-    // Powers of two are taken off without rounding; then no square overflows or underflows, unless the numbers are far apart.
+    // Scaling by powers of two rounds nothing; then no square overflows or underflows, unless the numbers are far apart.
     let unit_of = |values: [f64; 3]| power_of_two_below(Vector3::from(values).amax());
     let (unit_of_moments, unit) = (unit_of(moments), unit_of(start.components));
     let near = |x: f64, unit: f64| x == 0.0 || x.abs() > unit * FAR_BELOW;
-    let tame = moments.iter().all(|x| near(*x, unit_of_moments))
+    let close = moments.iter().all(|x| near(*x, unit_of_moments))
         && start.components.iter().all(|x| near(*x, unit));
-    if !tame {
+    if !close {
         return decide_with::<Extended>(moments, start);
     }
     let scaled = Start {
@@ -172,7 +170,7 @@ pub(super) fn decide(moments: [f64; 3], start: Start) -> (Regime, Option<Constan
         Quantity::Omega => (unit * unit_of_moments, exponent_of(unit)),
     };
     if let Some(constants) = &mut constants {
-        constants.put_in_units(units);
+        constants.restore_units(units);
     }
     (regime, constants)
 }
@@ -183,7 +181,7 @@ fn decide_with<N: Number>(moments: [f64; 3], start: Start) -> (Regime, Option<Co
     })
 }
 
-/// From L along the axes and, where it cannot be told from these, (L² − 2EI₂) I₁I₃ of the ascending moments in that order.
+/// The same from L along the axes. Where L does not determine (L² − 2EI₂) I₁I₃ well enough, `exactly` gives it, from the ascending moments and their order.
 pub(super) fn decide_from<N: Number>(
     moments: [f64; 3],
     l: [N; 3],
@@ -206,7 +204,7 @@ pub(super) fn decide_from<N: Number>(
         return (Regime::PermanentRotation, None);
     }
     let c = differences::<N>(i);
-    // (L² − 2EI₂) I₁I₃ = c₁ L₃² − c₃ L₁²: its sign decides about which axis L goes, its size how close the separatrix is.
+    // (L² − 2EI₂) I₁I₃ = c₁ L₃² − c₃ L₁²: its sign decides which axis L circles, its magnitude how close the separatrix is.
     let third = c[0] * l[order[2]].square();
     let mut separation = third - c[2] * l[order[0]].square();
     if !separation.magnitude().exceeds(third.times(1.0 / 1024.0)) {
@@ -232,14 +230,21 @@ pub(super) fn decide_from<N: Number>(
         (c, separation, 1.0)
     };
     let axes = Renumbering::new(axis, l.map(N::leading));
-    let l = axes.there(l);
+    let l = axes.renumber(l);
     (
         regime,
-        Some(constants(axes, axes.there(moments), l, c, distance, sense)),
+        Some(constants(
+            axes,
+            axes.renumber(moments),
+            l,
+            c,
+            distance,
+            sense,
+        )),
     )
 }
 
-/// The constants along renumbered axes; `sense` is the sign of du/dt.
+/// The constants along the renumbered axes; `sense` is the sign of du/dt.
 fn constants<N: Number>(
     axes: Renumbering,
     i: [f64; 3],
@@ -249,7 +254,7 @@ fn constants<N: Number>(
     sense: f64,
 ) -> Constants {
     let squares = l.map(N::square);
-    // Sums of terms of one sign stand in for L² − 2EI and 2EI − L².
+    // L² − 2EI and 2EI − L² for the outer moments, as sums of terms of one sign.
     let steady = (c[2] * squares[1]).add_alike(c[1] * squares[2]);
     let wobble = (c[1] * squares[0]).add_alike(c[0] * squares[1]);
     let size_squared = squares[0].add_alike(squares[1]).add_alike(squares[2]);

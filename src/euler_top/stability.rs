@@ -1,4 +1,4 @@
-//! Which permanent rotations last (tutorial 6.3, 6.7): the linear rates, and the integrals that prove more than they do.
+//! Stability of permanent rotations (tutorial 6.3, 6.7): linear rates, and the integrals that prove what linearisation cannot.
 //!
 //! The moments ascend, so x₁, x₂, x₃ are the axes of the smallest, the middle and the largest moment, and the components
 //! of Ω are along them. Differences of moments are taken first, so that nearly symmetric bodies keep their digits.
@@ -8,12 +8,12 @@ use crate::frame::BodyVector;
 use crate::inertia::PrincipalMoments;
 use crate::precise::{DoubleDouble, Number, power_of_two_below};
 
-/// The linear motion next to the rotation about x₂ (6.7).
+/// The linearised motion near the rotation about x₂ (6.7).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Saddle {
     /// Rate √λ at which a disturbance grows or decays, rad/s.
     pub rate: f64,
-    /// Unit vector along which a disturbance grows, in the plane x₁x₃ of the body; its opposite serves as well.
+    /// Unit vector along which a disturbance grows, in the plane x₁x₃ of the body; its opposite would do as well.
     pub outgoing: BodyVector,
     /// Unit vector along which it decays: the tangent of the incoming separatrix.
     pub incoming: BodyVector,
@@ -21,11 +21,11 @@ pub struct Saddle {
 
 /// λ = (I₁−I₂)(I₂−I₃)Ω₂²/(I₃I₁) in ∂²ΔΩ_i/∂t² = λΔΩ_i for i = 1, 3, rad²/s² (6.7).
 ///
-/// The tutorial's display lacks the factor Ω₂². Never negative; zero for a symmetric body, infinite where it overflows.
-/// Five roundings. Cost: a few operations.
+/// The tutorial's formula lacks the factor Ω₂². Never negative; zero for a symmetric body, infinite where it overflows.
+/// Error: five roundings. Cost: a few operations.
 ///
 /// # Errors
-/// [`Error::NotFinite`](crate::Error::NotFinite) for Ω₂; [`Error::NotPositive`](crate::Error::NotPositive) if I₁ = 0 and the body can turn about x₁ at no cost.
+/// [`Error::NotFinite`](crate::Error::NotFinite) for Ω₂; [`Error::NotPositive`](crate::Error::NotPositive) if I₁ = 0: turning about x₁ would take no energy.
 ///
 /// ```
 /// use spinning_bodies::{euler_top::stability::lambda, inertia::PrincipalMoments};
@@ -43,8 +43,8 @@ pub fn lambda(moments: &PrincipalMoments, omega2: f64) -> Result<f64> {
 /// Rate and directions of growth and decay next to the rotation Ω₂ about x₂ (6.7).
 ///
 /// The directions are ΔΩ₃/ΔΩ₁ = ∓√(I₁(I₂−I₁)/(I₃(I₃−I₂))), upper sign for growth if Ω₂ > 0: the tangents of the separatrix (6.3).
-/// √λ is the rate in the separatrix's sech and tanh as well. Few units in the last place. For a symmetric body the rate is zero
-/// and both directions fall together on the axis that is as good as x₂; for a sphere they are x₁ by convention.
+/// √λ is also the rate in the sech and tanh of the separatrix. Error: a few units in the last place. For a symmetric body the rate is zero
+/// and both directions coincide with the other axis of the moment I₂; for a sphere they are x₁ by convention.
 ///
 /// # Errors
 /// As [`lambda`].
@@ -82,8 +82,8 @@ pub fn saddle(moments: &PrincipalMoments, omega2: f64) -> Result<Saddle> {
 /// Frequencies of small oscillations about a rotation at Ω (`omega`, rad/s) about x₁ and about x₃, rad/s (6.7):
 /// √((I₂−I₁)(I₃−I₁)/(I₂I₃))|Ω| and √((I₃−I₁)(I₃−I₂)/(I₁I₂))|Ω|.
 ///
-/// The limits of 2π over the period of 6.6. The first is zero if I₁ = I₂: the rotation drifts; the second is then Ω(I₃/I₁ − 1) of 6.5.
-/// Oscillation to first order proves nothing beyond; [`lyapunov`] does. Few units in the last place.
+/// They are the limits of 2π over the period of 6.6. If I₁ = I₂ the first is zero, for the rotation drifts, and the second is Ω(I₃/I₁ − 1) of 6.5.
+/// Oscillation to first order does not prove stability; [`lyapunov`] does. Error: a few units in the last place.
 ///
 /// # Errors
 /// As [`lambda`].
@@ -103,13 +103,13 @@ pub fn oscillations(moments: &PrincipalMoments, omega: f64) -> Result<[f64; 2]> 
     ])
 }
 
-/// L² − 2EI₁, L² − 2EI₂ and 2EI₃ − L², J² s², at Ω in rad/s: constant, each zero for the rotation about its axis (6.3).
+/// The integrals L² − 2EI₁, L² − 2EI₂ and 2EI₃ − L², J² s², at Ω in rad/s: constant, each zero for the rotation about its axis (6.3).
 ///
-/// I₂(I₂−I₁)Ω₂² + I₃(I₃−I₁)Ω₃² is definite across x₁ and I₁(I₃−I₁)Ω₁² + I₂(I₃−I₂)Ω₂² across x₃: a rotation about either that starts
-/// nearby stays nearby, not only to first order. I₃(I₃−I₂)Ω₃² − I₁(I₂−I₁)Ω₁² is indefinite across x₂; its sign names the sector
-/// (6.6), its zero is the separatrix. Sums of squares: few units in the last place however close to the axis, where L² and 2EI₁ agree in all
-/// their digits; zero below 10⁻¹⁵⁴ of tilt, where the squares end. The difference is taken in 106 bits: exact to a unit in the last
-/// place, and zero only where it is; infinite or not a number where a square overflows.
+/// I₂(I₂−I₁)Ω₂² + I₃(I₃−I₁)Ω₃² is definite across x₁ and I₁(I₃−I₁)Ω₁² + I₂(I₃−I₂)Ω₂² across x₃: a motion that starts near one of these
+/// rotations stays near it, not only to first order. I₃(I₃−I₂)Ω₃² − I₁(I₂−I₁)Ω₁² is indefinite across x₂; its sign gives the sector
+/// (6.6), its zero the separatrix. The first and third are sums of squares: error a few units in the last place however close to the axis, where L² and 2EI₁ agree in
+/// all their digits; zero for tilts below 10⁻¹⁵⁴, where the squares underflow. The second is a difference taken in 106 bits: error a unit in the last
+/// place, and zero only where it is zero; infinite or NaN where a square overflows.
 ///
 /// ```
 /// use spinning_bodies::{euler_top::stability::lyapunov, frame::BodyVector, inertia::PrincipalMoments};

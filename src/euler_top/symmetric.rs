@@ -5,25 +5,25 @@ use crate::frame::{Attitude, BodyVector, finite_vector};
 use crate::inertia::PrincipalMoments;
 use crate::precise::{DoubleDouble, Number, power_of_two_below};
 
-/// On which side of the sphere the moments lie.
+/// Whether the axial moment is greater than, equal to or less than the transverse one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shape {
-    /// I₃ > I₁, flat like a disc or the Earth: Ω circles the axis with the spin.
+    /// I₃ > I₁, flat like a disc or the Earth: seen from the body, Ω circles the axis in the sense of the spin.
     Oblate,
-    /// I₃ = I₁: Ω stays (6.4).
+    /// I₃ = I₁: Ω is constant (6.4).
     Spherical,
-    /// I₃ < I₁, long like a cigar: Ω circles the axis against the spin.
+    /// I₃ < I₁, long like a cigar: seen from the body, Ω circles the axis against the spin.
     Prolate,
 }
 
 /// Half-angles of the two cones of the free symmetric top, radians, in 0…π: the body cone rolls on the space cone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cones {
-    /// From the axis x₃ to Ω: the cone Ω draws in the body.
+    /// From the axis x₃ to Ω: the cone that Ω traces in the body.
     pub body: f64,
-    /// From L to Ω: the cone Ω draws in space.
+    /// From L to Ω: the cone that Ω traces in space.
     pub space: f64,
-    /// From L to the axis x₃: the cone the axis draws in space.
+    /// From L to the axis x₃: the cone that the axis traces in space.
     pub nutation: f64,
 }
 
@@ -87,7 +87,7 @@ impl SymmetricTop {
 
     /// Rate at which Ω circles the axis, seen from the body: Ω₃(I₃/I₁ − 1), rad/s; positive means with the spin (6.5).
     ///
-    /// The difference of the moments is taken exactly: one unit in the last place, however nearly spherical the body is.
+    /// The difference of the moments is exact. Error: one unit in the last place, however nearly spherical the body is.
     ///
     /// ```
     /// use spinning_bodies::euler_top::SymmetricTop;
@@ -101,7 +101,7 @@ impl SymmetricTop {
 
     /// Period of that circle, seen from the body: 2π/|Ω₃(I₃/I₁ − 1)|, s, whatever Ω₁ and Ω₂ (6.5).
     ///
-    /// Infinite for a spherical top and for one that does not spin. Two units in the last place.
+    /// Infinite for a spherical top and for one that does not spin. Error: two units in the last place.
     ///
     /// ```
     /// use spinning_bodies::euler_top::SymmetricTop;
@@ -117,7 +117,7 @@ impl SymmetricTop {
     /// The angle is formed and reduced in 106 bits: its error is 2⁻¹⁰² of the angle, below a unit in the last place for
     /// a million million turns, where a plain product would be wrong by eps times the angle. Observed: 2 units in the last place
     /// of the transverse part up to t = 10¹². Cost: about 90 additions and multiplications, one sine, one cosine.
-    /// What is not finite, or overflows as an angle, gives components that are not.
+    /// An argument that is not finite, or an angle that overflows, gives components that are not finite.
     ///
     /// ```
     /// use spinning_bodies::{euler_top::SymmetricTop, frame::BodyVector};
@@ -139,8 +139,8 @@ impl SymmetricTop {
     /// Attitude after `t` seconds, from body axes along the space axes at t = 0: the turn |L|t/I₁ about L after the turn
     /// −Ω₃(I₃/I₁ − 1)t about x₃ (6.5, seen from space).
     ///
-    /// Both angles in 106 bits, as in [`Self::omega_at`]. The direction of L is a double, so the error is a few units in the last
-    /// place of a radian at any time. A top at rest stays.
+    /// Both angles are formed in 106 bits, as in [`Self::omega_at`]. The direction of L is rounded to doubles, so the error is a few units in the
+    /// last place of a radian at any time. A top at rest stays at rest.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite) if Ω or t is not, or an angle overflows.
@@ -177,7 +177,7 @@ impl SymmetricTop {
         Attitude::from_quaternion(turn.w, turn.i, turn.j, turn.k)
     }
 
-    /// Rate at which the axis of symmetry circles L, seen from space: |L|/I₁, rad/s (6.5). Two units in the last place.
+    /// Rate at which the axis of symmetry circles L, seen from space: |L|/I₁, rad/s (6.5). Error: two units in the last place.
     ///
     /// ```
     /// use spinning_bodies::{euler_top::SymmetricTop, frame::BodyVector};
@@ -196,10 +196,10 @@ impl SymmetricTop {
         BodyVector::new(omega.x(), omega.y(), axial)
     }
 
-    /// The cones of 6.5: Ω about the axis, Ω about L, the axis about L.
+    /// The half-angles of the cones of 6.5: of Ω about the axis, of Ω about L, of the axis about L.
     ///
-    /// Ω, L and the axis lie in one plane. The small angle of the space cone is not a difference of the other two but
-    /// the arctangent of |Ω₃(I₃/I₁ − 1)Ω⊥| over Ω₃²I₃/I₁ + Ω⊥²: a few units in the last place for the roundest body.
+    /// Ω, L and the axis lie in one plane. The small angle of the space cone is not formed as a difference of the other two, but as
+    /// the arctangent of |Ω₃(I₃/I₁ − 1)Ω⊥| over Ω₃²I₃/I₁ + Ω⊥². Error: a few units in the last place even for the roundest body.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::ZeroVector`](crate::Error::ZeroVector) for Ω.

@@ -1,7 +1,7 @@
-//! The asteroid 4179 Toutatis as a free top (tutorial 6.6, 6.8): the figures, where they come from, and what they predict.
+//! The asteroid 4179 Toutatis as a free top (tutorial 6.6, 6.8): its numbers, their sources, and what they predict.
 //!
 //! A potato of 4.6 × 2.4 × 1.9 km whose long axis, the axis of the smallest moment, goes round L while the body rolls about it.
-//! Radar saw both periods in 1992. Computed here: both, from the moments and one angular velocity. Quoted: those, and the periods.
+//! Radar saw both periods in 1992. Computed here: the two periods, from the moments and one angular velocity. Quoted: moments, angular velocity, observed periods.
 
 use super::EulerTop;
 use crate::error::{Error, Result, positive, within};
@@ -14,7 +14,7 @@ pub const MOMENTS: [f64; 3] = [3.0836, 3.235, 1.0];
 /// Ω along the same axes at the epoch of the solution, 9 November 1992, 17:49:47 UT, degrees a day (quoted: the same).
 const OMEGA: [f64; 3] = [14.51, 33.529, -98.709];
 
-/// Toutatis from the epoch of the solution of radar on, in seconds: a free top, its attitude at the epoch taken as the identity.
+/// Toutatis as a free top. Time is in seconds from the epoch of the radar solution, where its attitude is taken as the identity.
 ///
 /// Its moments are ratios, so energy and |L| are in units of the moment about the long axis. The torques of Sun and Earth, which
 /// change both periods a little at each passage of the Earth, are left out.
@@ -36,8 +36,8 @@ pub fn top() -> Result<EulerTop> {
 
 /// A top of these moments (ascending) with 2E = 1 and L² = `ratio` · I₁, at the moment when Ω₂ = 0 and Ω₁, Ω₃ ≥ 0.
 ///
-/// `ratio` is L²/(2EI₁) between 1 (rotation about the long axis) and I₃/I₁ (about the short one): the one number that, besides the
-/// moments, decides the ratio of the two periods. Six roundings in L.
+/// `ratio` is L²/(2EI₁), between 1 (rotation about the long axis) and I₃/I₁ (about the short one): the only number, besides the
+/// moments, on which the ratio of the two periods depends. Error: six roundings in L.
 ///
 /// # Errors
 /// [`Error::NotPositive`] or [`Error::NotFinite`] for a moment; [`Error::Condition`] if they do not ascend; [`Error::OutOfRange`] for the ratio; those of [`EulerTop::new`].

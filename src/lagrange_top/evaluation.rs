@@ -1,12 +1,12 @@
-//! A prepared top at one time: both Cayley–Klein parameters, each one theta function, and from them attitude and Ω (tutorial 7.2).
+//! The state of a prepared top at one time: the two Cayley–Klein parameters, one theta function each, and from them attitude and Ω (tutorial 7.2).
 //!
 //! α = cos(θ/2) e^{i(φ+ψ)/2} and β = sin(θ/2) e^{i(φ−ψ)/2} have |α|² = (1 + h)/2 and |β|² = (1 − h)/2, where h moves between h₁
-//! and h₂ like sn². So |α| vanishes at a complex place u = ±iη only, |β| at u = K ± iη′, and Jacobi's
+//! and h₂ like sn². So |α| vanishes only at complex arguments u = ±iη, |β| only at u = K ± iη′, and Jacobi's
 //! integrals of the third kind become
 //!
 //! α ∝ ϑ₁(π(u ± iη)/2K) e^{iμt}, β ∝ ϑ₂(π(u ± iη′)/2K) e^{iμ′t}.
 //!
-//! Through the upright and the hanging position nothing happens to them: there one of the two is zero, and passes on.
+//! They are regular where the axis passes the upright or the hanging position: one of the two passes through zero there.
 
 #![allow(
     clippy::needless_range_loop,
@@ -24,7 +24,7 @@ use crate::inertia::PrincipalMoments;
 use crate::precise::quick::sine_cosine;
 use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE, power_of_two_below};
 
-/// Lagrange's top at one time.
+/// The state of Lagrange's top at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State {
@@ -32,7 +32,7 @@ pub struct State {
     pub omega: BodyVector,
     /// L along the body's axes, kg m²/s.
     pub angular_momentum: BodyVector,
-    /// How the body stands in space; space's third axis points up.
+    /// The attitude of the body in space, whose third axis points up.
     pub attitude: Attitude,
     /// z, the upward unit vector, along the body's axes.
     pub up: BodyVector,
@@ -65,7 +65,7 @@ impl State {
     }
 }
 
-/// What does not move: I₁ = I₂ and I₃, kg m², and Mgl, N m.
+/// The constants of the body: I₁ = I₂ and I₃, kg m², and Mgl, N m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Body {
     pub(super) transverse: f64,
@@ -92,7 +92,7 @@ impl Body {
     }
 }
 
-/// Which way gravity pulls along space z; up is solved as down, upside down.
+/// The direction of gravity along space z. Upward gravity is solved as downward gravity, seen upside down.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Pull {
     Down,
@@ -126,25 +126,25 @@ pub(super) struct Constants {
     pub(super) course: Course,
     /// See [`Course::reach`].
     pub(super) reach: f64,
-    /// α and β without their phases.
+    /// The theta functions of α and β.
     pub(super) parameters: [Parameter; 2],
-    /// Their phases, radians a second.
+    /// The rates of their phases, rad/s.
     pub(super) rates: [DoubleDouble; 2],
     /// Their constant factors.
     pub(super) factors: [Complex; 2],
-    /// 1 − h₂, 1 + h₁ and h₂ − h₁: what 1 − h and 1 + h are made of.
+    /// 1 − h₂, 1 + h₁ and h₂ − h₁, from which 1 − h and 1 + h are formed.
     pub(super) top2: f64,
     pub(super) bottom1: f64,
     pub(super) band: f64,
 }
 
 impl Constants {
-    /// By how much the arguments of α and β together grow in one period of nutation.
+    /// Growth of the sum of the phases of α and β in one period of nutation.
     ///
-    /// The rates are added first: what the spin does to either, the other takes back, and that may be more than a double holds.
+    /// The rates are added first: the spin enters them with opposite signs, and its part alone could overflow.
     pub(super) fn precession_per_nutation(&self) -> DoubleDouble {
         let quarter = self.course.modulus.quarter_period_dd();
-        // The period itself may be beyond the doubles.
+        // The period itself may overflow.
         let unit = 1.0 / power_of_two_below(self.course.rate.high());
         let period = quarter.scaled(2.0) / self.course.rate.scaled(unit);
         let [alpha, beta] = &self.parameters;
@@ -159,11 +159,11 @@ impl Constants {
         rate * period - (lag(alpha) + lag(beta))
     }
 
-    /// α and β at one place, with their derivatives by time.
+    /// sn, cn, dn, and α and β with their derivatives by time, at time `t` and argument `u`.
     fn pair(&self, t: f64, u: DoubleDouble) -> Result<([f64; 3], [Complex; 4])> {
         let mut work = Work::<1>::new();
         work.places.put_any(0, &self.course.modulus, u);
-        work.put_phases_afar(self, t)?;
+        work.put_phases_any_time(self, t)?;
         work.evaluate(self);
         Ok((work.places.functions(0), work.pair(0)))
     }
@@ -175,13 +175,13 @@ impl Constants {
             work.put(self, &[t]);
         } else {
             work.places.follow_any_time(&self.course, t)?;
-            work.put_phases_afar(self, t)?;
+            work.put_phases_any_time(self, t)?;
         }
         work.evaluate(self);
         Ok(work.state(0, self, body, axial_rate))
     }
 
-    /// The states at eight times within reach; of fewer, the first ones.
+    /// The states at eight times within reach; only as many as `states` has room for.
     #[inline(never)]
     pub(super) fn side_by_side(
         &self,
@@ -199,10 +199,10 @@ impl Constants {
     }
 }
 
-/// What one pass over the lanes hands to the next.
+/// Intermediate values that one pass over the lanes leaves to the next.
 struct Work<const W: usize> {
     places: Places<W>,
-    /// Of the phases of α and β.
+    /// Sines and cosines of the phases of α and β.
     sine: [[f64; W]; 2],
     cosine: [[f64; W]; 2],
     /// α, β and their derivatives by time: real and imaginary parts.
@@ -220,7 +220,7 @@ impl<const W: usize> Work<W> {
         }
     }
 
-    /// Places and phases at times within reach.
+    /// Reduces arguments and phases at times within reach.
     #[inline(always)]
     fn put(&mut self, constants: &Constants, times: &[f64; W]) {
         self.places.follow(&constants.course, times);
@@ -234,7 +234,7 @@ impl<const W: usize> Work<W> {
         }
     }
 
-    /// α, β and their derivatives there.
+    /// Computes α, β and their derivatives there.
     #[inline(always)]
     fn evaluate(&mut self, constants: &Constants) {
         let Course { modulus, rate, .. } = &constants.course;
@@ -276,7 +276,7 @@ impl<const W: usize> Work<W> {
             constants.top2 + constants.band * cn * cn,
             constants.bottom1 + constants.band * sn * sn,
         );
-        // How large they are is told by the height, which is nearer than products of theta functions; where one is nothing, by the other.
+        // |α| and |β| are taken from the height, which is more accurate than products of theta functions; where one vanishes, its scale comes from their sum of squares.
         let [a_size, b_size] = [alpha, beta].map(|x| x.norm_sqr());
         let scale = |part: f64, size: f64| match size > f64::MIN_POSITIVE {
             true => (0.5 * part / size).sqrt(),
@@ -300,8 +300,8 @@ impl<const W: usize> Work<W> {
 }
 
 impl Work<1> {
-    /// The phases at any time, once the place is known.
-    fn put_phases_afar(&mut self, constants: &Constants, t: f64) -> Result<()> {
+    /// Computes the phases at any time, once the argument has been reduced.
+    fn put_phases_any_time(&mut self, constants: &Constants, t: f64) -> Result<()> {
         for k in 0..2 {
             let Parameter { sense, turning } = constants.parameters[k];
             let quarters = DoubleDouble::from((self.places.quarters[0] + k as f64) * sense);
@@ -313,10 +313,10 @@ impl Work<1> {
 }
 
 impl Constants {
-    /// The constant factors of α and β from the start: their sizes from the tilt at a place between the turning points, their phases from
-    /// the vertical and Ω, which never vanish together.
+    /// Fits the constant factors of α and β to the start: their magnitudes to the tilt at a point between the turning points, their phases to
+    /// the horizontal parts of the vertical and of Ω, which never vanish together.
     pub(super) fn fit(&mut self, q: Quaternion<f64>, omega: BodyVector) -> Result<()> {
-        // Next to a separatrix a quarter period is long, and halfway one of the two is smaller than any double.
+        // Next to a separatrix a quarter period is long, and halfway one of the two underflows.
         let middle = (self.course.modulus.quarter_period() * 0.5).min(1.0);
         let ([sn, cn, _], [alpha, beta, ..]) = self.pair(0.0, DoubleDouble::from(middle))?;
         let above = self.bottom1 + self.band * sn * sn;
@@ -331,7 +331,7 @@ impl Constants {
         let (a, b) = (Complex::new(q.w, q.k), Complex::new(q.i, q.j));
         let wanted_vertical = i * a.conj() * b * 2.0;
         let wanted = Complex::new(omega.x(), omega.y());
-        // Both pairs in their own size, so that the smallest kick has a direction.
+        // Each pair is scaled to its own magnitude, so that even the smallest kick has a direction.
         let unit = |x: Complex, y: Complex| {
             let size = x.re.abs().max(x.im.abs()).max(y.re.abs()).max(y.im.abs());
             if size > 0.0 {

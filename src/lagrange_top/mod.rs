@@ -1,14 +1,14 @@
-//! Lagrange's top (tutorial 7): a symmetric body on its tip under gravity, exactly and through the poles.
+//! Lagrange's top (tutorial 7): a symmetric body with a fixed point on its axis, under gravity, in closed form.
 //!
-//! The height h = cos θ of the axis goes like sn² between two roots of a cubic; the attitude is a pair of theta functions,
+//! The height h = cos θ of the axis moves like sn² between two roots of a cubic; the attitude is a pair of theta functions,
 //! one for each Cayley–Klein parameter, regular where the axis passes the vertical. [`LagrangeTop`] decides
-//! once what the axis does ([`Nutation`]).
+//! once what kind of motion it is ([`Nutation`]).
 //!
 //! | paragraph | what | where |
 //! |---|---|---|
 //! | 7.1, 7.2 | tilt, azimuth and attitude at any time; period and precession; the kind of nutation | [`LagrangeTop`] |
-//! | 7.2, 7.5 | a top from L₃, L_vert and E; waking exactly | [`LagrangeTop::from_integrals`], [`LagrangeTop::above_upright`] |
-//! | 7.3 | pure precession, slow and fast, and when there is any | [`pure_precession`], [`fast_spin`] |
+//! | 7.2, 7.5 | a top from L₃, L_vert and E; the separatrix exactly | [`LagrangeTop::from_integrals`], [`LagrangeTop::above_upright`] |
+//! | 7.3 | pure precession, slow and fast, and when it exists | [`pure_precession`], [`fast_spin`] |
 //! | 7.4 | how far a released top dips, and its cycloid | [`dip`] |
 //! | 7.5 | the spin with which a top sleeps, and how far a kick tilts it | [`sleeping_threshold`], [`tilt_after_kick`] |
 //! | 7.6 | the spherical pendulum and its turning ellipse | [`pendulum_between`], [`pendulum_from_integrals`], [`apsides`] |

@@ -1,10 +1,11 @@
-//! The exact motion of Lagrange's top (tutorial 7.1, 7.2): attitude and angular velocity at any time, and the angles to read them by.
+//! The exact motion of Lagrange's top (tutorial 7.1, 7.2): attitude and angular velocity at any time, periods and mean rates.
 
 use nalgebra::Quaternion;
 
 use super::evaluation::{Body, Pull, State};
 use super::preparation::{
-    Exact, FASTEST, Kept, Motion, Prepared, Start, moderate, prepare, prepare_kept,
+    Exact, FASTEST, GivenIntegrals, Motion, Prepared, Start, moderate, prepare,
+    prepare_from_integrals,
 };
 use super::roots::{Nutation, Roots};
 use crate::elliptic::Parameter;
@@ -14,7 +15,7 @@ use crate::precise::{DoubleDouble, Extended, Number, sum_of_products};
 
 use crate::frame::{Attitude, BodyVector, finite_vector};
 
-/// A symmetric body that turns about a fixed point of its axis under gravity, its motion prepared.
+/// A symmetric body that turns about a fixed point of its axis under gravity, with its motion prepared.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LagrangeTop {
     body: Body,
@@ -26,11 +27,11 @@ impl LagrangeTop {
     /// The top with moments I₁ = I₂ = `transverse` about the pivot and I₃ = `axial`, kg m², and Mgl = `weight_moment`, N m,
     /// the centre of mass at +l on x₃; with this angular velocity (rad/s) and attitude at time 0. The space axis z points up.
     ///
-    /// Domain: any such body; no gravity (the pivot at the centre of mass), and gravity upwards (Mgl < 0), are tops like others, and
-    /// so is a needle (I₃ = 0), whose L₃ is zero whatever its Ω₃. Upright or hanging, at rest or spinning, the axis stays, exactly.
-    /// The attitude counts as the direction of its quaternion. What the numbers given make upright, hanging, a plane pendulum or at the threshold is found
-    /// to be so, and pure precession and cusps up to their rounding. A tilted start on the separatrix is seldom made of doubles: rounded, it lies beside, and so says
-    /// [`kind`](Self::kind); [`from_integrals`](Self::from_integrals) and [`above_upright`](Self::above_upright) reach it. Cost: some thirty-five evaluations of
+    /// Domain: any such body. No gravity (the pivot at the centre of mass), gravity upwards (Mgl < 0) and a needle (I₃ = 0, so that
+    /// L₃ is zero whatever Ω₃) are allowed. An axis exactly upright or hanging stays there, spinning or not, unless Ω has a part across it.
+    /// Only the direction of the attitude's quaternion counts. An upright or hanging axis, a plane pendulum and the sleeping threshold are recognised exactly for
+    /// the numbers given, pure precession and cusps up to their rounding. A tilted start on the separatrix can rarely be given in doubles; rounded, it lies beside it, and
+    /// [`kind`](Self::kind) says so. [`from_integrals`](Self::from_integrals) and [`above_upright`](Self::above_upright) reach the separatrix. Cost: some thirty-five evaluations of
     /// [`at`](Self::at).
     ///
     /// # Errors
@@ -62,7 +63,7 @@ impl LagrangeTop {
         Self::prepared(body, start, &Exact::of(body, start))
     }
 
-    /// The same from numbers that are not rounded to doubles.
+    /// The same from numbers that have not been rounded to doubles.
     ///
     /// # Errors
     /// As for [`new`](Self::new).
@@ -96,16 +97,16 @@ impl LagrangeTop {
     /// The top with these integrals (7.2): L₃ and L_vert, the components of L along the axis and along the vertical (kg m²/s), and the energy
     /// E = ½⟨Ω, L⟩ + Mgl cos θ (J). It starts where C is lowest, with φ = ψ = 0, so that the axis leans towards −y of space.
     ///
-    /// The separatrix, L_vert = L₃ and E = L₃²/2I₃ + Mgl for L₃² < 4I₁Mgl, is told from exact products and sums of the doubles given: there it wakes,
-    /// 1 − h = (1 − h₁) sech²(λt) with λ² = Mgl (1 − h₁)/2I₁. Where that sum is no double, [`above_upright`](Self::above_upright) reaches it.
-    /// Domain: bodies as for [`new`](Self::new), every L₃ and L_vert, each energy that a motion has. A tilt that would change by less than 10⁻¹⁴ of the smaller
-    /// of 1 − h and 1 + h stays; the least energy, pure precession, is more easily met with [`pure_precession`](super::pure_precession).
-    /// Where the upright top with these integrals is unstable, the motion is the waking one. Error: that of [`at`](Self::at), for the integrals given.
+    /// The separatrix, L_vert = L₃ and E = L₃²/2I₃ + Mgl for L₃² < 4I₁Mgl, is recognised by exact products and sums of the doubles given. There the top wakes,
+    /// 1 − h = (1 − h₁) sech²(λt) with λ² = Mgl (1 − h₁)/2I₁. Where that energy is not a double, [`above_upright`](Self::above_upright) reaches it.
+    /// Domain: bodies as for [`new`](Self::new), every L₃ and L_vert, every energy that a motion can have. A tilt that would change by less than 10⁻¹⁴ of the smaller
+    /// of 1 − h and 1 + h counts as constant; for the least energy, pure precession, [`pure_precession`](super::pure_precession) is easier to use.
+    /// If these integrals are those of an unstable upright top, the motion is the waking one. Error: that of [`at`](Self::at), for the integrals given.
     /// Cost: some fifty evaluations of [`at`](Self::at).
     ///
     /// # Errors
     /// Those of [`new`](Self::new) for the body; [`Error::NotFinite`]; [`Error::Condition`] for an energy below that of every motion with
-    /// these L₃ and L_vert, for L₃ ≠ 0 of a needle (I₃ = 0), and at rest without gravity, where no integral tells the tilt; [`Error::OutOfRange`] for
+    /// these L₃ and L_vert, for L₃ ≠ 0 of a needle (I₃ = 0), and at rest without gravity, where the integrals leave the tilt open; [`Error::OutOfRange`] for
     /// |Ω| or √(Mgl/I₁) above 10³⁰⁷.
     ///
     /// ```
@@ -127,7 +128,7 @@ impl LagrangeTop {
     ) -> Result<Self> {
         let body = Body::new(transverse, axial, weight_moment)?;
         let energy = finite("the energy", energy)?;
-        // 2I₃ (E − L₃²/2I₃ ∓ |Mgl|).
+        // 2 (E − L₃²/2I₃ + `weight`).
         let twice_above = |weight: f64| {
             if axial == 0.0 {
                 return sum_of_products(&[[2.0, energy], [2.0, weight]]);
@@ -136,11 +137,11 @@ impl LagrangeTop {
             sum_of_products(&[[axial, energy], [axial, energy], spin, fall, fall])
                 .quotient(Extended::from_double(axial))
         };
-        Self::kept(body, [l3, l_vert], energy, twice_above)
+        Self::from_energies(body, [l3, l_vert], energy, twice_above)
     }
 
-    /// The same as [`from_integrals`](Self::from_integrals) from the energy above that of the top that spins with this L₃ and C right above the pivot,
-    /// E − L₃²/2I₃ − |Mgl| (J): zero is the separatrix if L_vert = L₃ (−L₃ for Mgl < 0), whatever the body, and next to it no digit is lost.
+    /// The same as [`from_integrals`](Self::from_integrals), from the energy above that of the top spinning with this L₃ and with C right above the pivot,
+    /// E − L₃²/2I₃ − |Mgl| (J). Zero is the separatrix if L_vert = L₃ (−L₃ for Mgl < 0), for every body, and next to it no digit is lost.
     ///
     /// # Errors
     /// As for [`from_integrals`](Self::from_integrals).
@@ -167,14 +168,15 @@ impl LagrangeTop {
         let body = Body::new(transverse, axial, weight_moment)?;
         let excess = finite("the energy above the upright position", excess)?;
         let size = weight_moment.abs();
-        // Less |Mgl| for what is counted from above, more for what is counted from below.
+        // Twice the energy above the upright position for `weight` = −|Mgl|, above the hanging one for |Mgl|.
         let twice_above =
             |weight: f64| sum_of_products(&[[2.0, excess], [2.0, size], [2.0, weight]]);
-        Self::kept(body, [l3, l_vert], excess, twice_above)
+        Self::from_energies(body, [l3, l_vert], excess, twice_above)
     }
 
-    /// From twice the energy above that at a height where gravity gives this; what was given of it is told if no motion has it.
-    fn kept(
+    /// From a function that gives twice the energy above the upright position (for −|Mgl|) and above the hanging one (for |Mgl|); `given` is the
+    /// energy for the error message.
+    fn from_energies(
         body: Body,
         [l3, l_vert]: [f64; 2],
         given: f64,
@@ -184,19 +186,19 @@ impl LagrangeTop {
         finite("the vertical angular momentum", l_vert)?;
         if body.axial == 0.0 && l3 != 0.0 {
             return Err(Error::Condition {
-                condition: "the angular momentum of a needle about itself must be zero",
+                condition: "the angular momentum L3 of a needle about its own axis must be zero",
                 value: l3,
             });
         }
         let weight = body.weight_moment.abs();
-        let kept = Kept {
+        let integrals = GivenIntegrals {
             l3,
             l_vert,
             above_top: twice_above(-weight),
             above_bottom: twice_above(weight),
         };
-        let (start, prepared) = prepare_kept(body, kept)?.ok_or(Error::Condition {
-            condition: "the energy must be at least that of a motion with these L3 and L_vert",
+        let (start, prepared) = prepare_from_integrals(body, integrals)?.ok_or(Error::Condition {
+            condition: "the energy must be at least the least that a motion with these L3 and L_vert can have",
             value: given,
         })?;
         Ok(Self {
@@ -206,8 +208,8 @@ impl LagrangeTop {
         })
     }
 
-    /// What kind of motion the axis makes, decided once. With gravity upwards, the kind of the same motion seen upside down:
-    /// the axis that points down is then the sleeping one.
+    /// The kind of motion that the axis makes, decided once. With gravity upwards it is the kind of the same motion seen upside down:
+    /// an axis that points down is then asleep.
     ///
     /// ```
     /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::{LagrangeTop, Nutation}};
@@ -271,10 +273,10 @@ impl LagrangeTop {
         self.prepared.roots
     }
 
-    /// Everything at time t (s), before or after (7.2).
+    /// Ω, L, attitude and height at time t (s), before or after the start (7.2).
     ///
-    /// Attitude and Ω from two theta functions; through the upright and the hanging position too. Error observed against 857
-    /// references of 32 digits, hard cases included: attitude at most 9e-16 rad, Ω 1.2e-15 relative, 1 ∓ h 5e-16, not growing up to
+    /// Attitude and Ω come from two theta functions, which are regular in the upright and the hanging position too. Error observed against 857
+    /// references of 32 digits, hard cases included: attitude at most 9e-16 rad, Ω 1.2e-15 relative, 1 ∓ h 5e-16, without growth up to
     /// 10³ nutations. Cost: the same at every time, that of two or three triples of Jacobi functions.
     ///
     /// # Errors
@@ -330,13 +332,13 @@ impl LagrangeTop {
         times.into_iter().map(|t| self.at(t))
     }
 
-    /// Everything at each of these times (s), in any order, into a slice of the same length (7.2).
+    /// Fills a slice with the states at these times (s), which may be in any order; the slices have one length (7.2).
     ///
-    /// The states of [`at`](Self::at) to the last bit, and so its domain and error: eight times go side by side up to some 4·10⁶ turns from the start. Cost: beside [`at`](Self::at) in the same run 0.6 of the time a state, 1.15 for a
+    /// The states are those of [`at`](Self::at) to the last bit, with its domain and error. Eight times are computed side by side up to some 4·10⁶ turns from the start. Cost a state, relative to [`at`](Self::at) in the same run: 0.6; 1.15 for a
     /// batch of one time.
     ///
     /// # Errors
-    /// [`Error::Condition`] if the slices differ in length; otherwise that of the first time that [`at`](Self::at) refuses, the states being partly written.
+    /// [`Error::Condition`] if the slices differ in length; otherwise that of the first time that [`at`](Self::at) refuses, with some of the states written.
     ///
     /// ```
     /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
@@ -360,7 +362,7 @@ impl LagrangeTop {
         }
     }
 
-    /// Period of the nutation, 2K/λ, s; infinite where the tilt stays or never returns.
+    /// Period of the nutation, 2K/λ, s; infinite where the tilt is constant or never returns.
     ///
     /// ```
     /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
@@ -382,7 +384,7 @@ impl LagrangeTop {
 }
 
 impl LagrangeTop {
-    /// The parameter m = k² of the elliptic functions that the tilt runs through, and its complement (7.2); none where the tilt stays.
+    /// The parameter m = k² of the elliptic functions in the tilt, and its complement (7.2); `None` where the tilt is constant.
     ///
     /// ```
     /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
@@ -399,7 +401,7 @@ impl LagrangeTop {
         }
     }
 
-    /// By how much the axis goes round the vertical in one period of nutation, radians (7.2); none where there is no period.
+    /// The angle by which the axis goes round the vertical in one period of nutation, radians (7.2); `None` where there is no period.
     ///
     /// ```
     /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
@@ -422,7 +424,7 @@ impl LagrangeTop {
         }
     }
 
-    /// Mean rate at which the axis goes round the vertical, rad/s (7.2); none where there is no period.
+    /// Mean rate at which the axis goes round the vertical, rad/s (7.2); `None` where there is no period.
     ///
     /// ```
     /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};

@@ -1,4 +1,4 @@
-//! From the start to the constants of the motion, in 106 bits (tutorial 7.2).
+//! The constants of the motion from its start or its integrals, in 106 bits (tutorial 7.2).
 
 use nalgebra::Quaternion;
 
@@ -13,7 +13,7 @@ use crate::precise::{
     DoubleDouble, Extended, Number, exponent_of, power_of_two_below, shifted, sum_of_products,
 };
 
-/// Beyond this, in rad/s, sums of rates overflow.
+/// Above this, in rad/s, sums of rates could overflow.
 pub(super) const FASTEST: f64 = 1e307;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,12 +22,12 @@ pub(super) const FASTEST: f64 = 1e307;
     reason = "a top is one value without allocation; most tops move"
 )]
 pub(super) enum Motion {
-    /// The axis stays: upright, hanging, or at rest without gravity.
+    /// The axis does not move: upright, hanging, or at rest without gravity.
     Still,
     Moving(Constants),
 }
 
-/// What is decided once.
+/// The kind of motion, the roots and the constants, decided once.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Prepared {
     pub(super) kind: Nutation,
@@ -42,7 +42,7 @@ pub(super) struct Start {
     pub(super) attitude: Attitude,
 }
 
-/// A start and a weight as they are before they are rounded to doubles: next to a separatrix the motion would amplify that.
+/// A start and a weight before they are rounded to doubles: next to a separatrix the motion would amplify the rounding.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Exact {
     /// Mgl, N m.
@@ -64,22 +64,22 @@ impl Exact {
     }
 }
 
-/// Whether the fourth power of every number that counts is far above underflow.
+/// Whether the fourth power of every number that matters stays far above underflow.
 pub(super) fn moderate(body: Body, Start { omega, attitude }: Start) -> bool {
     let q = attitude.quaternion();
     let near = |x: f64, unit: f64| x == 0.0 || x.abs() > 1e-60 * unit;
     let swing = (body.weight_moment.abs() / body.transverse).sqrt();
     let fastest = omega.components().amax().max(swing);
     let still = omega.components().iter().all(|x| near(*x, fastest));
-    // A quotient that underflows is gravity still.
+    // A quotient that underflows stands for gravity all the same.
     let gone = swing == 0.0 && body.weight_moment != 0.0;
     still && !gone && near(swing, fastest) && [q.w, q.i, q.j, q.k].iter().all(|x| near(*x, 1.0))
 }
 
-/// The constants, everything in units of time in which rates are moderate.
+/// The kind, roots and constants of the motion, computed in a unit of time in which the rates are moderate.
 pub(super) fn prepare<N: Number>(body: Body, start: Start, exact: &Exact) -> Result<Prepared> {
     let pull = Pull::of(body.weight_moment);
-    let q = seen(pull, start.attitude.quaternion().into_inner());
+    let q = with_gravity_down(pull, start.attitude.quaternion().into_inner());
     let over_transverse = |x: Extended| x.quotient(Extended::from_double(body.transverse));
     let gravity = over_transverse(exact.weight_moment.magnitude());
     let fastest = start
@@ -87,7 +87,7 @@ pub(super) fn prepare<N: Number>(body: Body, start: Start, exact: &Exact) -> Res
         .components()
         .amax()
         .max(gravity.square_root().narrow().value());
-    // What the fall adds to Ω counts like Ω.
+    // √(Mgl/I₁) bounds what falling adds to Ω.
     within("the greater of |Ω| and √(Mgl/I1)", fastest, 0.0, FASTEST)?;
     if fastest == 0.0 {
         let upper = 2.0 * (q.w * q.w + q.k * q.k);
@@ -148,31 +148,34 @@ pub(super) fn prepare<N: Number>(body: Body, start: Start, exact: &Exact) -> Res
     top.prepared(still, drifts, (q, start.omega / unit))
 }
 
-/// What a top keeps: L₃, L_vert, and twice the energy above that of the same spin with C right above the pivot, and right below.
+/// The integrals of a top: L₃, L_vert, and twice the energy above that of the same spin with C right above the pivot, and right below.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Kept {
+pub(super) struct GivenIntegrals {
     pub(super) l3: f64,
     pub(super) l_vert: f64,
     pub(super) above_top: Extended,
     pub(super) above_bottom: Extended,
 }
 
-/// The same from the integrals, with the start at the lower turning point of C and φ = ψ = 0; none if no motion has them.
-pub(super) fn prepare_kept(body: Body, kept: Kept) -> Result<Option<(Start, Prepared)>> {
+/// The same from the integrals, with the start at the lower turning point of C and φ = ψ = 0; `None` if no motion has these integrals.
+pub(super) fn prepare_from_integrals(
+    body: Body,
+    given: GivenIntegrals,
+) -> Result<Option<(Start, Prepared)>> {
     let number = Extended::from_double;
     let pull = Pull::of(body.weight_moment);
-    // Seen upside down, the vertical is the other one.
+    // Seen upside down, the vertical has the opposite sign.
     let side = match pull {
         Pull::Down => 1.0,
         Pull::Up => -1.0,
     };
     let over_transverse = |x: Extended| x.quotient(number(body.transverse));
-    let sum = |l3: f64| sum_of_products(&[[side, kept.l_vert], [1.0, l3]]);
+    let sum = |l3: f64| sum_of_products(&[[side, given.l_vert], [1.0, l3]]);
     let weight = number(body.weight_moment.abs());
-    let squares = [weight, kept.above_top, kept.above_bottom].map(over_transverse);
-    let rates = [number(kept.l3), sum(-kept.l3), sum(kept.l3)].map(over_transverse);
-    // Nothing, for a needle.
-    let axial_rate = number(kept.l3).quotient(number(body.axial));
+    let squares = [weight, given.above_top, given.above_bottom].map(over_transverse);
+    let rates = [number(given.l3), sum(-given.l3), sum(given.l3)].map(over_transverse);
+    // Zero for a needle.
+    let axial_rate = number(given.l3).quotient(number(body.axial));
     let [gravity, _, above_bottom] = squares;
     if above_bottom.leading() < 0.0 {
         return Ok(None);
@@ -186,7 +189,7 @@ pub(super) fn prepare_kept(body: Body, kept: Kept) -> Result<Option<(Start, Prep
         0.0,
         FASTEST,
     )?;
-    // Units of time in which rates are moderate.
+    // A unit of time in which the rates are moderate.
     let exponent = fastest.exponent;
     let [gravity, above_top, above_bottom] = squares.map(|x| x.raised(-2 * exponent));
     let [spin, difference, sum] = rates.map(|x| x.raised(-exponent));
@@ -202,7 +205,7 @@ pub(super) fn prepare_kept(body: Body, kept: Kept) -> Result<Option<(Start, Prep
     let still_without_gravity = gravity.is_zero() && above_top.is_zero();
     if still_without_gravity && spin.is_zero() {
         return Err(Error::Condition {
-            condition: "the energy must be positive where there is neither gravity nor spin: at rest any tilt will do",
+            condition: "without gravity and spin the energy must be positive: a body at rest may have any tilt",
             value: 0.0,
         });
     }
@@ -249,20 +252,20 @@ pub(super) fn prepare_kept(body: Body, kept: Kept) -> Result<Option<(Start, Prep
         axial_rate,
         rise: Extended::zero(),
     };
-    let q = seen(pull, start.attitude.quaternion().into_inner());
+    let q = with_gravity_down(pull, start.attitude.quaternion().into_inner());
     let scaled = BodyVector::from_components(scaled.into());
     Ok(Some((start, top.prepared(still, drifts, (q, scaled))?)))
 }
 
-/// Gravity that pulls up is gravity that pulls down, seen upside down.
-fn seen(pull: Pull, q: Quaternion<f64>) -> Quaternion<f64> {
+/// The attitude, seen upside down if gravity pulls upwards: then it pulls downwards there.
+fn with_gravity_down(pull: Pull, q: Quaternion<f64>) -> Quaternion<f64> {
     match pull {
         Pull::Down => q,
         Pull::Up => Quaternion::new(-q.i, q.w, -q.k, q.j),
     }
 }
 
-/// A top whose roots are known, in units of time of 2^−`exponent` s.
+/// A top whose roots are known, with 2^−`exponent` s as the unit of time.
 struct Top<N> {
     pull: Pull,
     exponent: i32,
@@ -273,7 +276,7 @@ struct Top<N> {
 }
 
 impl<N: Number> Top<N> {
-    /// What is decided from the roots, the drifts at them, and the attitude as seen and Ω at time 0.
+    /// The kind, roots and constants, from the drifts at the turning points and from attitude (gravity downwards) and Ω at time 0.
     fn prepared(
         &self,
         still: Option<Nutation>,
@@ -291,9 +294,9 @@ impl<N: Number> Top<N> {
         })
     }
 
-    /// The constants in seconds; the attitude as seen, and Ω, at time 0.
+    /// The constants in seconds, from attitude (gravity downwards) and Ω at time 0.
     fn constants(&self, q: Quaternion<f64>, omega: BodyVector) -> Result<Constants> {
-        let mut constants = self.unfitted();
+        let mut constants = self.without_factors();
         constants.fit(q, omega)?;
         let exponent = self.exponent;
         for rate in constants
@@ -310,7 +313,8 @@ impl<N: Number> Top<N> {
         Ok(constants)
     }
 
-    fn unfitted(&self) -> Constants {
+    /// The constants in this unit of time, the factors of α and β still to be fitted.
+    fn without_factors(&self) -> Constants {
         let (d, two_g) = (&self.distances, self.integrals.gravity.times(2.0));
         let [beyond, from_bottom, whole, rest] = d.third;
         // 4λ² = 2g (h₃ − h₁).

@@ -1,31 +1,31 @@
-//! What the axis does, and between which heights: the cubic of the tilt and its roots, with every difference that matters formed without a subtraction
-//! (tutorial 7.2, 7.5).
+//! The kind of nutation and the heights between which the axis moves: the cubic of the tilt and its roots, with every difference that matters
+//! formed without cancellation (tutorial 7.2, 7.5).
 //!
 //! h'² = f(h) for h = cos θ, f(h) = 2g (h − h₁)(h − h₂)(h − h₃), g = Mgl/I₁, and the motion stays in h₁ ≤ h ≤ h₂ ≤ 1 ≤ h₃.
-//! One root stands alone, whichever is farther from h₂; Newton's method finds it from outside. The other two come from a
+//! The root farther from h₂, h₁ or h₃, stands alone, and Newton's method finds it from outside. The other two come from a
 //! quadratic whose discriminant is a sum of squares: about the present tilt if they are h₁ and h₂, about the upright
 //! position if they are h₂ and h₃. The distances from ±1 come from f(±1) = −((L_vert ∓ L₃)/I₁)².
 
 use crate::precise::Number;
 
-/// What kind of motion the axis makes.
+/// The kind of motion that the axis makes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Nutation {
     /// φ' keeps its sign (7.2, picture k).
     Waves,
-    /// φ' vanishes at the upper turning point: released from rest, say (7.4, picture l).
+    /// φ' vanishes at the upper turning point, as after a release from rest (7.4, picture l).
     Cusps,
-    /// φ' changes its sign in between (7.2, picture m).
+    /// φ' changes its sign between the turning points (7.2, picture m).
     Loops,
-    /// The tilt stays (7.3, picture n).
+    /// The tilt is constant (7.3, picture n).
     PurePrecession,
     /// Upright (7.5).
     Sleeping {
-        /// Whether it stays so when disturbed: L₃² ≥ 4I₁Mgl.
+        /// Whether it stays near the vertical when disturbed: L₃² ≥ 4I₁Mgl.
         stable: bool,
     },
-    /// Falls from the upright position, or rises to it, in infinite time (7.5).
+    /// On the separatrix: falls from the upright position, or rises to it, in infinite time (7.5).
     Waking,
     /// Hanging straight down.
     Hanging,
@@ -33,7 +33,7 @@ pub enum Nutation {
     SphericalPendulum,
     /// L₃ = L_vert = 0: a pendulum in one plane (7.6).
     PlanePendulum,
-    /// No gravity and no swing: the body turns about its own axis.
+    /// No gravity and no Ω across the axis: the body turns about its own axis.
     Spinning,
 }
 
@@ -56,7 +56,7 @@ pub struct Roots {
 
 impl Roots {
     pub(super) fn new(less: [f64; 2], more: [f64; 2], third_less_one: f64) -> Self {
-        // Two that are one, found by different ways, may have been rounded out of their order.
+        // Equal roots found in different ways may have been rounded out of order.
         let one_less = [less[0].max(less[1]), less[1]];
         let one_more = [more[0].min(more[1]), more[1]];
         let root = |k: usize| 0.5 * (one_more[k] - one_less[k]);
@@ -81,7 +81,7 @@ impl Roots {
     }
 }
 
-/// Where the axis is at time 0 and how it moves, everything divided by I₁.
+/// Height and motion of the axis at time 0, everything divided by I₁.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place<N> {
     /// 1 − h and 1 + h.
@@ -111,7 +111,7 @@ pub(super) struct Distances<N> {
     pub(super) to_lower: N,
 }
 
-/// What is kept, everything divided by I₁.
+/// The integrals of the motion, everything divided by I₁.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Integrals<N> {
     /// g = Mgl/I₁, not negative.
@@ -127,7 +127,7 @@ pub(super) struct Integrals<N> {
 }
 
 impl<N: Number> Integrals<N> {
-    /// Those of a start.
+    /// The integrals of a start.
     pub(super) fn of(gravity: N, spin: N, start: &Place<N>) -> Self {
         let two_g = gravity.times(2.0);
         let above_top = start.swing - two_g * start.below_top;
@@ -141,7 +141,7 @@ impl<N: Number> Integrals<N> {
         }
     }
 
-    /// Decided by exact zeros and signs; φ' has the sign of (L_vert − L₃h)/I₁, given at both turning points.
+    /// The kind of nutation, decided by exact zeros and signs; φ' has the sign of (L_vert − L₃h)/I₁, which is given at both turning points.
     pub(super) fn kind(&self, [lower, upper]: [N; 2], d: &Distances<N>) -> Nutation {
         if d.third[3].is_zero() {
             Nutation::Waking
@@ -160,7 +160,7 @@ impl<N: Number> Integrals<N> {
         }
     }
 
-    /// The roots and where the start lies between them, and (L_vert − L₃h)/I₁ at the lower and at the upper turning point.
+    /// The roots, the place of the start between them, and (L_vert − L₃h)/I₁ at the lower and at the upper turning point.
     pub(super) fn solve_from(&self, start: &Place<N>) -> (Distances<N>, [N; 2]) {
         let two_g = self.gravity.times(2.0);
         // f(h + d) = 2g d³ + f₂ d² + f₁ d + f₀.
@@ -173,7 +173,7 @@ impl<N: Number> Integrals<N> {
         ]);
         let f2 = two_g * twice_height - start.swing - self.spin.square();
         let depressed = [f2, two_g * f1, two_g.square() * f0];
-        // Its sign at the inflection says on which side of it h₂ lies.
+        // The sign of f at its inflection tells on which side h₂ lies.
         let d = if at_inflection(depressed).leading() > 0.0 {
             self.near_the_top(two_g, start)
         } else {
@@ -197,7 +197,7 @@ impl<N: Number> Integrals<N> {
         let p = -f0.quotient(third);
         let s = (f1 - two_g * p).quotient(third);
         let band = s.square().add_alike(p.times(-4.0)).square_root();
-        // The greater of the two in size is a sum; the other is the product over it.
+        // The greater of the two in magnitude is a sum; the other is the product divided by it.
         let far = band.add_alike(s.magnitude()).times(0.5);
         let near = (-p).quotient(far);
         let (to_upper, to_lower) = if s.leading() < 0.0 {
@@ -209,7 +209,7 @@ impl<N: Number> Integrals<N> {
         let bottom2 = start.above_bottom.add_alike(to_upper);
         let from_top = third - two_g * start.below_top;
         let from_bottom = third.add_alike(two_g * start.above_bottom);
-        // Of 1 − h₂ and h₃ − 1 the greater directly, the other from the product of all three distances from 1.
+        // The greater of 1 − h₂ and h₃ − 1 is formed directly, the other from the product of all three distances from 1.
         let direct = start.below_top - to_upper;
         let product = self.difference.square().quotient(top1);
         let (top2, from_top) = if (third * direct).exceeds(from_top * top1) {
@@ -232,10 +232,10 @@ impl<N: Number> Integrals<N> {
         }
     }
 
-    /// h₁ stands alone: known by the integrals, and the start between its roots.
+    /// h₁ stands alone: the roots from the integrals, and the place of the start between them.
     fn near_the_top(&self, two_g: N, start: &Place<N>) -> Distances<N> {
         let d = self.lowest_alone(two_g, self.at_the_top(two_g));
-        // The greater of the two directly; their product with 2g (h₃ − h) is h'².
+        // The greater of h₂ − h and h − h₁ is formed directly; their product with 2g (h₃ − h) is h'².
         let third = d.third[0].add_alike(two_g * start.below_top);
         let product = start.rise.square().quotient(third);
         let (up, down) = (start.below_top - d.top[1], d.top[0] - start.below_top);
@@ -251,7 +251,7 @@ impl<N: Number> Integrals<N> {
         }
     }
 
-    /// The roots, the start being at the lower turning point; none if the energy is too small for any motion.
+    /// The roots, with the start at the lower turning point; `None` if the energy is too small for any motion.
     pub(super) fn solve(&self) -> Option<Distances<N>> {
         let two_g = self.gravity.times(2.0);
         let at_the_top = self.at_the_top(two_g);
@@ -319,8 +319,8 @@ impl<N: Number> Integrals<N> {
         }
     }
 
-    /// h₃ stands alone, y = 2g (h₃ − 1): 1 − h₁ and 1 − h₂ are the roots of x² − s x + p; below the horizon, 1 + h₁ and 1 + h₂ those of
-    /// their own quadratic.
+    /// h₃ stands alone, y = 2g (h₃ − 1): 1 − h₁ and 1 − h₂ are the roots of x² − s x + p; below the horizon, 1 + h₁ and 1 + h₂ are those of
+    /// a quadratic of their own.
     fn third_alone(
         &self,
         two_g: N,
@@ -329,7 +329,7 @@ impl<N: Number> Integrals<N> {
     ) -> Option<Distances<N>> {
         let zero = N::from_double(0.0);
         let two = N::from_double(2.0);
-        // f(1 − x) = −(2g x + y) (x² − s x + p). From y = 0, p is what remains.
+        // f(1 − x) = −(2g x + y) (x² − s x + p); if y = 0, p follows from the linear term.
         let p = if !constant.is_zero() {
             constant.quotient(y)
         } else if y.is_zero() {
@@ -337,7 +337,7 @@ impl<N: Number> Integrals<N> {
         } else {
             zero
         };
-        // Each where it is a sum, or a difference of which one term is less than half: p ≤ s²/4 and s ≤ 4.
+        // Of two expressions for s, the one that is a sum, or a difference in which one term is less than half the other: p ≤ s²/4 and s ≤ 4.
         let s = if quadratic.leading() >= 0.0 {
             quadratic.add_alike(y).quotient(two_g)
         } else {
@@ -356,7 +356,7 @@ impl<N: Number> Integrals<N> {
         if sum.leading() < 0.0 {
             return None;
         }
-        // Less than rounding leaves of terms that balance: the tilt stays.
+        // Below what rounding leaves of terms that cancel, the tilt counts as constant.
         let rounding = sum.square().times(2f64.powi(-95));
         let band = if discriminant.exceeds(rounding) {
             discriminant.square_root()
@@ -393,7 +393,7 @@ impl<N: Number> Integrals<N> {
         })
     }
 
-    /// (L_vert − L₃h)/I₁ at the lower and at the upper turning point; nothing at the upper one where the terms of a cusp balance.
+    /// (L_vert − L₃h)/I₁ at the lower and at the upper turning point; zero at the upper one where the terms of a cusp cancel.
     pub(super) fn drifts(&self, d: &Distances<N>) -> [N; 2] {
         let drift = |k: usize| {
             if N::from_double(1.0).exceeds(d.top[k]) {
@@ -402,7 +402,7 @@ impl<N: Number> Integrals<N> {
                 self.sum - self.spin * d.bottom[k]
             }
         };
-        // At rest, 1 − h = −e/2g; without drift, −δ/l. Below zero that is the third root.
+        // A cusp: where Ω across the axis vanishes, 1 − h = −e/2g, the drift vanishes too, 1 − h = −δ/l. Below zero that is the third root.
         let zero = N::from_double(0.0);
         let cusp = [
             self.above_top * self.spin,
@@ -419,9 +419,9 @@ impl<N: Number> Integrals<N> {
     }
 }
 
-/// The sum of three terms; nothing, if it is no more than what rounding leaves of terms that balance.
+/// The sum of three terms; zero if it is no more than what rounding leaves of terms that cancel.
 ///
-/// Pure precession is such a balance, and few tilts are doubles: the cosine 3/5 is not.
+/// In pure precession such terms cancel, and few tilts are doubles: the cosine 3/5 is not.
 fn balance<N: Number>(terms: [N; 3]) -> N {
     let [a, b, c] = terms;
     let sum = a + b + c;
@@ -452,14 +452,14 @@ fn greatest_root<N: Number>([a, b, c]: [N; 3]) -> N {
     if y.is_zero() {
         return y;
     }
-    // Each step takes off at least a third of the way; at the end they double the digits.
+    // Each step covers at least a third of the way; at the end each doubles the digits.
     for _ in 0..200 {
         let value = ((y + a) * y + b) * y + c;
         let slope = (y.times(3.0) + a.times(2.0)) * y + b;
         if slope.leading() <= 0.0 {
             break;
         }
-        // Where the root is far smaller than the way to it, rounding may carry a step beyond; the next comes back.
+        // If the root is far smaller than the first guess, rounding may carry a step too far; the next one comes back.
         let step = value.quotient(slope);
         let next = y - step;
         if !step

@@ -1,7 +1,7 @@
-//! The motions that have formulas of their own (tutorial 7.3 to 7.6): pure precession, slow and fast; how far a top sinks that is let go at rest;
-//! the spin with which it sleeps, and how far a kick tilts it; the spherical pendulum, a top without spin, and its ellipse that turns.
+//! The motions that have formulas of their own (tutorial 7.3 to 7.6): pure precession, slow and fast; the dip of a top released from rest;
+//! the spin with which it sleeps, and how far a kick tilts it; the spherical pendulum, a top without spin, and its turning ellipse.
 //!
-//! Every difference that can cancel is formed in 106 bits with exponents of any size, and only results are rounded.
+//! Every difference that can cancel is formed in 106 bits with exponents of any size, and only the results are rounded.
 
 use std::f64::consts::PI;
 
@@ -10,32 +10,32 @@ use crate::error::{Error, Result, finite, not_negative, positive, within};
 use crate::frame::{Attitude, BodyVector};
 use crate::precise::{Extended, Number};
 
-/// The rates dφ/dt at which the axis can go round at one tilt without nutation, rad/s (7.3).
+/// The rates dφ/dt at which the axis can precess at a given tilt without nutation, rad/s (7.3).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PurePrecession {
     /// L₃² < 4I₁Mgl cos θ, or a horizontal axis without spin: no rate keeps this tilt.
     None,
-    /// One rate: a horizontal axis, or equality in the condition, where both have met.
+    /// One rate: for a horizontal axis, or for equality in the condition, where the two coincide.
     One(f64),
-    /// Two rates, the slower in size and the faster; of opposite sign below the horizon.
+    /// Two rates, the slower and the faster by magnitude; of opposite signs below the horizon.
     Two {
-        /// The one that gravity causes, Mgl/L₃ in the limit of fast spin.
+        /// The rate due to gravity, Mgl/L₃ in the limit of fast spin.
         slow: f64,
-        /// The one that needs no gravity, L₃/(I₁cos θ) in the limit.
+        /// The rate that remains without gravity, L₃/(I₁cos θ) in the limit of fast spin.
         fast: f64,
     },
-    /// Neither spin nor gravity, and a horizontal axis: every rate will do.
+    /// Neither spin nor gravity, and a horizontal axis: every rate is possible.
     Any,
 }
 
-/// Both rates of pure precession: the roots w of I₁cos θ w² − L₃w + Mgl = 0 (7.3).
+/// The rates of pure precession: the roots w of I₁cos θ w² − L₃w + Mgl = 0 (7.3).
 ///
 /// `transverse` is I₁ about the pivot (kg m²), `weight_moment` Mgl (N m, of either sign), `l3` = I₃Ω₃ (kg m²/s), `height` = cos θ
-/// of the tilt. The faster root is a sum, the slower the quotient Mgl/(I₁cos θ·fast): nothing cancels. At the poles, where
-/// nothing precesses, these are the rates of a vanishing tilt (7.5).
+/// of the tilt. The faster root is a sum, the slower the quotient Mgl/(I₁cos θ·fast): nothing cancels. At cos θ = ±1, where
+/// the axis does not precess, they are the limits for a vanishing tilt (7.5).
 ///
-/// Domain: all finite numbers with I₁ > 0 and |cos θ| ≤ 1. Each rate is right to one unit in the last place, next to the
-/// double root as well; the condition is decided in 106 bits, so it is exact for numbers of 35 bits. A rate beyond the greatest
+/// Domain: all finite numbers with I₁ > 0 and |cos θ| ≤ 1. Error: one unit in the last place of each rate, also next to the
+/// double root. The condition is decided in 106 bits, so it is exact for numbers of 35 bits. A rate beyond the greatest
 /// double is returned as infinite. Cost: a square root and two divisions of 106 bits.
 ///
 /// # Errors
@@ -77,9 +77,9 @@ pub fn pure_precession(
     })
 }
 
-/// The least |L₃| with which a top can precess purely at this tilt: 2√(I₁Mgl cos θ), kg m²/s; zero for a centre of mass that hangs (7.3).
+/// The least |L₃| with which a top can precess purely at this tilt: 2√(I₁Mgl cos θ), kg m²/s; zero if the centre of mass is no higher than the pivot (7.3).
 ///
-/// Arguments as for [`pure_precession`]. One rounding, at any scale; infinite beyond the greatest double. Cost: a square root of 106 bits.
+/// Arguments as for [`pure_precession`]. Error: one rounding, at any scale; infinite beyond the greatest double. Cost: a square root of 106 bits.
 ///
 /// # Errors
 /// As [`pure_precession`].
@@ -103,21 +103,21 @@ pub fn least_axial_angular_momentum(
     Ok(product.square_root().value())
 }
 
-/// What the two rates become when spin overwhelms gravity (7.3).
+/// The limits of the two rates when spin overwhelms gravity (7.3).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FastSpin {
-    /// Mgl/L₃, rad/s: too small by the part x in the first order.
+    /// Mgl/L₃, rad/s: too small by the fraction x, to first order.
     pub slow: f64,
-    /// L₃/(I₁cos θ), rad/s: too large by the part x; infinite for a horizontal axis.
+    /// L₃/(I₁cos θ), rad/s: too large by the fraction x, to first order; infinite for a horizontal axis.
     pub fast: f64,
-    /// x = I₁Mgl cos θ/L₃², no unit; pure precession needs x ≤ ¼.
+    /// x = I₁Mgl cos θ/L₃², dimensionless; pure precession needs x ≤ ¼.
     pub x: f64,
 }
 
-/// Mgl/L₃ and L₃/(I₁cos θ), the large-spin limits of both rates, with the number x that says how far off they are (7.3).
+/// The limits Mgl/L₃ and L₃/(I₁cos θ) of the two rates for fast spin, with the number x that measures their error (7.3).
 ///
 /// Arguments as for [`pure_precession`]. The rates themselves are slow·(1 + x + 2x² + 5x³ + …) and fast·(1 − x − x² − 2x³ − …),
-/// convergent for |x| ≤ ¼. One rounding each. Cost: a few divisions.
+/// convergent for |x| ≤ ¼. Error: one rounding each. Cost: a few divisions.
 ///
 /// # Errors
 /// As [`pure_precession`]; [`Error::Condition`] without spin, where there is no such limit.
@@ -161,32 +161,32 @@ fn quadratic(transverse: f64, weight_moment: f64, l3: f64, height: f64) -> Resul
     ])
 }
 
-/// How far a top sinks that is let go at rest, spinning (7.4).
+/// The dip of a spinning top whose axis is released from rest (7.4).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Dip {
     /// h₁ = cos θ at the lowest point; the start is h₂.
     pub lowest_height: f64,
     /// θ at the lowest point, radians.
     pub lowest_tilt: f64,
-    /// By how much θ has grown there, radians.
+    /// The growth of θ from the start to the lowest point, radians.
     pub depth: f64,
-    /// The curve that the trace tends to for fast spin.
+    /// The curve that the trace of the axis approaches for fast spin.
     pub cycloid: Cycloid,
 }
 
-/// θ − θ₀ = a(1 − cos u) against φ sin θ₀ = a(u − sin u), the limit of fast spin (7.4).
+/// The cycloid θ − θ₀ = a(1 − cos u), φ sin θ₀ = a(u − sin u), which the axis traces in the limit of fast spin (7.4).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cycloid {
     /// a = I₁Mgl sin θ₀/L₃², radians: the radius of the wheel that draws the curve.
     pub radius: f64,
-    /// sin θ₀: azimuths are wider than the arcs by its reciprocal.
+    /// sin θ₀: azimuths exceed arcs by the factor 1/sin θ₀.
     pub sine: f64,
 }
 
 impl Cycloid {
     /// θ − θ₀ and φ, radians, when the wheel has turned by u (one turn is one nutation).
     ///
-    /// Few units in the last place, for small u too. Not a number if u is not finite. Cost: a sine and a cosine.
+    /// Error: a few units in the last place, for small u too. NaN if u is not finite. Cost: a sine and a cosine.
     ///
     /// ```
     /// use spinning_bodies::lagrange_top::Cycloid;
@@ -217,13 +217,13 @@ fn less_its_sine(u: f64) -> f64 {
     u * square / 6.0 * (1.0 - tail)
 }
 
-/// The lowest point of a top let go at rest at the tilt θ₀ with the angular momentum L₃ about its axis (7.4).
+/// The lowest point of a top released at the tilt θ₀ with its axis at rest and the angular momentum L₃ about it (7.4).
 ///
-/// h₁ = λ − √(λ² − 2λh₀ + 1) with λ = L₃²/(4I₁Mgl): the start is the upper root h₂, so whatever comes next is lower. The dip
+/// h₁ = λ − √(λ² − 2λh₀ + 1) with λ = L₃²/(4I₁Mgl): the start is the upper turning point h₂, so the top can only sink. The dip
 /// h₀ − h₁ is the positive root of d² + 2(λ − h₀)d = sin²θ₀, 1 − h₁ is 1 − h₀ plus that, and 1 + h₁ = 2λ(1 + h₀)/(1 + λ + √…).
 ///
-/// Domain: I₁, Mgl > 0, any finite L₃ (without spin it falls through the lowest point, θ = π), 0 < θ₀ < π. Few units in the
-/// last place, for the depth too however small. Cost: two square roots of 106 bits, a few sines.
+/// Domain: I₁, Mgl > 0, any finite L₃ (without spin the axis falls through the hanging position, θ = π), 0 < θ₀ < π. Error: a few units in the
+/// last place, of the depth too however small it is. Cost: two square roots of 106 bits, a few sines.
 ///
 /// # Errors
 /// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::OutOfRange`] for θ₀.
@@ -265,11 +265,11 @@ pub fn dip(transverse: f64, weight_moment: f64, l3: f64, tilt: f64) -> Result<Di
     // cos θ₀ − cos θ₁ = 2 sin((θ₁ − θ₀)/2) sin((θ₁ + θ₀)/2).
     let middle = s * (0.5 * more).sqrt() + c * (0.5 * less).sqrt();
     let half = 0.5 * fall.value() / middle;
-    // Of a deep fall the sine says little, and the difference of the tilts loses nothing: from 60° on both are right to a few units.
+    // For a deep fall the arcsine is ill-conditioned, while the difference of the tilts loses nothing: at 60° both are right to a few units.
     let depth = if half < 0.5 {
         2.0 * half.asin()
     } else {
-        // Half of the least tilt is none.
+        // Halving the least tilt may have rounded it to zero.
         (lowest_tilt - tilt).max(0.0)
     };
     let sine = tilt.sin();
@@ -290,8 +290,8 @@ pub fn dip(transverse: f64, weight_moment: f64, l3: f64, tilt: f64) -> Result<Di
 
 /// The least spin Ω₃ with which a top sleeps, 2√(I₁Mgl)/I₃, rad/s (7.5).
 ///
-/// The top sleeps if Ω₃² ≥ 4I₁Mgl/I₃². The tutorial displays >; at equality f = −2I₁Mgl(1 − h)³ is still negative below h = 1,
-/// and the top is still stable. Domain: I₁, I₃ > 0, Mgl ≥ 0. One rounding. Cost: a square root.
+/// The top sleeps if Ω₃² ≥ 4I₁Mgl/I₃². The tutorial has >; at equality f = −2I₁Mgl(1 − h)³ is still negative below h = 1,
+/// and the top is still stable. Domain: I₁, I₃ > 0, Mgl ≥ 0. Error: one rounding. Cost: a square root.
 ///
 /// # Errors
 /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive), [`Error::Negative`](crate::Error::Negative).
@@ -314,8 +314,8 @@ pub fn sleeping_threshold(transverse: f64, axial: f64, weight_moment: f64) -> Re
 /// With u = 1 − cos θ: −2gu² + (4g − ε² − l²)u + 2ε² = 0, g = Mgl/I₁, l = L₃/I₁, ε the kick. So the tilt is proportional to ε
 /// above the threshold l² = 4g, to √ε on it, and below it never less than that of cos θ = l²/2g − 1.
 ///
-/// Domain: I₁ > 0, Mgl ≥ 0, L₃ and kick finite. Few units in the last place, next to the threshold too. An upright top that is
-/// not kicked stays. Cost: one square root of 106 bits.
+/// Domain: I₁ > 0, Mgl ≥ 0, L₃ and kick finite. Error: a few units in the last place, next to the threshold too. An upright top that is
+/// not kicked stays upright. Cost: one square root of 106 bits.
 ///
 /// # Errors
 /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive), [`Error::Negative`](crate::Error::Negative).
@@ -355,12 +355,12 @@ pub fn tilt_after_kick(transverse: f64, weight_moment: f64, l3: f64, kick: f64) 
     Ok(2.0 * one_less.root_of_quotient(one_more).atan())
 }
 
-/// The spherical pendulum that swings between two angles from the downward vertical, radians, from the smaller (7.6).
+/// The spherical pendulum that swings between two angles from the downward vertical, radians, starting at the smaller (7.6).
 ///
 /// A Lagrange top with I₁ = 1 and without spin; `gravity` is Mgl/I₁ (s⁻²), which is g over the length for a bob. At the start
 /// φ'² = gravity·sin²b/(sin²a cos((b−a)/2) cos((b+a)/2)). Equal angles make it a conical pendulum.
 ///
-/// Domain: 4.5·10⁻³⁰⁸ ≤ a ≤ b, a + b < π (the two turning points of a pendulum have their middle below the pivot), gravity > 0.
+/// Domain: 4.5·10⁻³⁰⁸ ≤ a ≤ b, a + b < π (the mean height of a pendulum's turning points is below the pivot), gravity > 0.
 ///
 /// # Errors
 /// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::OutOfRange`] for a and b.
@@ -387,7 +387,7 @@ pub fn pendulum_between(inner: f64, outer: f64, gravity: f64) -> Result<Lagrange
             greatest: PI - inner,
         });
     }
-    // The start is half the angle, which must have its digits.
+    // The quaternion of the start has half the angle, which must be a normal number.
     let least = 2.0 * f64::MIN_POSITIVE;
     within("the smaller angle", inner, least, 0.5 * PI)?;
     let across = outer.sin() * (gravity.sqrt() / (half_difference.cos() * half_sum.cos()).sqrt());
@@ -405,9 +405,9 @@ pub fn pendulum_between(inner: f64, outer: f64, gravity: f64) -> Result<Lagrange
 /// The spherical pendulum with these integrals (7.6): L_vert/I₁ (rad/s) and the energy over I₁ (s⁻²), zero at rest at the height of the pivot, under
 /// `gravity` Mgl/I₁ (s⁻²), which is g over the length for a bob. It starts where it is lowest.
 ///
-/// A Lagrange top with I₁ = 1 and without spin. With L_vert = 0 a plane pendulum, which at energy = gravity, exactly, climbs to the upright position for ever
-/// ([`Nutation::Waking`](super::Nutation::Waking)). Small swings, whose energy is next to −gravity, are better told by their angles
-/// ([`pendulum_between`]). Domain: gravity > 0, each energy that a motion with this L_vert has. Cost: that of [`LagrangeTop::from_integrals`].
+/// A Lagrange top with I₁ = 1 and without spin. With L_vert = 0 it is a plane pendulum; if moreover energy = gravity exactly, it approaches the upright position for ever
+/// ([`Nutation::Waking`](super::Nutation::Waking)). Small swings, whose energy is next to −gravity, are better given by their angles
+/// ([`pendulum_between`]). Domain: gravity > 0, every energy that a motion with this L_vert can have. Cost: that of [`LagrangeTop::from_integrals`].
 ///
 /// # Errors
 /// [`Error::NotFinite`], [`Error::NotPositive`] for gravity, [`Error::Condition`] for an energy below that of the conical pendulum with this L_vert.
@@ -426,20 +426,20 @@ pub fn pendulum_from_integrals(l_vert: f64, energy: f64, gravity: f64) -> Result
     LagrangeTop::from_integrals(1.0, 1.0, gravity, 0.0, l_vert, energy)
 }
 
-/// By how much the ellipse of a spherical pendulum turns from one greatest swing to the next (7.6).
+/// The angle by which the ellipse of a spherical pendulum turns from one greatest swing to the next (7.6).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Apsides {
-    /// Azimuth gained from one smallest angle to the next less π, radians.
+    /// Azimuth gained from one smallest angle to the next, less π, radians.
     pub advance: f64,
-    /// (3/8)ab·π, radians: the same for small swings.
+    /// (3/8)ab·π, radians: the law for small swings.
     pub small_swing: f64,
 }
 
 /// The advance of the apsides of a spherical pendulum between the angles a ≤ b, exactly and by the small-swing law (3/8)ab·π (7.6).
 ///
-/// Both angles in radians from the downward vertical; the ellipse turns the way the bob goes. Independent of gravity. The exact
-/// advance is a difference from π, with an absolute error of some 10⁻¹⁵ rad. The law falls short by the part b²/6 or so.
-/// Domain as [`pendulum_between`]. Cost: one Lagrange top prepared.
+/// Both angles in radians from the downward vertical; the ellipse turns in the direction of the bob. Independent of gravity. The exact
+/// advance is a difference from π, with an absolute error of some 10⁻¹⁵ rad. The law is too small by a fraction of about b²/6.
+/// Domain as [`pendulum_between`]. Cost: preparing one Lagrange top.
 ///
 /// # Errors
 /// As [`pendulum_between`].

@@ -1,9 +1,9 @@
-//! The attitude at any time: in closed form, and where there is none carried along from stretch to stretch (8.2).
+//! The attitude at any time: in closed form, or where there is none by power series, step by step (8.2).
 
 use nalgebra::Quaternion;
 
 use super::constants::{Phase, WidePhase};
-use super::taylor::{Carried, Series, about_third, shortest};
+use super::taylor::{FullState, Series, about_third, shortest};
 use super::top::{KovalevskayaTop, LONGEST, Motion, State};
 use crate::error::{Error, Result};
 use crate::euler_equations::TopState;
@@ -13,12 +13,12 @@ use crate::precise::{DoubleDouble, Number};
 impl KovalevskayaTop {
     /// Ω, z and attitude at time t (s).
     ///
-    /// The angle about the vertical takes one more quadrature, by four theta functions. Cost: 1.6 µs whatever the time, 2.7 for a start with axis 3 exactly upright. By power series, times up to 4096 units of the motion are walked, Ω and z in 106 bits from the very doubles given: on
-    /// each short stretch the attitude follows from the power series of Ω, and its tilt from z, so that only the angle collects errors; 0.4 ms a unit. Error: [`stated_error`](Self::stated_error).
+    /// The angle about the vertical takes one more quadrature, by four theta functions. Cost: 1.6 µs whatever the time, 2.7 for a start with axis 3 exactly upright. Where there is no closed form, power series go step by step, up to 4096 units of the motion, with Ω and z in 106 bits from the exact doubles given. In
+    /// each step the attitude follows from the series of Ω, and its tilt is corrected by z, so that only the azimuth accumulates errors; 0.4 ms a unit. Error: [`stated_error`](Self::stated_error).
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::OutOfRange`](crate::Error::OutOfRange) for |t| beyond 10⁹ units of the motion (4096 where there is no series), [as for Ω and z](Self::omega_and_up);
-    /// [`Error::Integration`](crate::Error::Integration) where the motion amplifies what is rounded more than 10¹⁷ times until then, with the time at which that much is reached.
+    /// [`Error::Integration`](crate::Error::Integration) if the motion has amplified rounding more than 10¹⁷ times by then, with the time at which it does.
     ///
     /// ```
     /// use spinning_bodies::{frame::{BodyVector, SpaceVector}, kovalevskaya_top::KovalevskayaTop};
@@ -33,7 +33,7 @@ impl KovalevskayaTop {
         Walk::from_start(self).to(t)
     }
 
-    /// The states at these times, one after another; where they have to be walked to, each from the one before: best in ascending order.
+    /// The states at these times, one after another. Power series go on from one time to the next, so ascending order is best.
     ///
     /// # Errors
     /// Each as for [`at`](Self::at).
@@ -55,9 +55,9 @@ impl KovalevskayaTop {
         times.into_iter().map(move |t| walk.to(t))
     }
 
-    /// To the units and axes of the body.
-    fn placed(&self, (state, attitude): &Carried) -> State {
-        let TopState { omega, up } = self.outward(state);
+    /// Converts a state to SI units and the body's axes.
+    fn restored(&self, (state, attitude): &FullState) -> State {
+        let TopState { omega, up } = self.restored_state(state);
         let turned = attitude * about_third(-self.heading);
         State {
             omega,
@@ -69,20 +69,20 @@ impl KovalevskayaTop {
     }
 }
 
-/// Units of time that are walked at most.
+/// The longest time, in units of the motion, that power series follow.
 const LONGEST_WALK: f64 = 4096.0;
 
-/// How far off a walk in doubles may have come where one in 106 bits is trusted: that one is then off by at most 2⁻⁴⁸ times as much, 1e-13.
+/// The greatest error of a walk in doubles up to which a walk in 106 bits is trusted: its error is then at most 2⁻⁴⁸ times this, 1e-13.
 const LOST: f64 = 28.0;
 
-/// A place on the way, from which the next is reached.
+/// A state on the way through time, from which the next is reached by power series.
 struct Walk<'a> {
     top: &'a KovalevskayaTop,
     time: f64,
-    here: Carried,
+    here: FullState,
     /// The same Ω and z in 106 bits.
     wide: WidePhase,
-    /// By how much a walk in doubles would be off here: what rounding came to, as the motion has amplified it.
+    /// The error that a walk in doubles would have here: its rounding, amplified by the motion.
     off: Phase,
 }
 
@@ -99,32 +99,32 @@ impl<'a> Walk<'a> {
 
     fn to(&mut self, t: f64) -> Result<State> {
         let top = self.top;
-        let carried = match &top.motion {
+        let state = match &top.motion {
             _ if t == 0.0 => top.start,
             Motion::Free(free) => {
-                let state = free.at(top.inward_time(t, f64::MAX)?)?;
+                let state = free.at(top.scaled_time(t, f64::MAX)?)?;
                 let up = state.attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0));
                 let attitude = state.attitude.quaternion().into_inner();
                 let [p, q, r]: [f64; 3] = state.omega.components().into();
                 ([p, q, r, up.x(), up.y(), up.z()], attitude)
             }
-            Motion::Pendulum(pendulum) => pendulum.carried(top.inward_time(t, LONGEST)?)?,
+            Motion::Pendulum(pendulum) => pendulum.full_state(top.scaled_time(t, LONGEST)?)?,
             Motion::Separated(separated) => {
-                separated.carried(&top.constants, top.inward_time(t, LONGEST)?)
+                separated.full_state(&top.constants, top.scaled_time(t, LONGEST)?)
             }
             Motion::Stepped(_) => {
-                let target = top.inward_time(t, LONGEST_WALK)?;
+                let target = top.scaled_time(t, LONGEST_WALK)?;
                 while self.time != target {
                     self.stretch(target)?;
                 }
                 self.here
             }
         };
-        Ok(top.placed(&carried))
+        Ok(top.restored(&state))
     }
 
-    /// Towards a target as far as the series reach. Ω and z are carried in 106 bits, and beside them what a walk in doubles would be off by: what came of its rounding before, by the
-    /// linear equations of a motion nearby, and the rounding of this stretch.
+    /// Goes towards a target time as far as the series converge. Ω and z are carried in 106 bits, together with the error of a walk in doubles: its earlier rounding, propagated by the
+    /// linearised equations, plus the rounding of this stretch.
     fn stretch(&mut self, target: f64) -> Result<()> {
         let c = self.top.constants.c;
         let series = Series::<f64, 10>::of(c.value(), &self.here);
@@ -133,11 +133,11 @@ impl<'a> Walk<'a> {
         let rest = target - self.time;
         let step = rest.clamp(-reach, reach);
         let next = self.time + step;
-        // A stretch too short to move the clock cannot be; if it were, this ends the walk.
+        // A stretch too short to advance the time cannot occur; if it did, this would end the walk.
         let last = step == rest || next == self.time;
         let next = if last { target } else { next };
         let h = DoubleDouble::difference(next, self.time);
-        let (rounded, carried) = series.carried(h.value());
+        let (rounded, attitude) = series.full_state(h.value());
         let grown = series.nearby(c.value(), &self.off, h.value());
         (self.time, self.wide) = (next, wide.after(h));
         self.off = core::array::from_fn(|n| {
@@ -145,16 +145,16 @@ impl<'a> Walk<'a> {
         });
         if !self.off.iter().all(|x| x.abs() < LOST) {
             return Err(Error::Integration {
-                reason: "rounding has been amplified 10^17 times by then, more than 106 bits allow",
+                reason: "the motion has amplified rounding 10^17 times by then, more than 106 bits allow",
                 time: self.time / self.top.unit,
             });
         }
         let state = self.wide.map(DoubleDouble::value);
-        let carried = carried / carried.norm();
+        let attitude = attitude / attitude.norm();
         let [.., z1, z2, z3] = state;
-        // Where the body's z stands in space now it must stand upright.
-        let vertical = carried * Quaternion::new(0.0, z1, z2, z3) * carried.conjugate();
-        let upright = shortest([vertical.i, vertical.j, vertical.k]) * carried;
+        // z, carried into space by this attitude, must be vertical.
+        let vertical = attitude * Quaternion::new(0.0, z1, z2, z3) * attitude.conjugate();
+        let upright = shortest([vertical.i, vertical.j, vertical.k]) * attitude;
         self.here = (state, upright);
         Ok(())
     }

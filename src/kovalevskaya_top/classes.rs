@@ -1,4 +1,4 @@
-//! The motions with a double root: Appelrot's classes, and where they lie among all motions (8.2).
+//! The motions with a double root: Appelrot's classes, and their place among all motions (8.2).
 
 use nalgebra::Complex;
 
@@ -6,18 +6,18 @@ use super::constants::{Constants, Root};
 use crate::error::{Result, finite, not_negative, positive};
 use crate::precise::{DoubleDouble, Number};
 
-/// How the five roots e₁ … e₅ lie. All but [`General`](Self::General) and [`EulerSymmetric`](Self::EulerSymmetric) are Appelrot's
-/// classes of *particularly remarkable* motions: a double root, where s₁ or s₂ may rest, or come to rest in infinite time, and the
+/// The kind of motion, by the position of the five roots e₁ … e₅. All but [`General`](Self::General) and [`EulerSymmetric`](Self::EulerSymmetric) are Appelrot's
+/// classes of *particularly remarkable* motions: they have a double root, at which s₁ or s₂ may rest, or come to rest in infinite time, and the
 /// functions of time are elliptic or elementary.
 ///
-/// Equal means equal to 8 eps of the terms compared, the rounding of the start.
+/// Roots count as equal if they agree to 8 eps of the terms compared, the rounding of the start.
 ///
-/// What is answered there: Delaunay's, upright starts and pendulums in closed form at any time. On another shared root or double root of the cubic, given in doubles, mostly so as well, for rounding leaves the two roots apart; where
-/// they are one to 17 digits (9, if both are the cubic's) and s₁ or s₂ comes to them, or another root is as near, the motion is walked in 106 bits, and refused once it is amplified 10¹⁷ times.
+/// How they are solved: Delaunay's case, upright starts and pendulums in closed form at any time. Starts in doubles with another shared root, or a double root of the cubic, mostly too, because rounding separates the two roots. Where
+/// they agree to 17 digits (9, if both are the cubic's) and s₁ or s₂ reaches them, or another root is as near, the motion is followed by power series in 106 bits, and refused once it has amplified rounding 10¹⁷ times.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Kind {
-    /// Five different roots: two periods that have nothing to do with each other.
+    /// Five different roots: in general two incommensurable frequencies.
     General,
     /// K = 0, e₄ = e₅: Delaunay's case, Appelrot's first class. Ω and z obey (Ω₁+iΩ₂)² = c(z₁+iz₂), two conditions instead of one.
     Delaunay,
@@ -27,11 +27,11 @@ pub enum Kind {
     SharedLower,
     /// Two roots of the cubic coincide: Appelrot's fourth class.
     CubicDouble,
-    /// C = O: no gravity to speak of; Euler's symmetric top with I₁ = 2I₃ (6.5).
+    /// C = O: gravity has no torque; Euler's symmetric top with I₁ = 2I₃ (6.5).
     EulerSymmetric,
 }
 
-/// Which kind, by the constants in 106 bits.
+/// The kind, decided by the constants in 106 bits.
 pub(super) fn classify(constants: &Constants) -> Kind {
     const ROUNDED: f64 = 8.0 * f64::EPSILON;
     let Constants { c, l1, l, k, .. } = *constants;
@@ -40,13 +40,13 @@ pub(super) fn classify(constants: &Constants) -> Kind {
     let size = energy.value().abs() + doubled.value() + k.value() + 2.0 * c.value();
     let small = |x: DoubleDouble| x.value().abs() <= ROUNDED * size;
     let [first, second, third, fourth, fifth] = constants.roots();
-    // Weak gravity brings both together, whatever L_vert is: the conditions below are these distances over c².
+    // Weak gravity brings roots together whatever L_vert is: the conditions below are their distances over c².
     let meets = |root: &Root| {
         let cubic = [first, second, third];
         cubic.iter().any(|e| e.from(root).norm() <= ROUNDED * size)
     };
     let spread = second.from(&third).re.hypot(2.0 * second.imaginary.value());
-    // The square of the distance is what a rounded start determines.
+    // A rounded start determines the square of the distance.
     let greatest = first.real.value().abs();
     if c.high() == 0.0 {
         Kind::EulerSymmetric
@@ -88,7 +88,7 @@ impl Diagram {
         Ok(Self { c, k })
     }
 
-    /// h on the line [`Kind::SharedUpper`]: 2(e + k). From e′ = 2e₄ − l₁ = k, where d + e′² = c². Negative h: no motion there.
+    /// h on the line [`Kind::SharedUpper`]: 2(e + k), from e′ = 2e₄ − l₁ = k, where d + e′² = c². If it is negative, no motion belongs to it.
     ///
     /// ```
     /// # use spinning_bodies::kovalevskaya_top::Diagram;
@@ -115,7 +115,7 @@ impl Diagram {
     }
 
     /// h on the two branches of the curve [`Kind::CubicDouble`], with the double root s = ±√(g₂/12) of 4s³ − g₂s − g₃:
-    /// l²c² = −8s³ − l₁(k² − c² − l₁²); nothing where g₂ < 0.
+    /// l²c² = −8s³ − l₁(k² − c² − l₁²); `None` where g₂ < 0.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite).

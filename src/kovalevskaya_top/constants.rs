@@ -1,4 +1,4 @@
-//! What stays the same, and the five roots that follow from it (8.2).
+//! The constants of the motion, and the five roots that follow from them (8.2).
 
 use crate::precise::{DoubleDouble, Number};
 
@@ -15,7 +15,7 @@ pub(super) type Phase = [f64; 6];
 /// The same in 106 bits.
 pub(super) type WidePhase = [Wide; 6];
 
-/// The constants of a motion in 106 bits: rounding them to doubles would move a narrow pair of roots.
+/// The constants of a motion in 106 bits: rounding them to doubles would move two close roots.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Constants {
     /// c = MgC₁/I₃.
@@ -28,12 +28,12 @@ pub(super) struct Constants {
     pub k: Wide,
     /// d = c² − k².
     pub d: Wide,
-    /// Whether z was along axis 3 at the start, exactly: 3l₁ − k = 2l² then, by algebra, and e₅ is a root of the cubic.
+    /// Whether z was exactly along axis 3 at the start: then 3l₁ − k = 2l² identically, and e₅ is a root of the cubic.
     pub upright: bool,
 }
 
 impl Constants {
-    /// Of a start with |z| = 1.
+    /// The constants of a start with |z| = 1.
     pub fn of(c: Wide, &[p, q, r, z1, z2, z3]: &WidePhase) -> Self {
         let square = |x: Wide| x * x;
         let twice_energy = (square(p) + square(q)).scaled(2.0) + square(r) + (z1 * c).scaled(2.0);
@@ -67,7 +67,7 @@ impl Constants {
         (self.l * (m - self.k) * (m + self.k)).scaled(0.5)
     }
 
-    /// Coefficients g₂, g₃ of her cubic 4s³ − g₂s − g₃.
+    /// Coefficients g₂, g₃ of Kovalevskaya's cubic 4s³ − g₂s − g₃.
     fn invariants(&self) -> [Wide; 2] {
         let square = self.l1 * self.l1;
         let g2 = square.times(3.0) - self.d;
@@ -77,9 +77,9 @@ impl Constants {
     }
 
     // ANCHOR: roots
-    /// e₁, e₂, e₃, the roots of 4s³ − g₂s − g₃ with e₁ the greatest in size, and e₄, e₅ = (l₁ ± k)/2.
+    /// e₁, e₂, e₃, the roots of 4s³ − g₂s − g₃ with e₁ the greatest in magnitude, and e₄, e₅ = (l₁ ± k)/2.
     ///
-    /// The three add up to zero, so the greatest in size keeps its distance from the others. It is found by Newton's
+    /// The sum of the three is zero, so the greatest in magnitude keeps its distance from the others. It is found by Newton's
     /// method from outside, and the others from s² + e₁s + e₁² − g₂/4: their distance √(g₂ − 3e₁²) is never a difference
     /// of rounded roots.
     pub fn roots(&self) -> [Root; 5] {
@@ -108,7 +108,7 @@ impl Constants {
         self.beside(first)
     }
 
-    /// All five, from one of the cubic's.
+    /// All five roots, from one root of the cubic.
     fn beside(&self, first: Wide) -> [Root; 5] {
         let [g2, _] = self.invariants();
         let spread = g2 - (first * first).times(3.0);
@@ -133,7 +133,7 @@ impl Constants {
         let cubic = &mut roots[..3];
         if second.is_real() {
             cubic.sort_by(|x, y| y.real.high().total_cmp(&x.real.high()));
-            // The greatest in size is on the other side of zero.
+            // The root of greatest magnitude has the opposite sign.
             let shift = usize::from(cubic[1].real.high() > 0.0);
             cubic.rotate_right(shift);
         }

@@ -1,4 +1,4 @@
-//! Ω and z by separation, and the trial that decides between her road and the power series.
+//! Ω and z by separation, and the trial that decides between it and the power series.
 
 use core::iter::successors;
 
@@ -6,17 +6,17 @@ use super::constants::{Constants, Phase, WidePhase};
 use super::periods::Curve;
 use super::separation::{Separation, Variables};
 use super::solution::{Quotients, Reconstruction, Torus, distance};
-use super::taylor::{Carried, Series, project};
+use super::taylor::{FullState, Series, project};
 use crate::precise::{DoubleDouble, Number};
 
-/// Why a motion is integrated and not solved by separation.
+/// Why a motion is followed by power series and not solved by separation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Reason {
-    /// Two of the five roots coincide, or nearly: s₁ rests on them or comes to them only after infinite time, or the linear system loses digits.
+    /// Two of the five roots coincide, or nearly: s₁ rests on them or reaches them only after infinite time, or the linear system loses digits.
     DoubleRoot,
-    /// The linear system loses digits: her formulas give the start, or the motion some time later, only to this much, in units in
-    /// which Ω and √(MgC₁/I₃) are at most of size 2. So it is for gravity that is weak against the spin.
+    /// The linear system loses digits, as it does if gravity is weak compared with the spin: the formulas reproduce the start, or the motion some time
+    /// later, only to this error, in units in which Ω and √(MgC₁/I₃) are at most of size 2.
     Cancellation(f64),
 }
 
@@ -29,45 +29,45 @@ pub(super) struct Exact {
     quotients: Quotients,
     /// Turns of the phases at time 0, halved.
     origin: [f64; 2],
-    /// Whether a handle of the curve is closed, so that the phases do not return.
+    /// Whether two roots coincide between which s₁ or s₂ passes, so that the motion is not periodic in the phases.
     pub closed: bool,
 }
 
 /// States with attitudes by power series from time 0 on.
-pub(super) type Trial = Vec<(f64, Carried)>;
+pub(super) type Trial = Vec<(f64, FullState)>;
 
-/// The largest disagreement with which separation is trusted, over c where that is below 1, and whatever c: of 1000 random starts none had more than 1e-14 at the
-/// start; beside double roots more.
+/// The greatest disagreement up to which separation is trusted: the first divided by c where c < 1, the second for all c. Of 1000 random starts none had more than 1e-14 at the
+/// start; near double roots some had more.
 const TRUSTED: [f64; 2] = [3e-13, 1e-12];
 
-/// States that tell which half periods belong to a, and from which α is taken as a mean, where its whole turns are all that is in question as a rule.
+/// Number of states that decide which half periods belong to a, and over which α is averaged, usually only to find its whole turns.
 const STATES: i32 = 6;
 
 /// How long the trial lasts, in units of the motion.
 const TRIAL: f64 = 3.0;
 
 impl Exact {
-    /// Roots, band, periods, signs and phases of a start; tried at the start and at a later time against the power series.
+    /// The solution of a start, tried at the start and at later times against the power series.
     pub fn find(
         constants: &Constants,
         wide: &WidePhase,
-        whole: &Carried,
+        whole: &FullState,
     ) -> Result<(Self, Trial), Reason> {
         let exact = Self::nearest(constants, wide, &whole.0).ok_or(Reason::DoubleRoot)?;
         let c = constants.c.value();
         let path = successors(Some((0.0, *whole)), |(t, here)| {
             let series = Series::<f64, 10>::of(c, here);
             let step = series.reach.min(TRIAL - t);
-            (step > 0.0).then(|| (t + step, series.carried(step)))
+            (step > 0.0).then(|| (t + step, series.full_state(step)))
         });
         let trial: Trial = path.collect();
-        let off = |(t, (state, _)): &(f64, Carried)| distance(&exact.state(constants, *t), state);
+        let off = |(t, (state, _)): &(f64, FullState)| distance(&exact.state(constants, *t), state);
         let worst = trial.iter().map(off).fold(0.0, f64::max);
         let trusted = (TRUSTED[0] / c.min(1.0)).min(TRUSTED[1]);
         if worst <= trusted {
             Ok((exact, trial))
         } else if exact.separation.narrowest < 1e-2 * c.min(1.0).powi(2) {
-            // Weak gravity brings roots together by itself, to some c².
+            // Weak gravity alone brings roots together, to a distance of order c².
             Err(Reason::DoubleRoot)
         } else {
             Err(Reason::Cancellation(worst))
@@ -100,10 +100,10 @@ impl Exact {
         })
     }
 
-    /// Phases, halved, that are spread over the torus; on a double root, of times about 0.
+    /// Sample phases, halved: spread over the torus, or on a double root those of times about 0.
     pub fn spread(&self) -> impl Iterator<Item = [f64; 2]> {
         (0..STATES).map(|n| {
-            // Multiples of the plastic number's powers spread most evenly.
+            // Multiples of inverse powers of the plastic number are spread most evenly.
             let part = |x: f64| (0.1 + f64::from(n) * x).fract();
             if self.closed {
                 self.halved(f64::from(n) - 2.5)
@@ -117,7 +117,7 @@ impl Exact {
         self.at_turns(constants, self.halved(t))
     }
 
-    /// Turns of the two phases, halved, from 0 to 1: a state returns when one of these gains 1, or never on a double root.
+    /// Turns of the two phases at time `t`, halved and reduced to 0…1: a state returns when one of them gains 1, or never on a double root.
     pub fn halved(&self, t: f64) -> [f64; 2] {
         let v = [0, 1].map(|i| self.curve.advance[i].times(t) + DoubleDouble::from(self.origin[i]));
         let high = v.map(DoubleDouble::high);
@@ -128,7 +128,7 @@ impl Exact {
         [0, 1].map(|i| (v[i] - DoubleDouble::from(whole[i])).value())
     }
 
-    /// The state where the phases have turned so far, halved.
+    /// The state at the phases v, halved.
     pub fn at_turns(&self, constants: &Constants, v: [f64; 2]) -> Phase {
         project(
             constants,

@@ -1,31 +1,31 @@
-//! The motions in which C keeps to a vertical plane: a pendulum about axis 2 or axis 3, or none, with C right above O or below (8.2).
+//! The motions in which C stays in a vertical plane: a pendulum about axis 2 or axis 3, or rotation about axis 1 with C right above O or right below (8.2).
 //!
-//! Ω along axis 2 or 3 with z at right angles to it stays so, and Ω along axis 1 with z along the same does not change at all. Two or more of the five roots are one. With axis 1 called the third,
-//! all three are motions of Lagrange's top without spin about C, or asleep: [`LagrangeTop`] has them from the very numbers given, next to the separatrix and on it.
+//! If Ω is along axis 2 or 3 and z at right angles to it, both stay so; if Ω and z are along axis 1, neither changes. Two or more of the five roots coincide. With axis 1 called the third,
+//! all three are motions of Lagrange's top, without spin about C or asleep: [`LagrangeTop`] solves them from the exact numbers given, near the separatrix and on it.
 
 use nalgebra::Quaternion;
 
 use super::constants::{Constants, WidePhase};
-use super::taylor::Carried;
+use super::taylor::FullState;
 use crate::error::Result;
 use crate::lagrange_top::{Exact, LagrangeTop};
 use crate::precise::{DoubleDouble, Extended, Number};
 
-/// A motion about an axis that stays.
+/// A motion about a fixed axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Pendulum {
-    /// Its axes 1, 2, 3 are 2, 3, 1 here.
+    /// The Lagrange top whose axes 1, 2, 3 are axes 2, 3, 1 of this one.
     top: LagrangeTop,
-    /// About which of our axes it turns, counted from 0.
+    /// The axis of this top about which it turns, counted from 0.
     axis: usize,
-    /// The inverse of its attitude at time 0, and ours.
+    /// The inverse of the Lagrange top's attitude at time 0, and the attitude of this one.
     back: Quaternion<f64>,
     start: Quaternion<f64>,
 }
 
 impl Pendulum {
-    /// None if the start is not in such a plane, exactly.
-    pub fn find(constants: &Constants, wide: &WidePhase, &(_, start): &Carried) -> Option<Self> {
+    /// `None` unless the start is exactly of this kind.
+    pub fn find(constants: &Constants, wide: &WidePhase, &(_, start): &FullState) -> Option<Self> {
         let [p, q, r, z1, z2, z3] = *wide;
         let none = |all: &[DoubleDouble]| all.iter().all(|x| x.high() == 0.0);
         let axis = if none(&[p, r, z2]) {
@@ -38,7 +38,7 @@ impl Pendulum {
             return None;
         };
         let (one, zero) = (DoubleDouble::from(1.0), DoubleDouble::from(0.0));
-        // Any turn of z onto the vertical will do: here one of which no number is small.
+        // Any rotation of z onto the vertical will do; this one has no small denominator.
         let (far, turn) = if z1.high() < 0.0 {
             (one - z1, [z3, one - z1, zero, z2])
         } else {
@@ -61,8 +61,8 @@ impl Pendulum {
         })
     }
 
-    /// The state and how it stands.
-    pub fn carried(&self, t: f64) -> Result<Carried> {
+    /// The state with its attitude at time `t`.
+    pub fn full_state(&self, t: f64) -> Result<FullState> {
         let state = self.top.at(t)?;
         let [q, r, p]: [f64; 3] = state.omega.components().into();
         let [z2, z3, z1]: [f64; 3] = state.up.components().into();

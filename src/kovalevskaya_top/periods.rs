@@ -1,10 +1,10 @@
-//! The rest of the curve w² = P(s): its period matrix, and the point that the vertical belongs to (8.2).
+//! The period matrix of the curve w² = P(s), and the point on it that belongs to the vertical (8.2).
 
 use super::constants::{Complex, Constants};
 use super::separation::{Separation, beside};
 use crate::precise::{DoubleDouble, Number as _};
 
-/// A half period ½(n + τm) of the curve, n and m even or odd.
+/// A half period ½(n + τm) of the curve, with n and m modulo 2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Half {
     pub n: [u8; 2],
@@ -20,7 +20,7 @@ impl Half {
         Self { n: [0, 0], m }
     }
 
-    /// The sum, whole periods left out.
+    /// The sum, modulo whole periods.
     pub fn plus(self, other: Self) -> Self {
         let sum = |a: [u8; 2], b: [u8; 2]| [a[0] ^ b[0], a[1] ^ b[1]];
         Self {
@@ -30,12 +30,12 @@ impl Half {
     }
 }
 
-/// m of the half periods ½(n + τm).
+/// The four m of the half periods ½(n + τm).
 pub(super) const MEASURES: [[u8; 2]; 4] = [[0, 0], [0, 1], [1, 0], [1, 1]];
 
-/// The period matrix τ and places on the torus, in turns of the two phases.
+/// The period matrix τ and points on the torus, in turns of the two phases.
 ///
-/// Both integrals are normalized: the first gains 1 as s₁ goes round its band and 0 as s₂ does, the second 0 and 1.
+/// The two integrals are normalized: the first gains 1 as s₁ goes round its interval and 0 as s₂ does, the second 0 and 1.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Curve {
     /// Y = Im τ.
@@ -46,17 +46,17 @@ pub(super) struct Curve {
     pub roots: [Half; 5],
     /// Turns of the phases a unit of time, halved.
     pub advance: [DoubleDouble; 2],
-    /// The one with which θ vanishes where s₁ or s₂ is infinite, counted from where s₁ = A and s₂ = C.
+    /// The half period with which θ vanishes where s₁ or s₂ is infinite, counted from s₁ = A and s₂ = C.
     pub infinite: Half,
 }
 
 impl Curve {
     // ANCHOR: curve
-    /// Gaps and cuts in turn from −∞: the cut of s₂, a gap, a band, and if all roots are real another gap and another band.
+    /// From −∞ the real line has in turn the cut of s₂, a gap, a cut, and if all roots are real another gap and another cut; integrals over the gaps give τ. `None` if the half periods do not fit.
     pub fn prepare(separation: &Separation) -> Option<Self> {
         let real = &separation.real;
         let [a, _, c] = separation.ends;
-        // The band of s₁ is the second cut or the third.
+        // s₁ moves on the second cut or on the third.
         let far = real[1] != a;
         let over_gap = |from: usize, to: usize, sign: usize| {
             let whole = across(separation, real[from], separation.apart[to]);
@@ -65,14 +65,14 @@ impl Curve {
         };
         let gap = || over_gap(0, real[1], 1).map(|x| x.im);
         let plus = |a: [f64; 2], b: [f64; 2]| [a[0] + b[0], a[1] + b[1]];
-        // The upper one of two complex roots, and how many real ones are to its left: only where that is one it is seen under the near gap.
+        // The upper one of two complex roots, and the number of real ones to its left: only if that is 1, the root lies opposite the first gap.
         let mut pair = Half::default();
         let [first, second] = if let Some(upper) = separation.upper() {
             let left = |i: &&usize| separation.apart[upper][**i].re > 0.0;
             let left = real.iter().filter(left).count();
             let (from, sign) = [(0, 1), (1, 0), (1, 0), (2, 0)][left];
             let whole = over_gap(from, upper, sign);
-            // On the way to it half of τ is passed, and real parts of a quarter.
+            // The integral to it contains half of a column of τ, and real parts of a quarter.
             let n = whole.map(|x| (x.re - 0.5).round().rem_euclid(2.0) as u8);
             let m = [1 - sign as u8, sign as u8];
             pair = to(far, from).plus(Half { n, m });
@@ -92,7 +92,7 @@ impl Curve {
         for (place, root) in real.iter().enumerate() {
             roots[*root] = to(far, place);
         }
-        // With it and with all of its sums with these, θ is odd.
+        // The half period that is odd, together with all of its sums with those of the roots.
         let odd = |half: Half| (half.n[0] & half.m[0]) ^ (half.n[1] & half.m[1]) == 1;
         let all = MEASURES
             .iter()
@@ -110,16 +110,16 @@ impl Curve {
     }
     // ANCHOR_END: curve
 
-    /// Half of the integrals from ∞ to Z, from where s₁ = A and s₂ = C.
+    /// Half of the integrals from ∞ to Z, for phases counted from s₁ = A and s₂ = C.
     ///
     /// Z lies in a gap between s₂ and s₁.
     pub fn point(&self, separation: &Separation) -> [Complex; 2] {
         let real = &separation.real;
         let over = |root: usize| -separation.apart[root][5].re;
-        // In which of the gaps Z lies.
+        // The gap in which Z lies.
         let far = real[1] != separation.ends[0];
         let base = 2 * usize::from(far && over(real[2]) > -over(real[1]));
-        // From the end that is nearer, or on this side of the complex roots; which sign the roots have is open as long as the half periods are.
+        // From the nearer end, or from the end on this side of the complex roots; the sign of the square root stays open until the half periods are chosen.
         let upper = separation.upper();
         let from = separation.apart[real[base + 1]];
         let middle = upper.map_or(0.5 * from[real[base]].re, |upper| from[upper].re);
@@ -128,13 +128,13 @@ impl Curve {
         let inside = across(separation, real[nearer], place);
         let Half { n, m } = self.roots[real[nearer]].plus(self.roots[4]);
         let across = self.tau(m.map(f64::from));
-        // A quarter of a turn of each besides: v is counted from where s₁ = A and s₂ = C.
+        // Plus a quarter turn of each phase, because v is counted from s₁ = A and s₂ = C.
         [0, 1].map(|i| 0.25 * (across[i] + Complex::new(1.0 + f64::from(n[i]), inside[i].im)))
     }
 
-    /// α but for whole turns of v: l − ½ of the mean of N/((s₁−s)(s₂−s)), s that of Z.
+    /// α up to whole turns of v: l − ½ of the mean of N/((s₁−s)(s₂−s)), where s is that of Z.
     ///
-    /// A₊′ = 2l − N/((s₁−s)(s₂−s)) − d arg R/dt with a function R of the state, and the mean is one of two integrals of the third kind, one in s₁ and one in s₂.
+    /// A₊′ = 2l − N/((s₁−s)(s₂−s)) − d arg R/dt with a function R of the state, and the mean consists of two integrals of the third kind, one in s₁ and one in s₂.
     pub fn rate(constants: &Constants, separation: &Separation) -> DoubleDouble {
         constants.l - (separation.residue * separation.third_kind()).scaled(0.5)
     }
@@ -159,7 +159,7 @@ fn across(separation: &Separation, from: usize, mut place: [Complex; 6]) -> [Com
     if place[from].norm() == 0.0 {
         return [Complex::default(); 2];
     }
-    // Z does not count.
+    // Z does not enter.
     place[5] = f64::INFINITY.into();
     let [a, b, _] = separation.straight(from, &(place, 1.0));
     let [real, imaginary] = [0, 1].map(|part| {
@@ -170,7 +170,7 @@ fn across(separation: &Separation, from: usize, mut place: [Complex; 6]) -> [Com
     [0, 1].map(|i| Complex::new(real[i], imaginary[i]))
 }
 
-/// The half period from ∞ to the real root that is number `place` from below, over the cuts and gaps between.
+/// The half period from ∞ to the real root number `place` from below: the sum over the cuts and gaps passed.
 fn to(far: bool, place: usize) -> Half {
     let steps = [
         Half::along([0, 1]),

@@ -1,17 +1,17 @@
-//! The angle about the vertical by theta functions (8.2).
+//! The azimuth, the angle about the vertical, by theta functions (8.2).
 //!
 //! ξ = X + iY, the two horizontal axes of space seen from the body, obeys the same equation as z. From η₁² = ξ₁ + iξ₂ and
 //! η₂² = −(ξ₁ − iξ₂), so that η₁η₂ = ξ₃, come two quadratures, for the phases of η₁²  and η₂²:
 //!
 //! ∫(−r/2 + A₋′/2)dt and ∫(r/2 + A₊′/2)dt, A±′ = (2l ± r)/(1 ± z₃).
 //!
-//! A₊′ has poles where z₁ + iz₂ = 0 or z₁ − iz₂ = 0 with z₃ = −1, at complex times only. With m = Ω₁² + Ω₂² these states make the curve
-//! r²(c²+m²−k²) + 4lc²r + 4l²c² + 2(m−3l₁)(m²−k²) = 0, and this is w² = P(s) again: m = l₁ − 2s. On the complex torus of the motion the two curves
-//! are copies of the curve itself, moved apart by the integrals from ∞ to Z (s = l² − l₁), and A₊/2 less something that grows evenly is −2 arg G₊,
+//! A₊′ has poles where z₁ + iz₂ = 0 or z₁ − iz₂ = 0 with z₃ = −1, at complex times only. With m = Ω₁² + Ω₂² these states form the curve
+//! r²(c²+m²−k²) + 4lc²r + 4l²c² + 2(m−3l₁)(m²−k²) = 0, which is w² = P(s) again: m = l₁ − 2s. On the complex torus of the motion the two sets of poles
+//! are copies of the curve, shifted against each other by the integrals from ∞ to Z (s = l² − l₁), and A₊/2 less a part linear in time is −2 arg G₊,
 //!
-//! G = θ(v − a) θ(v − a − h), v the turns of the two phases, halved, a half of those integrals, h the half period from e₄ to e₅.
+//! G = θ(v − a) θ(v − a − h), where v are the turns of the two phases, halved, a is half of those integrals, and h the half period from e₄ to e₅.
 //!
-//! With z₃ = 1 the same comes out but for a half period added to a. So the azimuth of the third axis, the phase of ξ₃, is αt − arg G₊G₋.
+//! For z₃ = 1 the result is the same with a half period added to a. So the azimuth of the third axis, the phase of ξ₃, is αt − arg G₊G₋.
 
 use core::f64::consts::{PI, TAU};
 
@@ -20,11 +20,11 @@ use nalgebra::{Quaternion, UnitQuaternion};
 use super::constants::{Complex, Constants, I, Phase, WidePhase};
 use super::exact::{Exact, Reason, Trial};
 use super::periods::{Curve, Half, MEASURES};
-use super::taylor::{Carried, Series, about_third, shortest};
+use super::taylor::{FullState, Series, about_third, shortest};
 use super::theta::Family;
 use crate::precise::{DoubleDouble, Number as _, RIGHT_ANGLE};
 
-/// A motion solved by separation, attitude and all.
+/// A motion solved by separation, including the attitude.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Precession {
     pub exact: Exact,
@@ -33,31 +33,35 @@ pub(super) struct Precession {
     places: [Option<Half>; 4],
     /// α, which is the mean of α₊ and α₋, and 2α₊ and 2α₋.
     rates: [DoubleDouble; 3],
-    /// The arguments at time 0 of what advances at these rates.
+    /// The phases at time 0 of the three quantities that turn at these rates.
     angles: [f64; 3],
 }
 
-/// The largest disagreement about the angle at time 0, relative to the sine of the tilt.
+/// The greatest disagreement allowed between estimates of the angle at time 0, relative to the sine of the tilt.
 const TRUSTED: f64 = 1e-11;
 
-/// The largest disagreement about α between states.
+/// The greatest disagreement allowed between values of α from different states.
 const AGREEING: f64 = 1e-9;
 
-/// Where the sine of the tilt and K are both as small as this, their directions are rounding, a digit of the attitude.
+/// Where the sine of the tilt and K are both below this, the rounding of their directions would cost digits of the attitude.
 const POINTING: f64 = 1e-3;
 
 impl Precession {
-    pub fn find(constants: &Constants, wide: &WidePhase, whole: &Carried) -> Result<Self, Reason> {
+    pub fn find(
+        constants: &Constants,
+        wide: &WidePhase,
+        whole: &FullState,
+    ) -> Result<Self, Reason> {
         let (exact, trial) = Exact::find(constants, wide, whole)?;
         let quadrature = Self::quadrature(constants, exact);
-        let set_out = quadrature.and_then(|found| found.set_out(constants, &trial));
-        set_out.ok_or(Reason::DoubleRoot)
+        let solved = quadrature.and_then(|found| found.with_angles(constants, &trial));
+        solved.ok_or(Reason::DoubleRoot)
     }
 
     // ANCHOR: choice
-    /// G₊ and G₋: a is half of the integrals to Z, on the sheet that the sign of N tells, and one of sixteen half periods, of which h makes eight pairs; for G₋ the one to e₄ besides.
+    /// G₊ and G₋: a is half of the integrals to Z, on the sheet given by the sign of N, plus one of sixteen half periods, which h combines into eight pairs; for G₋ plus the one to e₄.
     ///
-    /// Which of the eight it is depends on the signs of the roots with which the start was found; the one that fits is told by A′/2 + 2 d arg G/dt being the same α everywhere.
+    /// Which of the eight is right depends on the signs of the roots that fitted the start; it is found as the one for which A′/2 + 2 d arg G/dt is the same α everywhere.
     fn quadrature(constants: &Constants, exact: Exact) -> Option<Self> {
         let sheet = -(1_f64.copysign(exact.separation.residue.high()));
         let a = exact.curve.point(&exact.separation).map(|x| sheet * x);
@@ -68,7 +72,7 @@ impl Precession {
             n: MEASURES[i % 4],
         });
         let l = constants.l.value();
-        // 1 ± z₃, A±′/2 times that, and the rates of the arguments.
+        // For sample phases: 1 ± z₃, A±′/2 times that, and the rates of the phases of the functions.
         let seen = exact.spread().map(|v| {
             let [_, _, r, .., z3] = exact.at_turns(constants, v);
             let functions = family.at(v, &all.map(Some), [0, 0]);
@@ -76,7 +80,7 @@ impl Precession {
             [1.0, -1.0].map(|side| (1.0 + side * z3, l + side * 0.5 * r, turning))
         });
         let seen: Vec<_> = seen.collect();
-        // α as a mean, each state trusted as far as its quotient is well-conditioned, and how far one of them is from it, roughly.
+        // α as a mean, each state weighted by how well-conditioned its quotient is, and the typical deviation from it.
         let fit = |side: usize, pair: [Half; 2]| {
             let told = seen.iter().map(|both| {
                 let (height, turn, turning) = &both[side];
@@ -106,8 +110,8 @@ impl Precession {
         let &([[a, b], [c, d]], fits) = Some(best).filter(|best| off(&best.1) < AGREEING)?;
         let known = Curve::rate(constants, &exact.separation);
         let [plus, minus] = fits.map(|(rough, scatter)| {
-            let known = settled(known, rough, exact.curve.advance);
-            // Beside a double root the integrals may lose digits, and the states know better; of an upright start they are those of the double root itself.
+            let known = nearest_rate(known, rough, exact.curve.advance);
+            // Near a double root the integrals may lose digits, and the mean over states is better; for an upright start the integrals are those of the double root itself.
             let off = (known.value() - rough).abs();
             if constants.upright || off <= 16.0 * scatter {
                 known
@@ -126,17 +130,17 @@ impl Precession {
     }
     // ANCHOR_END: choice
 
-    /// With the angles at time 0, from several states soon after: at one instant the third axis may be nearly upright, or rounding just there the
-    /// worst. None if they do not agree.
-    fn set_out(self, constants: &Constants, trial: &Trial) -> Option<Self> {
+    /// Completes the solution with the angles at time 0, estimated from several states soon after, since at a single instant the third axis may be nearly upright or
+    /// rounding at its worst. `None` if the estimates do not agree.
+    fn with_angles(self, constants: &Constants, trial: &Trial) -> Option<Self> {
         let seen = trial[1..].iter().map(|&(t, (state, attitude))| {
-            let sight = self.sight(constants, t, &state, attitude);
-            [0, 1, 2].map(|i| sight[i] * Complex::cis(-gained(self.rates[i], t)))
+            let turning = self.uniformly_turning(constants, t, &state, attitude);
+            [0, 1, 2].map(|i| turning[i] * Complex::cis(-angle_gained(self.rates[i], t)))
         });
         let seen: Vec<[Complex; 3]> = seen.collect();
         let sums = [0, 1, 2].map(|i| seen.iter().map(|all| all[i]).sum::<Complex>());
         let mean = sums[0].conj() / sums[0].norm();
-        // The attitude is as uncertain as the azimuth where the axis leans most: next to the vertical all the time it points nowhere.
+        // The azimuth is best determined where the axis leans most, and that decides how uncertain the attitude is.
         let most = seen
             .iter()
             .fold(0.0_f64, |most, all| most.max(all[0].norm()));
@@ -148,8 +152,8 @@ impl Precession {
         })
     }
 
-    /// What advances evenly, seen from an attitude, where it is not rounding: ξ₃G₊G₋, η₂⁴G₊⁴K and η₁⁴G₋⁴K̄, G± of length 1, and K as a part of the largest that it may be.
-    fn sight(
+    /// The three quantities whose phases are linear in time, for a given attitude: ξ₃G₊G₋, η₂⁴G₊⁴K and η₁⁴G₋⁴K̄, with G± normalised and K as a fraction of its bound; their magnitudes tell how well the phases are determined.
+    fn uniformly_turning(
         &self,
         constants: &Constants,
         t: f64,
@@ -173,19 +177,19 @@ impl Precession {
         ]
     }
 
-    /// The state and how it stands, from the exact Ω and z: z upright, and the third axis at its azimuth.
-    pub fn carried(&self, constants: &Constants, t: f64) -> Carried {
+    /// The state with its attitude at time `t`, from the exact Ω and z: z is vertical, and the third axis has its azimuth.
+    pub fn full_state(&self, constants: &Constants, t: f64) -> FullState {
         let state = self.exact.state(constants, t);
-        let (attitude, told) = self.turned(constants, t, &state);
-        if told > POINTING {
+        let (attitude, sharpness) = self.attitude(constants, t, &state);
+        if sharpness > POINTING {
             return (state, attitude);
         }
-        // From a moment ago, when the third axis leaned: what is missing is a turn about the vertical.
+        // From a moment before, when the third axis leaned; the power series carries the attitude on, and only a turn about the vertical is corrected.
         let series = Series::<f64, 10>::of(constants.c.value(), &(state, attitude));
         let ago = series.reach.min(1.0);
-        let (before, rough) = series.carried(-ago);
-        let (known, better) = self.turned(constants, t - ago, &before);
-        if better < told {
+        let (before, rough) = series.full_state(-ago);
+        let (known, better) = self.attitude(constants, t - ago, &before);
+        if better < sharpness {
             return (state, attitude);
         }
         let missing = known * rough.conjugate();
@@ -193,19 +197,19 @@ impl Precession {
         (state, about_third(turn) * attitude)
     }
 
-    /// How a state stands, and how well its azimuth is told.
-    fn turned(&self, constants: &Constants, t: f64, state: &Phase) -> (Quaternion<f64>, f64) {
+    /// The attitude of a state, and how well its azimuth is determined.
+    fn attitude(&self, constants: &Constants, t: f64, state: &Phase) -> (Quaternion<f64>, f64) {
         let &[.., z1, z2, z3] = state;
         let upright = shortest([z1, z2, z3]);
-        let sight = self.sight(constants, t, state, upright);
-        let angle = |i: usize| self.angles[i] + gained(self.rates[i], t) - sight[i].arg();
+        let turning = self.uniformly_turning(constants, t, state, upright);
+        let angle = |i: usize| self.angles[i] + angle_gained(self.rates[i], t) - turning[i].arg();
         let third = angle(0);
-        // Near the poles the third axis points nowhere; there η₁ or η₂ tells the angle, but for half a turn, unless K is small. Which is better is told by the sine of the
-        // tilt and the size of K.
+        // Near the vertical the third axis has no azimuth; there η₁ or η₂ gives the angle up to half turns, unless K is small. The sine of the tilt and the size of K
+        // decide which is better.
         let side = if z3 < 0.0 { 2 } else { 1 };
         let [tilt, size] = [
-            sight[0].norm(),
-            sight[side].norm() / (1.0 + z3.abs()).powi(2),
+            turning[0].norm(),
+            turning[side].norm() / (1.0 + z3.abs()).powi(2),
         ];
         let angle = if tilt < size {
             let half = 0.5 * angle(side);
@@ -217,15 +221,15 @@ impl Precession {
     }
 }
 
-/// What an angle gains in a time, but for whole turns.
-fn gained(rate: DoubleDouble, t: f64) -> f64 {
+/// The growth of an angle in the time `t`, up to whole turns.
+fn angle_gained(rate: DoubleDouble, t: f64) -> f64 {
     let angle = rate * DoubleDouble::from(t);
     let turns = DoubleDouble::from((angle.value() / TAU).round());
     (angle - RIGHT_ANGLE.scaled(4.0) * turns).value()
 }
 
-/// The rate that is nearest to a rough one among those that half turns of v set apart.
-fn settled(known: DoubleDouble, rough: f64, advance: [DoubleDouble; 2]) -> DoubleDouble {
+/// Of the rates that differ from `known` by half turns of v per unit of time, the one nearest to `rough`.
+fn nearest_rate(known: DoubleDouble, rough: f64, advance: [DoubleDouble; 2]) -> DoubleDouble {
     const MOST: i32 = 16;
     let [first, second] = advance.map(|x| x * RIGHT_ANGLE.scaled(2.0));
     let off = |x: &DoubleDouble| (x.value() - rough).abs();

@@ -1,39 +1,39 @@
-//! Her separation variables s₁, s₂, and the integrals that time and phases are made of (8.2).
+//! Kovalevskaya's separation variables s₁, s₂, and the integrals that give time and phases (8.2).
 
 use core::f64::consts::TAU;
 
 use super::constants::{Complex, Constants, I, Root};
 use crate::precise::{DoubleDouble, Number as _, power_of_two_below};
 
-/// A place on the line of s, counted from the five roots and from Z, the point that the vertical belongs to: ω(s − e) of each, infinite where Z does not count, and ω ≥ 0, which is 0 at −∞.
+/// A value of s, given by its distances from the five roots and from Z, the point that belongs to the vertical: ω(s − e) for each, infinite where Z does not matter, and ω ≥ 0, which is 0 at −∞.
 pub(super) type Place = ([Complex; 6], f64);
 
-/// The band of s₁, the end of s₂, and the real periods.
+/// The interval in which s₁ moves, the turning point of s₂, and the real periods.
 ///
-/// s₁ swings between two neighbouring roots A < B of P, s₂ comes from −∞, turns at the smallest root C and goes back; it is infinite whenever q = 0.
+/// s₁ swings between two neighbouring roots A < B of P; s₂ comes from −∞, turns at the smallest root C and goes back; it is infinite whenever q = 0.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Separation {
     /// The roots e₁ … e₅.
     pub roots: [Root; 5],
     /// The real ones in ascending order.
     pub real: Vec<usize>,
-    /// Which root is A, B and C.
+    /// The numbers of the roots A, B and C.
     pub ends: [usize; 3],
-    /// The distances e_i − e_j, each rounded once, and that from Z. Where e₄ and e₅ are one, they are taken apart by what no digit of the motion shows.
+    /// The distances e_i − e_j, each rounded once, and that from Z. Where two roots coincide, they are separated by less than any digit of the motion shows.
     pub apart: [[Complex; 6]; 5],
-    /// The smallest distance of two roots, as a part of the greatest; e₄ and e₅ may meet at no loss.
+    /// The smallest distance of two roots as a fraction of the greatest, without that of e₄ and e₅, which may coincide without loss.
     pub narrowest: f64,
     widest: f64,
-    /// A − σ = σ − C. Integrals of (s − σ)ds/√P grow in s₁ and fall in s₂, so that nothing cancels in the determinant of the four.
+    /// A − σ = σ − C. ∫(s − σ)ds/√P grows with s₁ and falls with s₂, so that nothing cancels in the determinant of the four integrals.
     half_way: f64,
     /// N at Z, √−P.
     pub residue: DoubleDouble,
-    /// ∫ds/√P, ∫(s−σ)ds/√P and ∫ds/((s−c)√P), c that of Z, from A to B, and from −∞ to C.
+    /// ∫ds/√P, ∫(s−σ)ds/√P and ∫ds/((s−c)√P), where c is the s of Z, from A to B and from −∞ to C.
     halves: [[DoubleDouble; 3]; 2],
 }
 
 impl Separation {
-    /// The band that contains s₁; none if the roots leave no room for it, or if two of them meet.
+    /// The separation for the interval that contains s₁; `None` if there is none, or if two roots are too close to be told apart.
     pub fn prepare(constants: &Constants, s1: DoubleDouble) -> Option<Self> {
         let roots = constants.roots();
         let mut real: Vec<usize> = (0..5).filter(|&i| roots[i].is_real()).collect();
@@ -70,9 +70,9 @@ impl Separation {
             let distance = apart[i][j].norm();
             match j {
                 _ if cubic || j < 3 => distance > DOUBLE * widest,
-                _ if constants.upright && distance == TORN => true,
+                _ if constants.upright && distance == SPLIT => true,
                 _ => {
-                    // A root of the cubic is known the less the nearer another is.
+                    // The nearer two roots of the cubic are, the less accurately they are known.
                     let others = (0..3).filter(|&other| other != i);
                     let beside = others.map(|other| apart[i][other].norm());
                     let clear = beside.fold(widest, f64::min) / widest;
@@ -91,22 +91,22 @@ impl Separation {
         Some(separation)
     }
 
-    /// Two roots that nearly meet where s₁ or s₂ turns at one of them, the other beyond a gap, or passes between them.
+    /// Two nearly equal roots such that s₁ or s₂ turns at one of them, with the other across a gap, or passes between them.
     pub fn pinched(&self) -> Option<[usize; 2]> {
         let near = |&[i, j]: &[usize; 2]| self.apart[i][j].norm();
         let close = |pair: &[usize; 2]| self.passes(*pair) && near(pair) < NEAR * self.widest;
         let first = pairs()
             .filter(close)
             .min_by(|x, y| near(x).total_cmp(&near(y)))?;
-        // Where two of the cubic meet besides, the sums must be told apart there.
-        let cubic = near(&first) != TORN && close(&[1, 2]);
+        // If two roots of the cubic are close as well, it is their sums that must be separated.
+        let cubic = near(&first) != SPLIT && close(&[1, 2]);
         Some(if cubic { [1, 2] } else { first })
     }
 
-    /// Whether two roots between which s₁ or s₂ passes are one.
+    /// Whether two roots between which s₁ or s₂ passes coincide.
     pub fn touching(&self) -> bool {
         let pinched = self.pinched();
-        pinched.is_some_and(|[i, j]| self.apart[i][j].norm() == TORN)
+        pinched.is_some_and(|[i, j]| self.apart[i][j].norm() == SPLIT)
     }
 
     fn passes(&self, [i, j]: [usize; 2]) -> bool {
@@ -121,11 +121,11 @@ impl Separation {
     }
 
     // ANCHOR: straight
-    /// ∫ds/√P, ∫(s−σ)ds/√P and, c that of Z, ∫ds/((s−c)√P) straight from a root to a place.
+    /// ∫ds/√P, ∫(s−σ)ds/√P and, with c the s of Z, ∫ds/((s−c)√P), along the straight line from a root to a place.
     ///
-    /// With s = (root + ωg place)/(1 + ωg), g = e^x, every root beyond the ends is at Im x = ±π, however near it is to an end, and one that sees the way at an angle φ at ±(π−φ).
-    /// With x = 3 sinh y besides, or more than 3 where two roots nearly meet, the trapezoidal rule takes some forty steps, or some hundred: it errs by e^{−2πd/step} where nothing is nearer to the line
-    /// than d, and what is left out is e^{−40}.
+    /// With s = (root + ωg place)/(1 + ωg), g = e^x, every root beyond the ends is at Im x = ±π, however near it is to an end; a root from which the path is seen under the angle φ is at ±(π−φ).
+    /// With x = 3 sinh y, or more than 3 where two roots are close, the trapezoidal rule takes some forty steps, or some hundred: its error is e^{−2πd/step} if no singularity is nearer to the line
+    /// than d, and the tails left out are e^{−40}.
     /// Each s − e is a sum of two distances, rounded once.
     pub fn straight(&self, from: usize, (place, weight): &Place) -> [[DoubleDouble; 2]; 3] {
         const DIGITS: f64 = 40.0;
@@ -139,12 +139,12 @@ impl Separation {
         let clear = ends
             .chain([beyond])
             .map(|[u, t]| -u / t)
-            // What rounding has put on the way, or at its ends, is not at a distance.
+            // Roots that rounding has put on the path or at its ends do not limit the step.
             .filter(|ratio| ratio.is_finite() && (ratio.im != 0.0 || ratio.re < 0.0))
             .map(|ratio| sine_of_area(ratio.ln() / stretch))
             .fold(1.0, f64::min)
             .asin();
-        // e^step of few bits, so that its powers are exact, or nearly.
+        // e^step is rounded to few bits, so that its powers are exact, or nearly.
         let growth = (TAU * clear / DIGITS).exp_m1();
         let unit = 2.0_f64.powi(-12) * power_of_two_below(growth);
         let growth = (growth / unit).floor() * unit;
@@ -158,13 +158,13 @@ impl Separation {
             let x = (power - inverse).times(0.5 * stretch);
             let small = (-x.high()).exp() * (1.0 - x.low());
             let cosh = 0.5 * (power + inverse).value();
-            // 1 and g, or both over g: only their ratio counts.
+            // 1 and g, or both divided by g: only their ratio matters.
             let sides = [(1.0, small), (small, 1.0)];
             for (last, (near, far)) in last.iter_mut().zip(sides).skip(usize::from(n == 0)) {
                 let here = |i: usize| start[i] * near + place[i] * far;
                 let product: Complex = (0..5).map(here).product();
                 let denominator = near + far * weight;
-                // The root that continues the one before.
+                // The square root that continues the one before.
                 let next = root(product * denominator);
                 let before = last.unwrap_or(next);
                 let next = next * 1_f64.copysign((next * before.conj()).re);
@@ -190,9 +190,9 @@ impl Separation {
     }
     // ANCHOR_END: straight
 
-    /// The same along the real line, the first counted upward.
+    /// The same along the real line, with signs such that the first is positive.
     ///
-    /// Where a complex root is on the way, by way of it: next to the line it would be as many steps as it is near.
+    /// Where a complex root is close to the line, the path goes through it: past it, the number of steps would grow without bound as it approaches.
     fn ahead(&self, from: usize, place: &Place) -> [DoubleDouble; 3] {
         let on_the_way = self.upper().filter(|&upper| {
             let [here, there] = [self.apart[from][upper].re, place.0[upper].re];
@@ -213,12 +213,12 @@ impl Separation {
         }
     }
 
-    /// Which root is above the real line.
+    /// The root above the real line, if there is one.
     pub fn upper(&self) -> Option<usize> {
         (!self.roots[1].is_real()).then_some(1)
     }
 
-    /// ∫ds/√P and ∫(s−σ)ds/√P in turns of two phases that advance evenly: the first gains 1 as s₁ goes round its band, the second as s₂ does.
+    /// ∫ds/√P and ∫(s−σ)ds/√P converted to turns of the two phases: the first gains 1 as s₁ goes round its interval, the second as s₂ does.
     pub fn normalized(&self, [a, b]: [DoubleDouble; 2]) -> [DoubleDouble; 2] {
         let [[a1, b1, _], [a2, b2, _]] = self.halves;
         let determinant = (b1 * a2 - a1 * b2).scaled(2.0);
@@ -226,16 +226,16 @@ impl Separation {
     }
 
     // ANCHOR: abel
-    /// Turns of the two phases per unit of time: ∫ds₁/√P + ∫ds₂/√P stays, and ∫s₁ds₁/√P + ∫s₂ds₂/√P is the time.
+    /// Turns of the two phases per unit of time: ∫ds₁/√P + ∫ds₂/√P is constant, and ∫s₁ds₁/√P + ∫s₂ds₂/√P is the time.
     pub fn frequencies(&self) -> [DoubleDouble; 2] {
         self.normalized([0.0, 1.0].map(DoubleDouble::from))
     }
 
-    /// The phases of two places, from where s₁ = A and s₂ = C; they may count upward or downward, each as √P there has one sign or the other.
+    /// The phases of s₁ and s₂, counted from s₁ = A and s₂ = C; each up to a sign, that of √P there.
     pub fn phases(&self, [first, second]: [&Place; 2]) -> [[f64; 2]; 2] {
         let [a, b, c] = self.ends;
         let integrals = |from: usize, place: &Place, side: f64| {
-            // At an end rounding may put a place outside.
+            // At an end, rounding may put the place outside.
             if place.0[from].re * side > 0.0 {
                 let [first, second, _] = self.ahead(from, place);
                 let turns = self.normalized([first, second]);
@@ -244,7 +244,7 @@ impl Separation {
                 [0.0; 2]
             }
         };
-        // From the end that is nearer.
+        // Counted from the nearer end.
         let one = if first.0[a].re < -first.0[b].re {
             integrals(a, first, 1.0)
         } else {
@@ -255,7 +255,7 @@ impl Separation {
     }
     // ANCHOR_END: abel
 
-    /// The two places of a start.
+    /// s₁ and s₂ of a start, as places.
     pub fn places(&self, of: &Variables, l1: DoubleDouble) -> [Place; 2] {
         let first = self.roots.map(|root| Root::on_axis(of.s1).from(&root));
         let eight = of.q_squared.scaled(8.0);
@@ -265,13 +265,13 @@ impl Separation {
         });
         let size = second.iter().fold(eight.value(), |m, x| m.max(x.norm()));
         let weight = eight.value() / size;
-        // So near to −∞ that no phase shows it.
+        // So near −∞ that no digit of the phase shows the difference.
         let weight = if weight < 1e-36 { 0.0 } else { weight };
         let second = beside(second.map(|x| x / size));
         [(beside(first), 1.0), (second, weight)]
     }
 
-    /// (s₁−e)(s₂−e) for a complex root where s₁ = A and s₂ = C; for a real one the sign that it has everywhere.
+    /// (s₁−e)(s₂−e) at s₁ = A and s₂ = C for a complex root; for a real root the sign that it has throughout the motion.
     pub fn product(&self, root: usize) -> Complex {
         let [first, _, second] = self.ends.map(|end| self.apart[end][root]);
         if self.roots[root].is_real() {
@@ -281,7 +281,7 @@ impl Separation {
         }
     }
 
-    /// The mean over time of 1/((s₁−c)(s₂−c)), c that of Z, between s₂ and s₁.
+    /// The mean over time of 1/((s₁−c)(s₂−c)), where c is the s of Z, which lies between s₂ and s₁.
     ///
     /// 1/((s₁−c)(s₂−c)) = (1/(s₂−c) − 1/(s₁−c))/(s₁−s₂), and dt/(s₁−s₂) is ds₁/√P as well as −ds₂/√P.
     pub fn third_kind(&self) -> DoubleDouble {
@@ -298,29 +298,29 @@ impl Separation {
     }
 }
 
-/// Pairs of roots, but for e₄ and e₅.
+/// Pairs of roots, except e₄ and e₅.
 fn pairs() -> impl Iterator<Item = [usize; 2]> {
     (0..3).flat_map(|i| (i + 1..5).map(move |j| [i, j]))
 }
 
-/// Where s₁ or s₂ passes between two roots that are as near as this, as a part of the greatest distance, 106 bits do not tell how near: two of the cubic, of whose distance they tell the square, and others.
+/// The least distances, as fractions of the greatest, that 106 bits resolve between two roots between which s₁ or s₂ passes: two roots of the cubic, of which the square of the distance is known, and others.
 const DOUBLE: f64 = 1e-9;
 const SHARED: f64 = 1e-17;
 
-/// Where e₂ and e₃ are nearer, theta functions are taken after the modular transformation. Before it the half periods between theirs lie along the imaginary directions, and
-/// 1e-16 over the distance is lost: here as much as a start may be off by.
+/// Below this distance of e₂ and e₃, theta functions are used after the modular transformation. Without it the half period between the two lies along the imaginary directions, and
+/// 1e-16 over the distance is lost: at this distance as much as the error allowed at the start.
 const NEAR: f64 = 3e-3;
 
-/// Most steps of an integral on either side; where it would take more it is wrong, and what follows from it is found to be.
+/// Most steps of an integral on either side. If it would need more it comes out wrong, and the trial against power series rejects it.
 const LONGEST: f64 = 16_384.0;
 
-/// The sine of the imaginary part of asinh x, in size.
+/// The magnitude of the sine of the imaginary part of asinh x.
 fn sine_of_area(x: Complex) -> f64 {
     let [one, other] = [1.0, -1.0].map(|side| x.re.hypot(x.im + side));
     2.0 * x.im.abs() / (one + other)
 }
 
-/// The root with a positive real part, straight from the parts: twice as fast as by way of the angle.
+/// The square root with a positive real part, from real and imaginary part: twice as fast as by way of the angle.
 fn root(z: Complex) -> Complex {
     let norm = (z.re * z.re + z.im * z.im).sqrt();
     let large = (0.5 * (norm + z.re.abs())).sqrt();
@@ -333,25 +333,25 @@ fn root(z: Complex) -> Complex {
     Complex::new(re, im.copysign(z.im))
 }
 
-/// How far two roots are taken apart that are one: what is left of it, the fourth root, shows in no digit.
-const TORN: f64 = 1e-28;
+/// The distance to which two equal roots are separated: its fourth root, with which it enters the motion, is too small to matter.
+const SPLIT: f64 = 1e-28;
 
-/// A place counted from the roots alone.
+/// A place given by its distances from the roots, without Z.
 pub(super) fn beside([a, b, c, d, e]: [Complex; 5]) -> [Complex; 6] {
     [a, b, c, d, e, f64::INFINITY.into()]
 }
 
-/// The distances of the roots from each other, two that are one taken apart in the order in which they are counted, and from Z; and N there. The smallest distance from Z by −P(s) = N², which
-/// tells it to all digits.
+/// The distances of the roots from each other, equal ones separated in the order of their numbers, and from Z; and N there. The smallest distance from Z follows from −P(s) = N²
+/// to all digits.
 ///
-/// Where e₅ is a root of the cubic Z is there, too. Nearby N is −2lk(s−e₅), which tells where between the two.
+/// Where e₅ is a root of the cubic, Z coincides with it. Nearby N is −2lk(s−e₅), which decides where Z lies between the two separated roots.
 fn apart(constants: &Constants, roots: &[Root; 5]) -> ([[Complex; 6]; 5], DoubleDouble) {
     let mut apart = roots.map(|one| beside(roots.map(|other| one.from(&other))));
     for (i, j) in (0..5).flat_map(|j| (0..j).map(move |i| (i, j))) {
         if apart[i][j].norm() == 0.0 {
-            // Between e₄ and e₅ nothing passes.
-            let torn = if i == 3 { 1e-40 } else { TORN };
-            [apart[i][j], apart[j][i]] = [-torn, torn].map(Complex::from);
+            // Neither s₁ nor s₂ passes between e₄ and e₅.
+            let split = if i == 3 { 1e-40 } else { SPLIT };
+            [apart[i][j], apart[j][i]] = [-split, split].map(Complex::from);
         }
     }
     let (point, mut residue) = (constants.vertical_point(), constants.residue());
@@ -360,10 +360,10 @@ fn apart(constants: &Constants, roots: &[Root; 5]) -> ([[Complex; 6]; 5], Double
     if constants.upright {
         vertical.copy_from_slice(&apart[4][..5]);
         let slope = constants.l.value() * constants.k.value();
-        let others = vertical[..4].iter().filter(|x| x.norm() != TORN);
+        let others = vertical[..4].iter().filter(|x| x.norm() != SPLIT);
         let ratio = slope * slope / others.product::<Complex>().re;
-        let rest = TORN / (ratio - 1.0);
-        for x in vertical.iter_mut().filter(|x| x.norm() == TORN) {
+        let rest = SPLIT / (ratio - 1.0);
+        for x in vertical.iter_mut().filter(|x| x.norm() == SPLIT) {
             *x = (ratio * rest).into();
         }
         vertical[4] = rest.into();
@@ -380,7 +380,7 @@ fn apart(constants: &Constants, roots: &[Root; 5]) -> ([[Complex; 6]; 5], Double
     (apart, residue)
 }
 
-/// s₁, and s₂ as the quotient that q = 0 makes infinite: s₂ = l₁/2 − numerator/8q².
+/// s₁, and s₂ as a quotient, infinite for q = 0: s₂ = l₁/2 − numerator/8q².
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Variables {
     pub s1: DoubleDouble,
@@ -392,7 +392,7 @@ impl Variables {
     // ANCHOR: variables
     /// The separation variables of a state: s = l₁/2 + (R(x₁,x₂) ∓ |R(x₁)|)/(2(x₁−x₂)²), x₁,₂ = p ± iq.
     ///
-    /// They solve (x₁−x₂)²σ² − R(x₁,x₂)σ + S/4 = 0 for σ = s − l₁/2; whichever of R ∓ |R| would cancel is taken from the other by
+    /// They solve (x₁−x₂)²σ² − R(x₁,x₂)σ + S/4 = 0 for σ = s − l₁/2; the one of R ∓ |R| that would cancel follows from the other by
     /// (R + |R|)(R − |R|) = (x₁−x₂)² S.
     pub fn of(constants: &Constants, [p, q]: [DoubleDouble; 2]) -> Self {
         let square = |x: DoubleDouble| x * x;

@@ -13,7 +13,7 @@ use super::theta::{Family, Moving, Pinched};
 ///
 /// 2(x₁−x₂) √((s₁−e)(s₂−e)) = α(x₁x₂ − e′) + β(x₁+x₂).
 ///
-/// Since α₁α₂α₃ = 2b, β is half the product of the other two α, and every minor of the system is an α or β times a difference of two roots. With T = √((s₁−e)(s₂−e)) T∞, Wronskians
+/// Since α₁α₂α₃ = 2b, β is half the product of the other two α, and every minor of the system is an α or β times a difference of two roots. With T = √((s₁−e)(s₂−e)) T∞, the Wronskians
 /// U₁ = (T₂′T₃ − T₂T₃′)/T∞ = ½Δ₁Z₁, Δ₁ = e₂ − e₃ and so on in turn, and S = Σ αΔT,
 ///
 /// q = −2iΔ₁Δ₂Δ₃T∞/S, p = −Σ βΔT/S, r = i Σ αΔZ/S, cz₃ = −i Σ βΔZ/S.
@@ -23,7 +23,7 @@ pub(super) struct Reconstruction {
     system: [[Complex; 3]; 2],
     /// Δ.
     apart: [Complex; 3],
-    /// e₂ and e₃ less −l₁, e₁, e₄ and e₅.
+    /// e₂ and e₃, each minus −l₁, e₁, e₄ and e₅.
     over: [[Complex; 4]; 2],
 }
 
@@ -45,7 +45,7 @@ impl Reconstruction {
     }
 
     // ANCHOR: branch
-    /// Of four origins and 4 × 8 signs of two phases and three roots, those that give the start back.
+    /// Of four origins, one for each pair of signs of the two phases, and eight sets of signs of the three roots, those that reproduce the start.
     pub fn fitted(
         &self,
         constants: &Constants,
@@ -71,9 +71,9 @@ impl Reconstruction {
     }
     // ANCHOR_END: branch
 
-    /// With these signs of the three roots, for functions that are the first of these factors times T, and the others times U.
+    /// The quotients with these signs of the three roots; the first factors turn the theta functions into T, the second into U.
     ///
-    /// Where `split`, the functions of the second root and the third are the sum and the difference of those given, likewise their Wronskians.
+    /// If `split`, the functions of the second and the third root are sum and difference of those given, and likewise their Wronskians.
     fn quotients(
         &self,
         [factors, wronskians]: [[Complex; 3]; 2],
@@ -86,14 +86,14 @@ impl Reconstruction {
             let sign = signs[(j + 1) % 3] * signs[(j + 2) % 3];
             2.0 * wronskians[j] * sign / self.apart[j]
         });
-        // Over Δ₁, which all the sums hold.
+        // Divided by Δ₁, a factor of all the sums.
         let row = |of: usize, functions: [Complex; 3], powers: [i32; 3]| {
             let [a, b, c] = [0, 1, 2].map(|j| self.system[of][j] * functions[j]);
             if !split {
                 return [a, d2 / d1 * b, d3 / d1 * c];
             }
             let powers = [[2, -2][of], powers[0], powers[1], powers[2]];
-            // Which of the two sums holds the distance is told by the sign of b : c.
+            // The sign of b/c tells which of the two sums contains the distance as a factor.
             let opposite = (b / c).re < 0.0;
             let c = if opposite { -c } else { c };
             let slope = d2 * self.slope(b, c, powers) - c;
@@ -111,9 +111,9 @@ impl Reconstruction {
         }
     }
 
-    /// (b − c)/Δ₁ where b⁴ : c⁴ is the product of these powers of what e₂ and e₃ are over −l₁, e₁, e₄, e₅, but for its sign.
+    /// (b − c)/Δ₁, where b⁴/c⁴ is, up to its sign, the product of these powers of the quotients of e₂ − x and e₃ − x, x = −l₁, e₁, e₄, e₅.
     ///
-    /// Where e₂ and e₃ meet b and c do, or one is the other times a root of unity.
+    /// Where e₂ and e₃ coincide, so do b and c, or one is the other times a root of unity.
     fn slope(&self, b: Complex, c: Complex, powers: [i32; 4]) -> Complex {
         let apart = self.apart[0];
         let ratio = b / c;
@@ -121,7 +121,7 @@ impl Reconstruction {
         if (ratio - one).norm() > 0.5 {
             return (b - c) / apart;
         }
-        // The product less 1 over Δ₁, factor by factor.
+        // (The product − 1)/Δ₁, factor by factor.
         let [second, third] = self.over;
         let mut product = Complex::default();
         for (i, power) in powers.into_iter().enumerate() {
@@ -135,22 +135,22 @@ impl Reconstruction {
     }
 }
 
-/// The functions of the three roots, of their Wronskians, and the one alone that is T∞.
+/// The functions of the three roots, of their Wronskians, and T∞.
 pub(super) type Functions = [Moving; 7];
 
-/// Ω and z as quotients of sums of functions with one common denominator; there is nothing to divide by where q = 0.
+/// Ω and z as quotients of sums of functions with one common denominator, which does not vanish where q = 0.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Quotients {
-    /// What stands before the functions of the roots in Σ αΔT and Σ βΔT over Δ₁.
+    /// Coefficients of the functions of the roots in Σ αΔT and Σ βΔT over Δ₁.
     of_roots: [[Complex; 3]; 2],
-    /// And before their Wronskians in Σ αΔZ and Σ βΔZ over Δ₁.
+    /// Coefficients of their Wronskians in Σ αΔZ and Σ βΔZ over Δ₁.
     of_others: [[Complex; 3]; 2],
     /// q Σ αΔT over Δ₁T∞.
     side: Complex,
 }
 
 impl Quotients {
-    /// The state; z₂ is the rate of r.
+    /// The state; z₂ follows from the rate of r.
     pub fn state(&self, constants: &Constants, functions: &Functions) -> Phase {
         let (roots, others, [alone, _]) = (&functions[..3], &functions[3..6], functions[6]);
         let sum = |row: &[Complex; 3], of: &[Moving], k: usize| {
@@ -172,16 +172,16 @@ impl Quotients {
 
 /// The functions of a curve that is not degenerate: Riemann's, with half periods.
 ///
-/// √((s₁−e)(s₂−e)) is a theta function over the one that vanishes where s₂ is infinite, times the fourth root of ±Π(e−e′) over the other four roots e′; and the Wronskian of two such
-/// roots is √(e−e′) times both constants and the theta function of the sum of their half periods (Thomae 1870, Kötter 1893).
+/// √((s₁−e)(s₂−e)) is a theta function divided by the one that vanishes where s₂ is infinite, times the fourth root of ±Π(e−e′) over the other four roots e′; and the Wronskian of two such
+/// functions is √(e−e′) times both constants and the theta function of the sum of their half periods (Thomae 1870, Kötter 1893).
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Torus {
     pub family: Family,
-    /// Half periods of the functions of the three roots, of their Wronskians, and of the one alone.
+    /// Half periods of the functions of the three roots, of their Wronskians, and of T∞.
     places: [Option<Half>; 7],
-    /// Whether the functions of the second root and the third come as half their sum and half their difference, and those of their Wronskians; the places of the third are left out.
+    /// Whether the functions of the second and the third root are given as half their sum and half their difference, and likewise those of their Wronskians; the places of the third are then empty.
     pub split: bool,
-    /// The half period from e₂ to e₃, where it is what these differ by, and along the real directions.
+    /// The half period from e₂ to e₃, if the two functions differ by it and it is along the real directions.
     between: [u8; 2],
 }
 
@@ -223,7 +223,7 @@ impl Torus {
         })
     }
 
-    /// The seven, two pairs of them split.
+    /// The seven functions at the phases v, halved; two pairs of them as sum and difference if `split`.
     pub fn parts(&self, v: [f64; 2]) -> Functions {
         let all = self.family.at(v, &self.places, self.between);
         let mut found = all.map(|[even, odd]| [0, 1].map(|k| even[k] + odd[k]));
@@ -234,7 +234,7 @@ impl Torus {
         found
     }
 
-    /// All seven where the phases have turned so far, halved.
+    /// All seven functions at the phases v, halved.
     fn at(&self, v: [f64; 2]) -> Functions {
         let mut found = self.parts(v);
         for i in [1, 4].into_iter().filter(|_| self.split) {
@@ -245,10 +245,10 @@ impl Torus {
         found
     }
 
-    /// The constants of the three roots and of their Wronskians, up to signs: which of the fourth roots they are is told by the theta functions where s₁ = A and s₂ = C for a complex root, and
-    /// anywhere for a real one.
+    /// The constants of the three roots and of their Wronskians, up to signs. Which fourth root is meant follows from the theta functions at s₁ = A and s₂ = C for a complex root, and
+    /// at any phases for a real one.
     pub fn constants(&self, separation: &Separation) -> [[Complex; 3]; 2] {
-        // None of the greatest terms vanishes at the first of these.
+        // At the first of these phases none of the greatest terms vanishes.
         let [found, at_ends] = [[0.11, 0.06], [0.0; 2]].map(|v| self.at(v));
         let alone = found[6][0];
         let roots: [Complex; 3] = core::array::from_fn(|j| {
@@ -277,7 +277,7 @@ fn aligned(number: Complex, rough: Complex) -> Complex {
 
 pub(super) fn distance(a: &Phase, b: &Phase) -> f64 {
     let difference = (0..6).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt();
-    // What is not a number is no agreement.
+    // NaN counts as no agreement.
     if difference.is_nan() {
         f64::INFINITY
     } else {

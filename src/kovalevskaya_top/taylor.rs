@@ -1,4 +1,4 @@
-//! The Euler–Poisson equations by their own power series, and the way back to the surface of the constants (8.2).
+//! The Euler–Poisson equations solved by power series, and the projection onto the surface of the constants (8.2).
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -23,10 +23,10 @@ pub(super) trait Numeral:
 impl Numeral for f64 {}
 impl Numeral for DoubleDouble {}
 
-/// A state and its attitude.
-pub(super) type Carried = (Phase, Quaternion<f64>);
+/// A state together with its attitude.
+pub(super) type FullState = (Phase, Quaternion<f64>);
 
-/// Power series of a motion about the time 0: of Ω and z, and as far as there are ten of the attitude, dq/dt = ½ qΩ.
+/// Power series of a motion about time 0: of Ω and z, and if K = 10 of the attitude as well, dq/dt = ½ qΩ.
 pub(super) struct Series<N, const K: usize> {
     terms: Vec<[N; K]>,
     /// The longest step that leaves the last terms below rounding.
@@ -34,14 +34,14 @@ pub(super) struct Series<N, const K: usize> {
 }
 
 impl Series<f64, 10> {
-    pub fn of(c: f64, (state, attitude): &Carried) -> Self {
+    pub fn of(c: f64, (state, attitude): &FullState) -> Self {
         let [p, q, r, z1, z2, z3] = *state;
         let Quaternion { coords } = attitude;
         let start = [p, q, r, z1, z2, z3, coords.w, coords.x, coords.y, coords.z];
         Self::about(c, start, 24, 1e-17)
     }
 
-    pub fn carried(&self, h: f64) -> Carried {
+    pub fn full_state(&self, h: f64) -> FullState {
         let [p, q, r, z1, z2, z3, w, x, y, z] = self.after(h);
         ([p, q, r, z1, z2, z3], Quaternion::new(w, x, y, z))
     }
@@ -54,7 +54,7 @@ impl Series<DoubleDouble, 6> {
 }
 
 impl<N: Numeral, const K: usize> Series<N, K> {
-    /// As many terms, of which the last are to be this part of the first.
+    /// Terms up to `order`; `reach` is the step at which the last ones are the fraction `part` of the first.
     fn about(c: N, start: [N; K], order: usize, part: f64) -> Self {
         let terms = grown(c, start, order, |terms, n, m| {
             product(&terms[m], &terms[n - m])
@@ -74,7 +74,7 @@ impl<N: Numeral, const K: usize> Series<N, K> {
         sum(&self.terms, h)
     }
 
-    /// How far off a motion nearby is after `h` that is off by so much at 0, to first order.
+    /// The deviation after `h` of a neighbouring motion whose deviation at 0 is `off`, to first order.
     pub fn nearby(&self, c: N, off: &[N; 6], h: N) -> [N; 6] {
         let known: Vec<[N; 6]> = self
             .terms
@@ -93,7 +93,7 @@ impl<N: Numeral, const K: usize> Series<N, K> {
 }
 
 // ANCHOR: series
-/// The terms of a series up to this order, the nth of all products being Σ `product`(…, n, m) over m.
+/// The terms of a series up to this order; the nth term of a product is Σ `product`(…, n, m) over m.
 fn grown<N: Numeral, const K: usize>(
     c: N,
     start: [N; K],
@@ -111,7 +111,7 @@ fn grown<N: Numeral, const K: usize>(
         next[1] = next[1] + c * terms[n][5];
         next[2] = -(c * terms[n][4]);
         let place = N::from((n + 1) as f64);
-        // Ω₁, Ω₂ and the quaternion change at half of this.
+        // The rates of Ω₁, Ω₂ and the quaternion are half of this.
         terms.push(core::array::from_fn(|i| {
             let part = if (2..6).contains(&i) { 1.0 } else { 0.5 };
             next[i] / place * N::from(part)
@@ -120,7 +120,7 @@ fn grown<N: Numeral, const K: usize>(
     terms
 }
 
-/// What products make of the rates: ΩΩ₃, z ∧ Ω and qΩ, of one state and Ω of another.
+/// The products in the rates: ΩΩ₃, z ∧ Ω and qΩ, with Ω, z and q of one state and the second factor of another.
 fn product<N: Numeral, const K: usize>(one: &[N; K], other: &[N; K]) -> [N; K] {
     let [p, q, r] = [other[0], other[1], other[2]];
     let mut all = [N::from(0.0); K];
@@ -147,15 +147,15 @@ fn sum<N: Numeral, const K: usize>(terms: &[[N; K]], h: N) -> [N; K] {
     })
 }
 
-/// The slope below which a condition is not followed.
-const GENTLE: f64 = 3e-3;
+/// The slope below which a condition is followed only in part.
+const LEAST_SLOPE: f64 = 3e-3;
 
 // ANCHOR: projection
-/// The state moved by the shortest way onto the surface E, L_vert, |z| and |K| of the start.
+/// The state moved by the least change onto the surface of constant E, L_vert, |z| and |K|, those of the start.
 ///
-/// Rounding may push a state off the surface, never along: the direction along belongs to the phases, that is to time.
+/// This corrects rounding across the surface, never along it: the directions along the surface are those of the phases, that is of time.
 /// One step of Newton's method with the least change. Near a double root two of the four surfaces touch, and rounding would be
-/// blown up; the change is therefore damped where the conditions say little, and is never more than 1/(2·GENTLE) of what is missing.
+/// amplified; the change is therefore damped where a condition has a small slope, and is never more than 1/(2·LEAST_SLOPE) of the residual.
 pub(super) fn project(constants: &Constants, state: &Phase) -> Phase {
     let Constants { c, l1, l, k, .. } = *constants;
     let c = c.value();
@@ -176,9 +176,9 @@ pub(super) fn project(constants: &Constants, state: &Phase) -> Phase {
         [0.0, 0.0, 0.0, 2.0 * z1, 2.0 * z2, 2.0 * z3],
         [by_p, by_q, 0.0, by_z1, by_z2, 0.0],
     ]);
-    // A slope below GENTLE is followed the less the gentler it is: there the condition says little about the state.
+    // The smaller a slope below LEAST_SLOPE, the less its condition is followed: it says little about the state.
     let square: Matrix4<f64> =
-        gradients.transpose() * gradients + Matrix4::identity() * (GENTLE * GENTLE);
+        gradients.transpose() * gradients + Matrix4::identity() * (LEAST_SLOPE * LEAST_SLOPE);
     let Some(factors) = square.cholesky() else {
         return *state;
     };
@@ -193,7 +193,7 @@ pub(super) fn about_third(angle: f64) -> Quaternion<f64> {
     Quaternion::new(cosine, 0.0, 0.0, sine)
 }
 
-/// The shortest turn of a unit vector onto the third axis, as a unit quaternion; from below by way of half a turn about axis 1.
+/// The shortest turn of a unit vector onto the third axis, as a unit quaternion; for a vector in the lower half, after half a turn about axis 1.
 pub(super) fn shortest([x, y, z]: [f64; 3]) -> Quaternion<f64> {
     let onto = |x: f64, y: f64, z: f64| {
         let turn = Quaternion::new(1.0 + z, y, -x, 0.0);

@@ -7,37 +7,37 @@ use super::constants::{Complex, I};
 use super::periods::{Curve, Half, MEASURES};
 use crate::precise::DoubleDouble;
 
-/// Σ exp(−π(n−n₀)·Y(n−n₀)) e^{2πi n·w} over whole n₁, n₂, apart by whether n₁ and n₂ are even: θ(w − iy) with n₀ = Y⁻¹y, but for a constant factor.
+/// Σ exp(−π(n−n₀)·Y(n−n₀)) e^{2πi n·w} over integers n₁, n₂, summed separately for even and odd n₁ and n₂: θ(w − iy) with n₀ = Y⁻¹y, up to a constant factor.
 ///
-/// The terms fall like a Gauss curve, so that some sixty are enough; the series of a quotient of two such sums would take a thousand.
-/// They are summed outward from n = 0, next to which the greatest are, so that rounding of the high powers does not show.
+/// The terms fall like a Gaussian, so that some sixty are enough; the series of a quotient of two such sums would take a thousand.
+/// They are summed outward from n = 0, near which the greatest are, so that the rounding of high powers does not matter.
 #[derive(Debug, Clone, PartialEq)]
 struct Theta {
     /// n₁ = 0, 1, … and n₁ = −1, −2, ….
     rows: [Vec<Row>; 2],
 }
 
-/// Terms of one n₁, and n₂ times each: of n₂ = 2j, 2j + 1, −2j − 2 and −2j − 1 for j = 0, 1, ….
+/// The terms of one n₁, and n₂ times each: for n₂ = 2j, 2j + 1, −2j − 2 and −2j − 1, j = 0, 1, ….
 type Row = Vec<[[f64; 4]; 2]>;
 
 /// A function of time and its derivative.
 pub(super) type Moving = [Complex; 2];
 
-/// The four partial sums, of even and odd n₁ by even and odd n₂: (0,0), (0,1), (1,0), (1,1).
+/// The four partial sums, by the parities of n₁ and n₂: (0,0), (0,1), (1,0), (1,1).
 type Sums = [Complex; 4];
 
-/// Exponents −πx beyond which a term is left out: e^{−πx} is 1e-19.
+/// Terms e^{−πx} with x above this are left out: they are below 1e-19.
 const REACH: f64 = 14.0;
 
 /// The most terms.
 const LARGEST: f64 = 4096.0;
 
 impl Theta {
-    /// For |n₀| not above ½ in either component. None if Y is not positive or so small that more than 4096 terms count.
+    /// For |n₀| not above ½ in either component. `None` if Y is not positive definite, or so small that more than 4096 terms are needed.
     fn prepare(curve: &Curve, y: [f64; 2]) -> Option<Self> {
         let [[a, b], [_, c]] = curve.y;
         let determinant = a * c - b * b;
-        // A Y that is not a number is refused as well.
+        // Written so that NaN is refused as well.
         if !(a > 0.0 && determinant > 0.0 && PI * REACH < LARGEST * determinant.sqrt()) {
             return None;
         }
@@ -47,7 +47,7 @@ impl Theta {
         }
         // a d₁² + 2b d₁d₂ + c d₂² = (determinant/c) d₁² + c (d₂ + b d₁/c)².
         let least = determinant / c;
-        // Where Y is great the second greatest terms may be all that two functions differ by.
+        // Where Y is large, two functions may differ only by their second greatest terms.
         let reach = REACH.max(1.5 * a.max(c));
         let row = |n1: i32| -> Option<Row> {
             let d1 = f64::from(n1) - center[0];
@@ -75,7 +75,7 @@ impl Theta {
         })
     }
 
-    /// The sums for e^{2πiw₁} and e^{2πiw₂}, and their rates if w changes at these rates.
+    /// The sums at `z` = (e^{2πiw₁}, e^{2πiw₂}), and their rates of change if w changes at the given rates.
     fn at(&self, z: [Complex; 2], [r1, r2]: [f64; 2]) -> [Sums; 2] {
         let [mut sums, mut rates] = [Sums::default(); 2];
         let [upward, downward] = &self.rows;
@@ -100,7 +100,7 @@ impl Theta {
     }
 }
 
-/// The sums over even and over odd n₂ of the terms times z^{n₂}, |z| = 1, and those of n₂ times each.
+/// The sums over even and over odd n₂ of the terms times z^{n₂}, |z| = 1, and the same with the factor n₂.
 #[inline(always)]
 fn along(z: Complex, row: &Row) -> [[Complex; 2]; 2] {
     let ratio = z * z;
@@ -130,11 +130,11 @@ fn along(z: Complex, row: &Row) -> [[Complex; 2]; 2] {
 
 /// θ with half periods after the modular transformation in the one direction in which Y is small.
 ///
-/// Σ exp(−πn·Yn + 2πi n·w) over n₁ is, by Poisson's formula, a sum of e^{−π(w₁+k)²/a}, a = Y₁₁, and with n₂ left it is such a sum of theta functions of one variable,
-/// at w₂ − (w₁+k)b/a. As a comes to 0 one or two of them are left. A half period τ/2 in that direction changes the signs of those of odd k, so that two functions that differ by it
-/// are the sum and the difference of two sums that have no term in common.
+/// By Poisson's formula Σ exp(−πn·Yn + 2πi n·w) over n₁ becomes a sum over k of e^{−π(w₁+k)²/a}, a = Y₁₁, each multiplied by a theta function of one variable, the sum over n₂,
+/// at w₂ − (w₁+k)b/a. As a tends to 0, one or two terms are left. A half period τ/2 in that direction changes the signs of the terms with odd k, so that two functions that differ by it
+/// are the sum and the difference of two sums without a common term.
 ///
-/// Where Re τ is ½ everywhere, that is a sum over two shifts of w by a half apart, and the two sums are those of either.
+/// Where Re τ is ½ everywhere, the function is a sum over two shifts of w that differ by a half, and the two sums are those of the two shifts.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Pinched {
     /// The direction in which Y is small, and another one.
@@ -145,20 +145,20 @@ pub(super) struct Pinched {
     /// ½, and e^{−πn²(c − b²/a)} for n = ½, 1, ….
     terms: Vec<f64>,
     twisted: bool,
-    /// How far the k are apart that count: half as far where Re τ tells odd ones apart in this direction.
+    /// Spacing of the relevant k: 1, or ½ where Re τ separates the odd ones in this direction.
     spacing: f64,
-    /// On a double root, the first phase, halved, where terms compete.
+    /// On a double root, the first phase, halved, at which two terms are equally great.
     passage: Option<f64>,
 }
 
 impl Pinched {
-    /// For the m of the half period ½τm that is small.
+    /// For the half period ½τm that is small, m = `measure`.
     pub fn prepare(curve: &Curve, measure: [u8; 2]) -> Option<Self> {
         let [[a, b], [_, c]] = curve.y;
         let basis = match measure {
             [1, 0] => [[1.0, 0.0], [0.0, 1.0]],
             [0, 1] => [[0.0, 1.0], [-1.0, 0.0]],
-            // m and −m are alike, and so are [1, 1] and [1, −1]: the one that is small.
+            // m and −m are equivalent, and so are [1, 1] and [1, −1]: of these the small one is taken.
             _ => [[1.0, -1_f64.copysign(b)], [0.0, 1.0]],
         };
         let small = curve.tau(basis[0]);
@@ -181,7 +181,7 @@ impl Pinched {
         })
     }
 
-    /// Whether fewer terms are left than there were.
+    /// Whether the transformed series has fewer terms.
     pub fn narrow(&self) -> bool {
         self.width < 1.0
     }
@@ -191,7 +191,7 @@ impl Pinched {
         self.basis.map(|[a, b]| x * a + y * b)
     }
 
-    /// For a curve with a double root: only the terms that compete where these phases, halved, are. All others belong to times that never come.
+    /// For a curve with a double root: keeps only the terms that matter near these phases, halved. All others belong to times that are never reached.
     pub fn at_double_root(&mut self, v: [f64; 2]) {
         let offset = if self.spacing < 1.0 { 0.5 } else { 0.0 };
         let [first, _] = self.along(v);
@@ -205,7 +205,7 @@ impl Pinched {
         [-b * turns, a * turns]
     }
 
-    /// The two sums of the function with this half period at v times `turns` less a, each with its rate if v changes at these rates; all but for a positive factor, the same for all half periods where a = 0.
+    /// The two sums of the function with this half period at `turns` · v − a, each with its rate if v changes at these rates; all up to a positive factor, which is the same for all half periods if a = 0.
     fn parts(
         &self,
         Half { n, m }: Half,
@@ -218,7 +218,7 @@ impl Pinched {
         let turn = r2 - self.slope * r1;
         let [[x, y], [z, w]] = self.basis.map(|of| of.map(|part| part.abs() as u8));
         let [signed, odd] = [w * m[0] + z * m[1], y * m[0] + x * m[1]].map(|m| m & 1);
-        // By how much w is moved, and what stands before the function there.
+        // The shifts of w, and the coefficients of the function there.
         let shifts = match (self.twisted, m[0] == m[1]) {
             (false, _) => [(0.0, Complex::from(1.0)); 2],
             (true, true) => [0.0, 0.5].map(|x| (x, Complex::new(0.5, 0.5 - 2.0 * x))),
@@ -226,14 +226,14 @@ impl Pinched {
         };
         let shifts = &shifts[..1 + usize::from(self.twisted)];
         let [u1, u2] = self.along(v).map(|u| turns * u);
-        // How far the passage through a double root is.
+        // The distance in phase from the passage through a double root.
         let since = self.passage.map_or(0.0, |passage| u1 - turns * passage);
         let reach = match self.passage {
             Some(_) => 0.6 * self.spacing,
             None => (REACH * self.width).sqrt() + 1.0,
         };
         let [a1, a2] = self.along(a);
-        // Whether k is odd, the two places, and the exponent of e^{−π(d+since)²/a} but for what all have.
+        // The parity of k, the two arguments, and the exponent of e^{−π(d+since)²/a} without what is common to all.
         let terms = |shift: f64| {
             let [h1, h2] = self.along(n.map(|n| shift + 0.5 * f64::from(n)));
             let [w1, w2] = [u1 - since + h1 - a1, u2 + h2 - self.slope * since - a2];
@@ -246,7 +246,7 @@ impl Pinched {
         };
         let all = shifts.iter().flat_map(|(shift, _)| terms(*shift));
         let greatest = all.map(|(.., x)| x.re).fold(f64::NEG_INFINITY, f64::max);
-        // The greatest of the functions that give Ω and z are of this size; of others the direction is to remain.
+        // The greatest of the functions for Ω and z are of this magnitude; of the others at least the direction is kept in range.
         let size = PI * self.spacing * since.abs() / self.width;
         let scale = (greatest - size).clamp(-300.0, 0.0).exp();
         let mut sums = [Moving::default(); 2];
@@ -271,7 +271,7 @@ impl Pinched {
         sums
     }
 
-    /// The theta function of one variable, over whole n or over those with a half, and its derivative.
+    /// The theta function of one variable, summed over integers or over half-integers if `odd` is 1, and its derivative.
     fn single(&self, odd: u8, w: Complex) -> Moving {
         let turned = |w: Complex| (I * TAU * w).exp();
         let mut up = turned(w * (0.5 * f64::from(odd)));
@@ -287,14 +287,14 @@ impl Pinched {
     }
 }
 
-/// θ(w − a) with half periods, w the turns of the two phases, or half of them.
+/// The functions θ(w − a) with half periods, where w are the turns of the two phases, or half of them.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Family {
-    /// For each m, e^{2πi Re(τκ − a)} and the series of θ(w − a + τκ), κ being m/2 but for whole numbers.
+    /// For each m, e^{2πi Re(τκ − a)} and the series of θ(w − a + τκ), where κ is m/2 up to integers.
     tables: Vec<([u8; 2], [Complex; 2], Theta)>,
-    /// Or the sums after the modular transformation, and a.
+    /// Or, instead, the sums after the modular transformation, and a.
     pinched: Option<(Pinched, [Complex; 2])>,
-    /// 2 or 1: w in halved turns.
+    /// 2 or 1: w in units of the halved turns v.
     multiple: u8,
     twisted: bool,
     /// Turns of the phases a unit of time, halved.
@@ -310,7 +310,7 @@ impl Family {
     ) -> Option<Self> {
         let place = curve.along(a.map(|a| a.im));
         let moved = |m: [u8; 2]| {
-            // The greatest terms of each theta function are to be those about n = 0.
+            // Chosen so that the greatest terms of each theta function are those near n = 0.
             let kappa = [0, 1].map(|i| {
                 let half = 0.5 * f64::from(m[i]);
                 half + (place[i] - half).round_ties_even()
@@ -333,10 +333,10 @@ impl Family {
         })
     }
 
-    /// The functions with these half periods and their rates, each in two parts, of which the second changes its sign with one more half period: along the real directions this one, or the one
-    /// in whose direction the modular transformation is.
+    /// The functions with these half periods and their rates. Each comes in two parts, the second of which changes its sign if one more half period is added: `between` if
+    /// that is along the real directions, or the half period in the direction of the modular transformation.
     ///
-    /// Each is multiplied by e^{πi m·w} where w is whole turns, for these are halved in v; of half turns that factor would not return, and is left out.
+    /// Where w is whole turns, each is multiplied by e^{πi m·w}, which has period 1 in the halved turns v; where w is half turns the factor would not be periodic, and is left out.
     pub fn at<const N: usize>(
         &self,
         v: [f64; 2],
@@ -378,12 +378,12 @@ impl Family {
         found
     }
 
-    /// Those after the modular transformation, where they are needed.
+    /// The functions after the modular transformation, where they are used.
     pub fn pinched(&self) -> Option<&Pinched> {
         self.pinched.as_ref().map(|(functions, _)| functions)
     }
 
-    /// With a double root where the phases are so far, halved.
+    /// For a curve with a double root and a start at these phases, halved.
     pub fn at_double_root(&mut self, v: [f64; 2]) {
         if let Some((functions, _)) = &mut self.pinched {
             functions.at_double_root(v);
@@ -391,7 +391,7 @@ impl Family {
     }
 }
 
-/// The partial sums put together in two parts, of which the second changes its sign with the other half period along the real directions: signs from a half period n/2, i from the real part ½ of τ.
+/// The partial sums combined into two parts, the second of which changes its sign if the `other` half period is added; the half period n/2 brings signs, the real part ½ of τ factors i.
 fn parts(sums: &Sums, half: [u8; 2], twisted: bool, other: [u8; 2]) -> [Complex; 2] {
     let mut parts = [Complex::default(); 2];
     for (place, sum) in sums.iter().enumerate() {

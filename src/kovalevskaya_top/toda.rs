@@ -1,18 +1,18 @@
 //! Toda's lattice (tutorial 8.3): particles on a line, each pushed by its neighbours with an exponential force.
 //!
 //! q_i′ = p_i, p_i′ = e^{−(q_i−q_{i−1})} − e^{−(q_{i+1}−q_i)}. Flaschka (1974): the symmetric matrix L with b_i = p_i/2 on the diagonal and
-//! a_i = ½e^{−(q_{i+1}−q_i)/2} beside it obeys dL/dt = BL − LB with an antisymmetric B, so that its eigenvalues stay.
+//! a_i = ½e^{−(q_{i+1}−q_i)/2} beside it obeys dL/dt = BL − LB with an antisymmetric B, so that its eigenvalues are constant.
 
 use nalgebra::DMatrix;
 
 use crate::error::{Error, Result, each_finite, finite};
 
-/// How the line ends.
+/// The ends of the line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ends {
-    /// The first and last particle have one neighbour each; in the end all fly apart.
+    /// The first and last particle have one neighbour each; eventually all fly apart.
     Open,
-    /// The last is the neighbour of the first.
+    /// The last particle is a neighbour of the first.
     Periodic,
 }
 
@@ -44,7 +44,7 @@ impl Lattice {
         };
         if positions.len() < least {
             return Err(Error::Condition {
-                condition: "a Toda lattice must have two particles, three if it is periodic",
+                condition: "a Toda lattice must have at least two particles, three if it is periodic",
                 value: positions.len() as f64,
             });
         }
@@ -87,7 +87,7 @@ impl Lattice {
         &self.momenta
     }
 
-    /// Gap from each particle to the next; after the last of a periodic lattice, to the first.
+    /// Gap from each particle to the next; in a periodic lattice also from the last to the first.
     fn gaps(&self) -> impl Iterator<Item = f64> {
         let q = &self.positions;
         let n = q.len();
@@ -138,7 +138,7 @@ impl Lattice {
 
     /// The eigenvalues of L in ascending order: as many constants of motion as particles.
     ///
-    /// Error: a few eps of the greatest. Cost: one symmetric eigenvalue problem.
+    /// Error: a few eps times the greatest. Cost: one symmetric eigenvalue problem.
     ///
     /// # Errors
     /// [`Error::NotFinite`] if an exponential overflows.
@@ -160,12 +160,12 @@ impl Lattice {
     }
     // ANCHOR_END: lax
 
-    /// Moves the lattice on by `steps` steps of length `step`, by Yoshida's symplectic method of order 8 in 15 stages.
+    /// Advances the lattice by `steps` steps of length `step`, by Yoshida's symplectic method of order 8 in 15 stages.
     ///
-    /// It knows nothing of the Lax matrix. Error O(step⁸); energy does not drift. Cost: 15 exponentials a bond and step.
+    /// It does not use the Lax matrix. Error O(step⁸); energy does not drift. Cost: 15 exponentials a bond and step.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for the step, or if the lattice is lost.
+    /// [`Error::NotFinite`] for the step, or if positions or momenta overflow.
     ///
     /// ```
     /// # use spinning_bodies::kovalevskaya_top::toda::{Ends, Lattice};

@@ -1,4 +1,4 @@
-//! The top itself: units and axes taken off, the regime decided, Ω, z and attitude at any time (8.1, 8.2).
+//! The top itself: it removes units and axes, decides the regime, and gives Ω, z and attitude at any time (8.1, 8.2).
 
 use nalgebra::Complex;
 
@@ -8,21 +8,21 @@ use super::exact::Reason;
 use super::pendulum::Pendulum;
 use super::precession::Precession;
 use super::separation::{Separation, Variables};
-use super::taylor::{Carried, about_third, shortest};
+use super::taylor::{FullState, about_third, shortest};
 use crate::error::{Error, Result, finite, not_negative, positive, too_long, within};
 use crate::euler_equations::{AxisMoments, HeavyTop, TopState};
 use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector, finite_vector};
 use crate::precise::{DoubleDouble, Extended, Number, power_of_two_below};
 
-/// How the motion is computed, Ω and z as well as the attitude.
+/// The method by which the motion is computed: Ω, z and the attitude.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Method {
-    /// Kovalevskaya's own road, any time at the same cost: Ω and z are functions of two angles that advance evenly, and so is the azimuth of the third axis, less αt and the
-    /// arguments of four theta functions θ(v − a), which is Kötter's quadrature of 1893.
+    /// Kovalevskaya's separation, at the same cost for any time: Ω and z are functions of two angles that advance uniformly; the azimuth of the third axis is αt less the
+    /// phases of four theta functions θ(v − a), which is Kötter's quadrature of 1893.
     Separation,
-    /// z along axis 3 at the start, or a pendulum that keeps to its plane, where two roots are one: theta functions of one variable, beside exponentials for the former, any time at the same cost.
+    /// z along axis 3 at the start, or a pendulum in a vertical plane, where two roots coincide: theta functions of one variable, in the first case with exponentials, at the same cost for any time.
     Elliptic,
     /// The Euler–Poisson equations by their power series in 106 bits, step by step from time 0, for this reason.
     PowerSeries(Reason),
@@ -30,7 +30,7 @@ pub enum Method {
     FreeTop,
 }
 
-/// Kovalevskaya's top at one time.
+/// The state of Kovalevskaya's top at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State {
@@ -38,24 +38,24 @@ pub struct State {
     pub omega: BodyVector,
     /// L along the body's axes, kg m²/s.
     pub angular_momentum: BodyVector,
-    /// How the body stands in space; space's third axis points up.
+    /// The attitude of the body in space, whose third axis points up.
     pub attitude: Attitude,
     /// z, the upward unit vector, along the body's axes.
     pub up: BodyVector,
 }
 
-/// What the motion keeps (8.1, 8.2).
+/// The constants of the motion (8.1, 8.2).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Integrals {
     /// E = ½⟨IΩ,Ω⟩ + ⟨MgC, z⟩, J.
     pub energy: f64,
     /// L_vert = ⟨IΩ, z⟩, kg m²/s.
     pub vertical_angular_momentum: f64,
-    /// Her constant |K| = |(Ω₁+iΩ₂)² − (Mg/I₃)(C₁+iC₂)(z₁+iz₂)|, 1/s².
+    /// Kovalevskaya's constant |K| = |(Ω₁+iΩ₂)² − (Mg/I₃)(C₁+iC₂)(z₁+iz₂)|, 1/s².
     pub kovalevskaya: f64,
 }
 
-/// A top with I₁ = I₂ = 2I₃ and its centre of mass on the plane of axes 1 and 2, its motion prepared.
+/// A top with I₁ = I₂ = 2I₃ and its centre of mass in the plane of axes 1 and 2, with its motion prepared.
 #[derive(Debug, Clone, PartialEq)]
 pub struct KovalevskayaTop {
     /// I₃, kg m².
@@ -66,8 +66,8 @@ pub struct KovalevskayaTop {
     pub(super) unit: f64,
     /// Angle from axis 1 to C about axis 3.
     pub(super) heading: f64,
-    /// The start in the units and along the axes of the theory, and what it is of the doubles given, unrounded.
-    pub(super) start: Carried,
+    /// The start in the units and along the axes of the theory, rounded, and then in 106 bits.
+    pub(super) start: FullState,
     pub(super) wide: WidePhase,
     pub(super) constants: Constants,
     kind: Kind,
@@ -82,13 +82,13 @@ pub(super) enum Motion {
     Free(Box<EulerTop>),
 }
 
-/// Beyond this, in rad/s, a rate that is rounded up overflows.
+/// Above this, in rad/s, a rate that is rounded up could overflow.
 const FASTEST: f64 = 1e307;
 
 /// How far from 2 the ratios I₁/I₃ and I₂/I₃ may be rounded.
 const ROUNDED: f64 = 8.0 * f64::EPSILON;
 
-/// Units of time (the reciprocal of the greatest of |Ω_i(0)| and √(Mg|C|/I₃), up to a factor 2) beyond which a double tells the phases to less than 1e-6.
+/// Units of time (the reciprocal of the greatest of |Ω_i(0)| and √(Mg|C|/I₃), up to a factor 2) beyond which doubles no longer give the phases to 1e-6.
 pub(super) const LONGEST: f64 = 1e9;
 
 impl KovalevskayaTop {
@@ -96,8 +96,8 @@ impl KovalevskayaTop {
     /// body's axes (rad/s) and attitude at time 0; space's third axis points up (8.1).
     ///
     /// Domain: I₁ = I₂ = 2I₃ up to 8 eps, which is taken for rounding (the moments used are 2I₃, 2I₃, I₃), and C₃ = 0 exactly; C in any
-    /// direction of the plane, also C = O. Moments need not satisfy more: Md² ≤ I₃/2 is what a body needs in addition, and
-    /// mass and lever do not come separately. The regime is decided here: [`kind`](Self::kind), [`method`](Self::method).
+    /// direction of the plane, or C = O. A real body must also satisfy Md² ≤ I₃/2, which is not checked, since mass and lever are not given
+    /// separately. The regime is decided here: [`kind`](Self::kind), [`method`](Self::method).
     /// Cost: 0.12 ms in the median of random starts; a quarter of a millisecond where z starts along axis 3, 4 µs for a pendulum.
     ///
     /// # Errors
@@ -176,7 +176,7 @@ impl KovalevskayaTop {
         let axial = moments[2];
         for moment in &moments[..2] {
             let ratio = moment / axial;
-            // An infinite quotient of finite moments is refused with the rest.
+            // An infinite quotient of finite moments is refused here too.
             if (ratio - 2.0).abs() > 2.0 * ROUNDED {
                 return Err(Error::Condition {
                     condition: "I1/I3 and I2/I3 must be 2 for Kovalevskaya's top",
@@ -188,7 +188,7 @@ impl KovalevskayaTop {
         finite_vector("the angular velocity", omega)?;
         if lever.z() != 0.0 {
             return Err(Error::Condition {
-                condition: "the centre of mass of Kovalevskaya's top must lie on the plane of axes 1 and 2, C3 = 0",
+                condition: "the centre of mass of Kovalevskaya's top must lie in the plane of axes 1 and 2, C3 = 0",
                 value: lever.z(),
             });
         }
@@ -203,7 +203,7 @@ impl KovalevskayaTop {
         let unit = power_of_two_below(fastest);
         // In two quotients: the square of the unit may overflow or underflow where the result does not.
         let rounded = strength / unit / unit;
-        let (along, c) = leaning(lever, axial, rounded);
+        let (along, c) = direction_of_lever(lever, axial, rounded);
         let wide = start_of(along, omega / unit, up);
         let start = wide.map(DoubleDouble::value);
         let constants = Constants::of(c, &wide);
@@ -212,7 +212,7 @@ impl KovalevskayaTop {
         let turned = attitude.quaternion().into_inner() * about_third(heading);
         let start = (start, turned);
         let motion = if rounded == 0.0 {
-            // Only the ratios count, so no moment or rate can be too small to square.
+            // Only ratios matter, so that no moment or rate can be too small to square.
             let free = EulerTop::from_omega([2.0, 2.0, 1.0], omega / unit, attitude)?;
             Motion::Free(Box::new(free))
         } else if let Some(pendulum) = Pendulum::find(&constants, &wide, &start) {
@@ -236,7 +236,7 @@ impl KovalevskayaTop {
         })
     }
 
-    /// What kind of motion it is: how the five roots lie, decided once.
+    /// The kind of motion, by the position of the five roots; decided once.
     ///
     /// ```
     /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
@@ -249,7 +249,7 @@ impl KovalevskayaTop {
         self.kind
     }
 
-    /// How it is computed, and if not by separation, why.
+    /// The method by which the motion is computed, and if it is not separation, why.
     ///
     /// ```
     /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
@@ -293,12 +293,12 @@ impl KovalevskayaTop {
     /// Ω and z at any time t (s), without the attitude: at the same cost for every t where [`method`](Self::method) is not
     /// [`PowerSeries`](Method::PowerSeries).
     ///
-    /// Quotients of sums of seven theta functions, and the nearest point of the surface E, L_vert, |z|,
+    /// Quotients of sums of seven theta functions, moved to the nearest point of the surface E, L_vert, |z|,
     /// |K| = const. Error: see [the module](super). Cost: 1 µs in the median.
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::OutOfRange`] for |t| beyond 10⁹ units of the motion (4096 by power series), the unit being 1/max(|Ω|, √(Mg|C|/I₃));
-    /// [`Error::Integration`] where the motion by power series amplifies what is rounded more than 10¹⁷ times until then, with the time at which that much is reached.
+    /// [`Error::Integration`] if, by power series, the motion has amplified rounding more than 10¹⁷ times by then, with the time at which it does.
     ///
     /// ```
     /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
@@ -312,8 +312,8 @@ impl KovalevskayaTop {
     pub fn omega_and_up(&self, t: f64) -> Result<TopState> {
         match &self.motion {
             Motion::Separated(separated) => {
-                let time = self.inward_time(t, LONGEST)?;
-                Ok(self.outward(&separated.exact.state(&self.constants, time)))
+                let time = self.scaled_time(t, LONGEST)?;
+                Ok(self.restored_state(&separated.exact.state(&self.constants, time)))
             }
             _ => {
                 let State { omega, up, .. } = self.at(t)?;
@@ -323,12 +323,12 @@ impl KovalevskayaTop {
     }
 
     // ANCHOR: stated_error
-    /// The error that is stated for time t (s): of Ω in units of u, of z, and of the attitude in radians.
+    /// The error stated for time t (s): of Ω in units of u, of z, and of the attitude in radians.
     ///
-    /// 10⁻¹² + 10⁻¹³|t|u, by [`Separation`](Method::Separation) times max(1, u²I₃/Mg|C|), u being the power of two next below the greatest of |Ω_i(0)| and √(Mg|C|/I₃).
-    /// Observed over 8000 starts, near double roots and far from them, to |t|u = 100: 0.42 of it at worst, the attitude next to a double root; Ω and z
-    /// by far less.
-    /// The doubles given are taken as they are: what the motion makes of their own rounding is not in it.
+    /// 10⁻¹² + 10⁻¹³|t|u, multiplied for [`Separation`](Method::Separation) by max(1, u²I₃/Mg|C|), where u is the power of two next below the greatest of |Ω_i(0)| and √(Mg|C|/I₃).
+    /// Observed over 8000 starts, near double roots and far from them, up to |t|u = 100: at worst 0.42 of it, for the attitude near a double root; Ω and z
+    /// far less.
+    /// The doubles given are taken as exact: how the motion amplifies their own rounding is not included.
     ///
     /// ```
     /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
@@ -346,7 +346,7 @@ impl KovalevskayaTop {
     }
     // ANCHOR_END: stated_error
 
-    /// Turns of the two phases a second, or nothing where the motion is not separated.
+    /// Turns of the two phases a second, or `None` where the motion is not separated.
     ///
     /// Ω and z are functions of two angles that advance uniformly at these rates; they return to themselves after an even number of turns of each.
     /// Error: 1e-15 relative. Cost: none.
@@ -366,7 +366,7 @@ impl KovalevskayaTop {
         Some(turns.map(|n| n.value() * self.unit))
     }
 
-    /// Her separation variables of any state on the same surface, straight from their definition (8.2), 1/s².
+    /// Kovalevskaya's separation variables s₁, s₂ of any state with the same constants, directly from their definition (8.2), 1/s².
     ///
     /// s = l₁/2 + (R(x₁,x₂) ∓ |R(x₁)|)/(2(x₁−x₂)²) with x₁,₂ = Ω₁ ± iΩ₂ along axes for which C₂ = 0. Error: a few eps of |Ω|². Cost: a few multiplications.
     ///
@@ -405,8 +405,8 @@ impl KovalevskayaTop {
         self.constants.roots().map(|root| root.value() * square)
     }
 
-    /// By how much ∫ds₁/√P (s³), ∫s₁ds₁/√P (s), and the same two for s₂, increase in a whole turn of the phase: real periods of the curve
-    /// w² = P(s); nothing where the motion is not separated.
+    /// The increase of ∫ds₁/√P (s³), ∫s₁ds₁/√P (s), and of the same two for s₂, in a whole turn of the phase: real periods of the curve
+    /// w² = P(s); `None` where the motion is not separated.
     ///
     /// ```
     /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
@@ -422,10 +422,10 @@ impl KovalevskayaTop {
         Some([a1 / cube, b1 / self.unit, a2 / cube, b2 / self.unit])
     }
 
-    /// The same top for the general equations (5.1).
+    /// The same top as a [`HeavyTop`], for the general equations (5.1).
     ///
     /// # Errors
-    /// None that [`new`](Self::new) has not raised.
+    /// None in practice: [`new`](Self::new) has already checked what is checked here.
     ///
     /// ```
     /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
@@ -449,7 +449,8 @@ impl KovalevskayaTop {
         }
     }
 
-    pub(super) fn inward_time(&self, t: f64, longest: f64) -> Result<f64> {
+    /// The time in units of the motion, refused beyond `longest`.
+    pub(super) fn scaled_time(&self, t: f64, longest: f64) -> Result<f64> {
         let time = finite("the time", t)? * self.unit;
         if time.abs() > longest {
             return Err(too_long(t, longest / self.unit));
@@ -457,7 +458,8 @@ impl KovalevskayaTop {
         Ok(time)
     }
 
-    pub(super) fn outward(&self, &[p, q, r, z1, z2, z3]: &Phase) -> TopState {
+    /// Ω and z in SI units along the body's axes.
+    pub(super) fn restored_state(&self, &[p, q, r, z1, z2, z3]: &Phase) -> TopState {
         let [o1, o2] = turned(-self.heading, [p, q]);
         let [u1, u2] = turned(-self.heading, [z1, z2]);
         TopState {
@@ -467,8 +469,12 @@ impl KovalevskayaTop {
     }
 }
 
-/// Cosine and sine of the angle from axis 1 to C, and c = MgC₁/I₃ in 106 bits, of which `rounded` is the nearest double or nearly.
-fn leaning(lever: BodyVector, axial: f64, rounded: f64) -> ([DoubleDouble; 2], DoubleDouble) {
+/// Cosine and sine of the angle from axis 1 to C, and c = MgC₁/I₃ in 106 bits, whose nearest double is `rounded`, or nearly.
+fn direction_of_lever(
+    lever: BodyVector,
+    axial: f64,
+    rounded: f64,
+) -> ([DoubleDouble; 2], DoubleDouble) {
     let wide = DoubleDouble::from;
     if rounded == 0.0 {
         return ([wide(1.0), wide(0.0)], wide(0.0));
@@ -477,7 +483,7 @@ fn leaning(lever: BodyVector, axial: f64, rounded: f64) -> ([DoubleDouble; 2], D
     let [x, y] = [lever.x(), lever.y()].map(|c| wide(c / size));
     let length = (x * x + y * y).square_root();
     let mantissa = length / wide(axial / power_of_two_below(axial));
-    // What is left is a power of two, found without forming powers that overflow.
+    // The remaining factor is a power of two, found without forming powers that overflow.
     let power = power_of_two_below(1.5 * (rounded / mantissa.high()));
     ([x / length, y / length], mantissa.scaled(power))
 }
@@ -497,19 +503,19 @@ fn start_of(
     [p, q, DoubleDouble::from(omega.z()), z1, z2, z3]
 }
 
-/// The components of a vector along axes that are turned by an angle.
+/// The components of a vector along axes turned by an angle.
 fn turned(angle: f64, [x, y]: [f64; 2]) -> [f64; 2] {
     let (sine, cosine) = angle.sin_cos();
     [cosine * x + sine * y, cosine * y - sine * x]
 }
 
-/// Semi-axes a ≤ b < c (m) of the homogeneous ellipsoid that makes her top: of this mass (kg), with the least moment I₃ (kg m²) about a pivot
+/// Semi-axes a ≤ b < c (m) of a homogeneous ellipsoid that is Kovalevskaya's top: of this mass (kg), with the least moment I₃ (kg m²) about a pivot
 /// at this distance d (m) from its centre, on its shortest axis (8.1).
 ///
-/// b² = 5I₃/(2M), c² = 3b² and a² = b² − 5d², in 106 bits: next to a disc nothing is lost. Error: 1 ε. The long axis is the one of I₃.
+/// b² = 5I₃/(2M), c² = 3b² and a² = b² − 5d², in 106 bits, so that nothing is lost for a body that is nearly a disc. Error: 1 ε. The moment about the longest axis is I₃.
 ///
 /// # Errors
-/// [`Error::NotFinite`]; [`Error::NotPositive`] for mass or moment; [`Error::Negative`] for d; [`Error::Condition`] unless 2Md² < I₃: no body is thinner than thin.
+/// [`Error::NotFinite`]; [`Error::NotPositive`] for mass or moment; [`Error::Negative`] for d; [`Error::Condition`] unless 2Md² < I₃: otherwise a² would not be positive.
 ///
 /// ```
 /// use spinning_bodies::kovalevskaya_top::ellipsoid;
@@ -522,7 +528,7 @@ pub fn ellipsoid(mass: f64, least_moment: f64, distance: f64) -> Result<[f64; 3]
     positive("the least moment", least_moment)?;
     not_negative("the distance of the pivot from the centre", distance)?;
     let [heavy, moment, distant] = [mass, least_moment, distance].map(Extended::from_double);
-    // I₃ − 2Md², which next to a disc is all that is left.
+    // I₃ − 2Md², which is small for a body that is nearly a disc.
     let rest = moment - (distant.square() * heavy).times(2.0);
     if rest.leading() <= 0.0 {
         return Err(Error::Condition {

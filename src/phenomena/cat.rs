@@ -11,7 +11,7 @@ use crate::frame::{Attitude, BodyVector, finite_vector};
 use crate::integrators::halved;
 use crate::precise::power_of_two_below;
 
-/// One half of a cat: a body of revolution, its spine its axis.
+/// One half of a cat: a body of revolution with the spine as its axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Half {
     /// Mass m, kg.
@@ -52,12 +52,12 @@ impl Bend {
     }
 
     /// Angular velocity of the second half against the first, along the first's axes: γ′b + ψ′(e − Re).
-    /// No exponential map is differentiated, so a straight cat is like any other.
+    /// The exponential map is not differentiated, so that a straight cat is no exception.
     fn rate(&self) -> Vector3<f64> {
         self.axis() * self.angle_rate + (Vector3::x() - self.spine()) * self.direction_rate
     }
 
-    /// The attitude of the second half against the first.
+    /// The attitude of the second half relative to the first.
     ///
     /// ```
     /// use spinning_bodies::{frame::Attitude, phenomena::Bend};
@@ -72,19 +72,19 @@ impl Bend {
 
 /// A cat of two halves. Its body axes are those of the first half: x along the spine towards the joint.
 ///
-/// Shape: the angle γ between the halves, and the direction ψ around the spine into which they bend. The relative rotation is
-/// R = exp(γ b(ψ)) with b perpendicular to the spine. Bend, carry the bend once round, unbend: the cat has its old shape, has had no
+/// The shape is given by the angle γ between the halves and the direction ψ around the spine in which they bend. The relative rotation is
+/// R = exp(γ b(ψ)) with b perpendicular to the spine. The cat bends, carries the bend once round, and unbends: it then has its old shape, has had no
 /// angular momentum at any time, and lies the other way up.
 ///
-/// [`Cat`] takes any two halves and any path of shapes, and solves L = 0 for the angular velocity. [`EqualHalves`] is the case with a closed form:
-/// the bisector of the two spines then keeps its direction in space, and the cat is a swivel in disguise.
+/// [`Cat`] takes any two halves and any path of shapes, and solves for the angular velocity at a given L, zero in a free fall. [`EqualHalves`] is the case with a closed form:
+/// the bisector of the two spines then keeps its direction in space, and the cat obeys the law of a swivel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cat {
     pub(crate) halves: [Half; 2],
 }
 
 impl Cat {
-    /// The cat of these halves, front and rear.
+    /// The cat with these halves, front and rear.
     ///
     /// # Errors
     /// [`Error::NotPositive`], [`Error::NotFinite`]; [`Error::TriangleInequality`] for moments that no body has.
@@ -118,7 +118,7 @@ impl Cat {
         (first == second).then_some(EqualHalves::of(first.axial, first.transverse))
     }
 
-    /// Place of the joint and of the two halves' centres from the common centre of mass, m, along the first half's axes.
+    /// Positions of the joint and of the two halves' centres relative to the common centre of mass, m, along the first half's axes.
     ///
     /// ```
     /// use spinning_bodies::phenomena::{Bend, Cat, Half};
@@ -141,7 +141,7 @@ impl Cat {
 
     /// Angular momentum about the centre of mass, along the first half's axes, when that half turns at `omega`.
     ///
-    /// Summed over the halves: each its own moments, and its mass at its place. This is what the ledger of a fall records.
+    /// The sum over the halves of their own angular momentum and that of their centres. The ledger of a fall records it.
     ///
     /// ```
     /// use spinning_bodies::{frame::BodyVector, phenomena::{Bend, Cat, Half}};
@@ -158,7 +158,7 @@ impl Cat {
         let [first, second] = &self.halves;
         let spins = spin(first, Vector3::x(), omega) + spin(second, bend.spine(), other);
         let [_, a, b] = self.places(bend).map(|place| place.components());
-        // Velocities seen from the centre of mass, along turning axes: r′ + Ω ∧ r.
+        // Velocities relative to the centre of mass, along turning axes: r′ + Ω ∧ r.
         let parting = bend.rate().cross(&bend.spine()) * second.to_joint;
         let mass = first.mass + second.mass;
         let va = omega.cross(&a) - parting * (second.mass / mass);
@@ -168,11 +168,11 @@ impl Cat {
 
     /// Angular velocity of the first half, rad/s along its own axes, at this shape and angular momentum (also along those axes).
     ///
-    /// The locked body's matrix times Ω is L less what the shape alone would have: [I_A + RI_BRᵀ + μ(c²1 − ccᵀ)] Ω = L − RI_BRᵀw − μ c ∧ c′,
-    /// with c from centre to centre and μ the reduced mass. Observed error of the momentum restored: 3e-16 of its largest term.
+    /// The locked body's inertia matrix times Ω is L less the angular momentum of the changing shape: [I_A + RI_BRᵀ + μ(c²1 − ccᵀ)] Ω = L − RI_BRᵀw − μ c ∧ c′,
+    /// with c from centre to centre and μ the reduced mass. Observed error, as an error of L: 3e-16 of its largest term.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for a shape that is none.
+    /// [`Error::NotFinite`] if the shape or L is not.
     ///
     /// ```
     /// use spinning_bodies::{frame::BodyVector, phenomena::{Bend, Cat, Half}};
@@ -214,9 +214,9 @@ fn inertia(half: &Half, spine: Vector3<f64>) -> Matrix3<f64> {
 
 /// The cat with equal halves, after Rademaker and ter Braak (1935): x is the bend γ, ψ its direction, polar coordinates of a disc of shapes.
 ///
-/// Along the bisector of the spines and nowhere else the changing shape has angular momentum, so the bisector keeps its direction and the frame of
-/// the bend turns about it by χ′ = f(γ)ψ′, f = J cos a/(J cos²a + I sin²a), a = γ/2. Each half spins back by ψ on its own axis: seen along
-/// the straight cat, the turn is −∮(1 − f) dψ. The bending itself, γ′, turns nothing; the distance to the joint does not occur.
+/// The angular momentum of the changing shape is along the bisector of the spines, so the bisector keeps its direction in space and the frame of
+/// the bend turns about it by χ′ = f(γ)ψ′, f = J cos a/(J cos²a + I sin²a), a = γ/2. Each half spins back by ψ about its own axis: for
+/// the straight cat the net turn is −∮(1 − f) dψ. The bending γ′ itself causes no turn, and the distance to the joint does not occur.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EqualHalves {
     axial: f64,
@@ -259,7 +259,7 @@ impl EqualHalves {
         Ok(Self::of(axial, transverse))
     }
 
-    /// Only their ratio counts: without the power of two, products of the smallest moments do not vanish.
+    /// Only their ratio matters, so a power of two is divided out: products of the smallest moments would underflow.
     fn of(axial: f64, transverse: f64) -> Self {
         let unit = power_of_two_below(axial.max(transverse));
         Self {
@@ -279,12 +279,12 @@ impl EqualHalves {
         self.axial * c * c + self.transverse * s * s
     }
 
-    /// f(γ): how far the frame of the bend turns in space a radian of ψ.
+    /// f(γ): the angle by which the frame of the bend turns in space for each radian of ψ.
     pub(crate) fn frame_turn(&self, angle: f64) -> f64 {
         self.axial * (0.5 * angle).cos() / self.stiffness(angle)
     }
 
-    /// Turn of the cat, radians, in the sense opposite to the swing, when the bend γ is carried once round:
+    /// Turn of the cat, radians, opposite to the swing, when the bend γ is carried once round:
     /// 2π[1 − J cos a/(J cos²a + I sin²a)] with a = γ/2. 0 for γ = 0; independent of pace and of the distance to the joint.
     /// Observed error: 4 ulp.
     ///
@@ -305,7 +305,7 @@ impl EqualHalves {
 
     /// The bend γ, radians, that turns the cat by exactly half a turn: cos(γ/2) = 1/(r + s) with r = J/I, at most 2, and s = √(1 + r(r − 1)).
     ///
-    /// Formed as tan²(γ/4) = r(r + s)/((1 + s)(1 + r + s)), so that a slender cat's keeps its digits: 3 ulp.
+    /// Formed as tan²(γ/4) = r(r + s)/((1 + s)(1 + r + s)), so that the small bend of a slender cat keeps its digits. Error: 3 ulp.
     ///
     /// ```
     /// use spinning_bodies::phenomena::EqualHalves;
@@ -339,7 +339,7 @@ impl EqualHalves {
         periodic(|psi| self.turn_back(0.5 * (forward + back) + 0.5 * (forward - back) * psi.cos()))
     }
 
-    /// The bend γ_back, radians, that makes the uneven swing half a turn, or nothing if none does. The turn grows with the bend, so
+    /// The bend γ_back, radians, with which the uneven swing turns the cat by half a turn, or `None` if no bend does. The turn grows with the bend, so
     /// bisection finds it to the last bit.
     ///
     /// # Errors
@@ -366,7 +366,7 @@ impl EqualHalves {
     }
 }
 
-/// A bend that a cat can have.
+/// The bend, if it lies between 0 and π.
 fn bendable(angle: f64) -> Result<f64> {
     within("the bend", angle, 0.0, core::f64::consts::PI)
 }

@@ -9,15 +9,15 @@ pub struct Crawler {
     strokes: Strokes,
 }
 
-/// How the muscle changes the gap between the feet: pushed apart by `length` within `push`, pulled together within `pull`, again and again.
+/// The muscle's strokes: it pushes the feet apart by `length` in the time `push`, pulls them together in the time `pull`, and repeats this.
 ///
-/// Each stroke speeds up evenly and slows down evenly, so the acceleration of the gap is constant on four pieces of a cycle and every
-/// velocity is linear between events.
+/// In each stroke the gap first accelerates uniformly and then slows down uniformly, so its acceleration is constant on four pieces of a cycle and
+/// every velocity is linear between events.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Strokes {
     /// Least gap, m.
     pub gap: f64,
-    /// How much a stroke adds, m.
+    /// The increase of the gap in a push, m.
     pub length: f64,
     /// Duration of the push, s.
     pub push: f64,
@@ -48,7 +48,7 @@ impl Strokes {
         self.push + self.pull
     }
 
-    /// When the piece of the motion with this number begins, s; there are four a cycle.
+    /// The time at which the piece of the motion with this number begins, s; there are four a cycle.
     pub(crate) fn beginning(&self, number: u64) -> f64 {
         let within = match number % 4 {
             0 => 0.0,
@@ -61,7 +61,7 @@ impl Strokes {
 
     /// The piece in which a time (s) lies.
     pub(crate) fn piece_at(&self, time: f64) -> u64 {
-        // One less than the whole cycles make: they are rounded.
+        // One less than the whole cycles give, because their number may have been rounded up.
         let mut number = (4 * (time / self.cycle()) as u64).saturating_sub(1);
         while self.beginning(number + 1) < time {
             number += 1;
@@ -72,7 +72,7 @@ impl Strokes {
     /// The gap at a time within the piece of this number.
     pub(crate) fn at(&self, number: u64, time: f64) -> Gap {
         let acceleration = self.acceleration(number);
-        // From the end of the piece at which the rate is zero: of every other it is the second.
+        // Counted from the end of the piece at which the rate is zero: the beginning of even pieces, the end of odd ones.
         let elapsed = time - self.beginning(number + number % 2);
         let base = if wide(number) {
             self.gap + self.length
@@ -99,10 +99,10 @@ fn wide(number: u64) -> bool {
     matches!(number % 4, 1 | 2)
 }
 
-/// Which way a foot moves.
+/// The state of a foot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Foot {
-    /// It holds.
+    /// It is at rest on the ground.
     Holds,
     /// It slips forward.
     Forward,
@@ -111,7 +111,7 @@ pub enum Foot {
 }
 
 impl Foot {
-    /// The sign of its velocity.
+    /// The sign of the foot's velocity.
     pub(crate) const fn sign(self) -> f64 {
         match self {
             Self::Holds => 0.0,
@@ -143,7 +143,7 @@ pub struct Leg {
 }
 
 impl Crawler {
-    /// Feet of these masses (kg), rear and front, moved like this.
+    /// A crawler with feet of these masses (kg), rear and front, moved by these strokes.
     ///
     /// # Errors
     /// [`NotPositive`](crate::Error::NotPositive), [`NotFinite`](crate::Error::NotFinite).
@@ -172,7 +172,7 @@ impl Crawler {
         self.masses
     }
 
-    /// What the muscle does.
+    /// The strokes of the muscle.
     pub(crate) const fn strokes(&self) -> &Strokes {
         &self.strokes
     }
@@ -181,12 +181,12 @@ impl Crawler {
         self.masses[0] + self.masses[1]
     }
 
-    /// The velocity of the centre, m/s, that leaves this foot at rest while the gap opens at this rate; of accelerations the same.
+    /// The velocity of the centre, m/s, for which this foot is at rest while the gap opens at this rate; the same relation holds for accelerations.
     pub(crate) fn holding(&self, foot: usize, gap_rate: f64) -> f64 {
         [self.masses[1], -self.masses[0]][foot] / self.mass() * gap_rate
     }
 
-    /// Places of rear and front foot, m; of velocities the same.
+    /// Positions of rear and front foot, m; the same relation holds for velocities.
     pub(crate) fn feet(&self, center: f64, gap: f64) -> [f64; 2] {
         [0, 1].map(|foot| center - self.holding(foot, gap))
     }
@@ -197,18 +197,18 @@ impl Crawler {
         0.5 * (self.masses[0] * v * v + self.masses[1] * w * w)
     }
 
-    /// What follows for the stretch that begins: which feet hold, and how the centre accelerates.
+    /// The leg that begins: which feet hold, and how the centre accelerates.
     ///
-    /// `feet` says which feet were slipping so far; `sliding` is μg (m/s²) of a foot that slips, `holding` the same of one at rest: it holds if
-    /// the force that this takes is no more than that times its mass, and otherwise sets off against it.
+    /// `feet` is their state so far; `sliding` is μg (m/s²) of a slipping foot, `holding` the same for a foot at rest: it holds if the force
+    /// needed for that is no more than `holding` times its mass, and otherwise starts to slip against that force.
     pub(crate) fn leg(&self, feet: [Foot; 2], gap: &Gap, sliding: f64, holding: f64) -> Leg {
         let (masses, alpha) = (self.masses, gap.acceleration);
-        // With which acceleration each foot sees the other part from it.
+        // The acceleration of the other foot as seen from each foot.
         let parting = [alpha, -alpha];
         let held = |feet: &[Foot; 2]| feet.iter().position(|&foot| foot == Foot::Holds);
         let mut feet = feet;
         if feet == [Foot::Holds; 2] {
-            // One holds and the other sets off, or both do: outward when the gap opens.
+            // One holds and the other starts to slip, or both slip: outward when the gap accelerates outward.
             let strength = alpha.abs() + sliding;
             let holds = |&foot: &usize| masses[1 - foot] * strength <= masses[foot] * holding;
             feet = [Foot::toward(-alpha), Foot::toward(alpha)];
@@ -256,8 +256,8 @@ impl Crawler {
         foot(0) + foot(1)
     }
 
-    /// How fast a foot slips on, m/s and m/s², if it slows down: only such a foot can come to rest, and none while the other one holds. Then it
-    /// goes with the stroke and rests where the stroke turns, not before.
+    /// Speed (m/s) and acceleration (m/s²) of a slipping foot in its direction, if it slows down while neither foot holds: only then can it come to rest.
+    /// While the other foot holds, a foot moves with the stroke, and rests only where the stroke turns.
     pub(crate) fn slowing(
         &self,
         leg: &Leg,
@@ -271,7 +271,7 @@ impl Crawler {
         slows.then(|| [along(self.feet(velocity, gap_rate)), acceleration])
     }
 
-    /// Centre, velocity, impulse, heat and work after `time` in a leg that begins with these and with this gap.
+    /// Centre, velocity, impulse, heat and work `time` after the beginning of a leg, from their values there and the gap there.
     pub(crate) fn after(&self, leg: &Leg, from: &[f64; 5], gap: &Gap, time: f64) -> [f64; 5] {
         let [center, velocity, impulse, heat, work] = *from;
         let advance = (velocity + 0.5 * leg.center * time) * time;

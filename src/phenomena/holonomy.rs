@@ -3,13 +3,13 @@
 use super::quadrature::{integral, periodic};
 use crate::error::{Result, finite};
 
-/// A shape plane (x, ψ) and the law by which the body turns back when ψ grows.
+/// A shape plane (x, ψ), and the law by which the body turns back when ψ grows.
 ///
-/// A body whose shape has two coordinates, x and an angle ψ, and which turns about one line by θ′ = −a(x) ψ′ when it has no angular
-/// momentum. Along a closed path of shapes the turn is −∮ a dψ: a line integral that knows no time. By Stokes' theorem it is an area,
-/// −∬ a′(x) dx dψ, with the curvature a′ as density. Where the curvature is zero, as for the [slide on ice](super::feet), no loop moves anything.
+/// The shape of the body has two coordinates, x and an angle ψ, and without angular momentum the body turns about one line by θ′ = −a(x) ψ′.
+/// Along a closed path of shapes the turn is −∮ a dψ: a line integral in which time does not occur. By Stokes' theorem it is an area integral,
+/// −∬ a′(x) dx dψ, with the curvature a′ as density. Where the curvature is zero, as for the [slide on ice](super::feet), no loop has any effect.
 pub trait ShapePlane {
-    /// a(x): radians of turn lost a radian of ψ.
+    /// a(x): the angle by which the body turns back for each radian of ψ.
     ///
     /// ```
     /// use spinning_bodies::phenomena::{EqualHalves, ShapePlane};
@@ -30,28 +30,28 @@ pub trait ShapePlane {
     fn curvature(&self, x: f64) -> f64;
 }
 
-/// A place on a closed path of shapes, and the rate by which the path leaves it.
+/// A point on a closed path of shapes, and the tangent of the path there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Step {
     /// (x, ψ).
     pub shape: [f64; 2],
-    /// (x′, ψ′), by the parameter of the path.
+    /// (x′, ψ′), the derivatives by the parameter of the path.
     pub rate: [f64; 2],
 }
 
-/// From where an area is swept out.
+/// The point from which the enclosed area is swept out.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Hub {
-    /// From a point (x, ψ) of the plane: the loop does not go round the axis of ψ.
+    /// A point (x, ψ) of the plane, for a loop along which ψ returns to its value.
     Point([f64; 2]),
-    /// From x = 0, where all ψ are the same shape: the loop goes round it, x and ψ are polar coordinates, and a(0) = 0.
+    /// x = 0, where all ψ are the same shape, for a loop round it: x and ψ are polar coordinates, and a(0) = 0.
     Pole,
 }
 
 /// The turn −∮ a dψ along a closed smooth path, s from 0 to 2π, radians. Observed error: 2e-16 of ∮ |a ψ′| ds.
 ///
 /// # Errors
-/// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Accuracy`](crate::Error::Accuracy) if 2^16 points do not settle it.
+/// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Accuracy`](crate::Error::Accuracy) if the sum does not converge with 2^16 points.
 ///
 /// ```
 /// use spinning_bodies::phenomena::{EqualHalves, Step, turn_along};
@@ -70,9 +70,9 @@ pub fn turn_along(plane: &impl ShapePlane, path: impl Fn(f64) -> Step) -> Result
     periodic(rate)
 }
 
-/// The turn −∬ a′ dx dψ over what a closed smooth path encloses, radians: the same number as [`turn_along`], from the curvature alone.
+/// The turn −∬ a′ dx dψ over the area that a closed smooth path encloses, radians: the same number as [`turn_along`], from the curvature alone.
 ///
-/// The area is swept by the ray from the hub to the path; where the path goes round the other way the area counts as negative.
+/// The area is swept by the ray from the hub to the path; where the ray turns the other way, the area counts as negative.
 /// Observed difference from [`turn_along`]: 4e-16 relative for the loops of the book.
 ///
 /// # Errors

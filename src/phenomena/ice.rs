@@ -8,13 +8,13 @@ use crate::integrators::System;
 pub struct Part {
     /// Mass, kg.
     pub mass: f64,
-    /// Where it is, from the feet, m.
+    /// Its position relative to the feet, m.
     pub from_feet: [f64; 2],
 }
 
-/// Where the feet are, m, when the parts are arranged like this about them and the centre of mass is at `center`.
+/// Position of the feet, m, if the parts are arranged like this about them and the centre of mass is at `center`.
 ///
-/// A body that starts from rest without a horizontal force keeps its centre, so its feet are a function of its shape: F = C − Σmx/Σm.
+/// The centre of mass of a body that starts from rest without a horizontal force stays where it is, so the position of the feet is a function of the shape: F = C − Σmx/Σm.
 /// A closed cycle of shapes brings them back, bit for bit.
 ///
 /// # Errors
@@ -51,9 +51,9 @@ pub fn feet(parts: &[Part], center: [f64; 2]) -> Result<[f64; 2]> {
 pub const PARTS: usize = 6;
 const JOINS: usize = PARTS * (PARTS - 1) / 2;
 
-/// A body of six parts on frictionless ice, each pair pulled and pushed by a muscle of its own that knows no purpose.
+/// A body of six parts on frictionless ice, each pair joined by a muscle that pulls and pushes at random.
 ///
-/// A muscle acts along the join like a spring whose rest length swings by half, with damping; opposite forces on its two ends, and
+/// A muscle acts along the join like a damped spring whose rest length swings by half; the forces on its two ends are opposite, and
 /// nothing else acts. State for the integrator: x, y of each part, then their velocities.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wriggler {
@@ -83,7 +83,7 @@ impl Wriggler {
     pub fn random(seed: u64) -> Self {
         let mut state = seed;
         let mut next = || {
-            // Knuth's linear congruential sequence; the high bits are the good ones.
+            // Knuth's linear congruential generator; its high bits are the random ones.
             state = state
                 .wrapping_mul(6_364_136_223_846_793_005)
                 .wrapping_add(1_442_695_040_888_963_407);

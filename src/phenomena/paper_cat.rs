@@ -1,11 +1,11 @@
-//! The paper cat: a shuttlecock, and no relation of real cats (tutorial 1.1).
+//! The paper cat: it turns over like a shuttlecock, not like a real cat (tutorial 1.1).
 
 use crate::error::{Result, finite, positive};
 
 /// A folded sheet of paper whose centre of mass lies below the point at which the air pushes.
 ///
-/// One angle, its tilt a from feet-down, and the velocity of fall v: v′ = g − q/m and m k² a″ = −q d sin a − c|v|a′, with
-/// q = ½ρSC v|v|. Air and gravity are effects of the scene; this is the cat and what the air does to it.
+/// The model has one angle, the tilt a from feet-down, and the velocity of fall v: v′ = g − q/m and m k² a″ = −q d sin a − c|v|a′, with
+/// q = ½ρSC v|v|. Air and gravity are effects of the scene; this type has the cat and the forces of the air on it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PaperCat {
     /// Mass m, kg.
@@ -33,7 +33,7 @@ impl PaperCat {
         damping: 4e-4,
     };
 
-    /// The same cat, if a cat can be like that.
+    /// The same cat, if its numbers are admissible.
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite); the lever may have any sign.
@@ -80,8 +80,8 @@ impl PaperCat {
         -per_moment * (self.lever * velocity * tilt.sin() + self.damping * tilt_rate)
     }
 
-    /// Fall, m, that each factor of ten in the initial error costs a cat that is nearly upside down, at terminal speed:
-    /// v_t ln 10/λ, where λ is the rate at which the error grows, mk²λ² + c v_t λ = mgd. For a lever above zero; without one no error grows, and the fall is infinite.
+    /// Extra fall, m, before a cat at terminal speed rights itself, for each factor of ten by which its start is closer to upside down:
+    /// v_t ln 10/λ, where λ is the rate at which the deviation grows, mk²λ² + c v_t λ = mgd. For a positive lever; otherwise no deviation grows, and the result is infinite.
     ///
     /// ```
     /// use spinning_bodies::phenomena::PaperCat;
@@ -94,7 +94,7 @@ impl PaperCat {
         let moment = self.mass * self.gyration.powi(2);
         let half = 0.5 * self.grip(air) * speed * self.damping / moment;
         let stiffness = self.mass * g * self.lever / moment;
-        // The positive root, without a difference.
+        // The positive root, formed without a difference.
         let rate = stiffness / (half + (half * half + stiffness).sqrt());
         speed * core::f64::consts::LN_10 / rate
     }

@@ -7,13 +7,13 @@ use crate::precise::DoubleDouble;
 
 /// ∫ f from `from` to `to`, for a function that is smooth between them.
 ///
-/// Gauss and Legendre with 20 points, intervals halved until both halves together agree with the whole to 1e-14 of the integral of |f|, or
-/// to `accuracy` times it if that is more, or to what the rounding of the variable does to f. Observed error for analytic integrands: 3e-16 of that integral.
-/// Cost: 60 evaluations where nothing has to be halved, a million at most.
+/// Gauss–Legendre quadrature with 20 points; intervals are halved until the two halves together agree with the whole to 1e-14 of the integral of |f|, or
+/// to `accuracy` times it if that is more, or to the change of f by the rounding of its variable. Observed error for analytic integrands: 3e-16 of that integral.
+/// Cost: 60 evaluations if nothing has to be halved, a million at most.
 ///
 /// # Errors
 /// [`Error::NotFinite`] for the ends and for values of f; [`Error::Accuracy`] after 40 halvings; [`Error::OutOfRange`] after a million
-/// evaluations, with the place up to which the integral is settled.
+/// evaluations, with the place up to which the integral has converged.
 pub(crate) fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64, accuracy: f64) -> Result<f64> {
     finite("the beginning of an integral", from)?;
     finite("the end of an integral", to)?;
@@ -33,16 +33,16 @@ pub(crate) fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64, accuracy: f64
 
 /// ∮ f(s) ds over one turn, for a smooth function of period 2π.
 ///
-/// The trapezoidal rule, which for such functions gains digits in proportion to its points; doubled until it settles to 1e-15 of the
-/// largest value met. Waves whose number is a power of two look constant from all points so far, so points that stand otherwise confirm it.
+/// The trapezoidal rule, which for such functions gains digits in proportion to the number of points; that is doubled until the result converges to 1e-15 of the
+/// largest value met. A wave whose number of periods is a power of two can look constant on all these points, so a shifted set of points confirms the result.
 /// Observed error: 2e-16 of ∮ |f|.
 ///
 /// # Errors
-/// [`Error::NotFinite`]; [`Error::Accuracy`] if 2^16 points do not settle it.
+/// [`Error::NotFinite`]; [`Error::Accuracy`] if it does not converge with 2^16 points.
 pub(crate) fn periodic(f: impl Fn(f64) -> f64) -> Result<f64> {
     let mean = |points: u32, shift: f64| -> (f64, f64) {
         let values = (0..points).map(|k| f(TAU * (f64::from(k) + shift) / f64::from(points)));
-        // Of many points the roundings of a plain sum would be more than the 1e-15 that is asked.
+        // With many points, the rounding of a plain sum would exceed the 1e-15 required.
         let nothing = (DoubleDouble::from(0.0), 0.0_f64);
         let (sum, size) = values.fold(nothing, |(sum, size), value| {
             (sum + DoubleDouble::from(value), size.max(value.abs()))
@@ -58,7 +58,7 @@ pub(crate) fn periodic(f: impl Fn(f64) -> f64) -> Result<f64> {
         apart = (whole - between).abs();
         whole = 0.5 * (whole + between);
         finite("an integral over a period", whole)?;
-        // The two sums differ by twice the error of the first; the next is nearly the square of it.
+        // The two sums differ by twice the error of the first; the error of the second is nearly the square of that.
         if apart <= 1e-15 * size && (mean(points, GOLDEN).0 - whole).abs() <= 4e-15 * size {
             return Ok(TAU * whole);
         }
@@ -70,7 +70,7 @@ pub(crate) fn periodic(f: impl Fn(f64) -> f64) -> Result<f64> {
     })
 }
 
-/// The golden section of 1: no wave of fewer than a thousand million times as many beats as points is seen alike from there.
+/// The golden section of 1: shifted by it, the points do not see a wave alike unless it has a thousand million times as many periods as there are points.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
 /// The sum over one interval, of f and of |f|, and the greatest |f|.
@@ -93,14 +93,14 @@ const MOST_PANELS: u32 = 50_000;
 struct Halving<F> {
     f: F,
     ends: [f64; 2],
-    /// What an error of the variable by its last bits does to the integral.
+    /// The change of the integral by the rounding of the variable.
     variable: f64,
-    /// Panels left.
+    /// Panels still allowed.
     panels: u32,
 }
 
 impl<F: Fn(f64) -> f64> Halving<F> {
-    /// The integral over one interval, of which `whole` is the first estimate, by so many halvings at most.
+    /// The integral over one interval, by at most this many halvings; `whole` is the first estimate.
     fn settled(
         &mut self,
         [from, to]: [f64; 2],
@@ -123,7 +123,7 @@ impl<F: Fn(f64) -> f64> Halving<F> {
         let (second, b, _) = sums(&self.f, middle, to);
         let sum = first + second;
         finite("an integral", sum)?;
-        // Near rounding, of the sum itself or of the variable, nothing can be gained.
+        // Nothing can be gained below the rounding of the sum itself or of the variable.
         let noise = self.variable.max(4.0 * f64::EPSILON * (a + b));
         if (sum - whole).abs() <= allowed.max(noise) {
             return Ok(sum);

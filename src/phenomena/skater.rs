@@ -14,7 +14,7 @@ impl Skater {
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) for the core, [`Error::Negative`](crate::Error::Negative) for the hands,
-    /// [`Error::NotFinite`](crate::Error::NotFinite) for both.
+    /// [`Error::NotFinite`](crate::Error::NotFinite) for either.
     ///
     /// ```
     /// use spinning_bodies::phenomena::Skater;
@@ -37,10 +37,10 @@ impl Skater {
         self.core + 2.0 * self.hand * reach * reach
     }
 
-    /// Distance of the hands, m, at which the moment of inertia is this (kg m²).
+    /// Distance of the hands from the axis, m, that gives this moment of inertia (kg m²).
     ///
     /// # Errors
-    /// [`Error::Negative`](crate::Error::Negative) if the core alone has more;
+    /// [`Error::Negative`](crate::Error::Negative) if that is less than the core's own;
     /// [`Error::NotPositive`](crate::Error::NotPositive) if the hands have no mass.
     ///
     /// ```
@@ -71,8 +71,8 @@ impl Skater {
         l / self.moment(reach)
     }
 
-    /// Work of both arms, J, that bring the hands to rest at `to` after rest at `from`, at angular momentum `l`: the energy of turning gained,
-    /// (L²/2)(1/I′ − 1/I) = L² m (r² − r′²)/(I I′). No difference of large numbers is left. Observed error: 3 ulp.
+    /// Work of both arms, J, in moving the hands from rest at `from` to rest at `to`, at angular momentum `l`: the gain in rotational energy,
+    /// (L²/2)(1/I′ − 1/I) = L² m (r² − r′²)/(I I′), without a difference of large numbers. Observed error: 3 ulp.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite) if it overflows.
@@ -92,12 +92,12 @@ impl Skater {
         )
     }
 
-    /// Angular acceleration, rad/s², while the hands move at `reach_rate` (m/s): IΩ′ = −4 m r r′ Ω, Coriolis' force on two hands.
+    /// Angular acceleration, rad/s², while the hands move at `reach_rate` (m/s): IΩ′ = −4 m r r′ Ω, the Coriolis force on two hands.
     pub(crate) fn acceleration(&self, spin: f64, reach: f64, reach_rate: f64) -> f64 {
         -4.0 * self.hand * reach * reach_rate * spin / self.moment(reach)
     }
 
-    /// Power of both arms, W: force along the arm 2m(r″ − rΩ²) times r′. The second term is the pull against the centrifugal force.
+    /// Power of both arms, W: the force along the arms, 2m(r″ − rΩ²), times r′. Its second term is the pull against the centrifugal force.
     pub(crate) fn power(
         &self,
         spin: f64,
@@ -108,7 +108,7 @@ impl Skater {
         2.0 * self.hand * (reach_acceleration - reach * spin * spin) * reach_rate
     }
 
-    /// Kinetic energy, J, of turning and of the hands' motion along the arms: IΩ²/2 + m r′².
+    /// Kinetic energy, J, of the rotation and of the hands' motion along the arms: IΩ²/2 + m r′².
     ///
     /// ```
     /// use spinning_bodies::phenomena::Skater;

@@ -19,7 +19,7 @@ impl Waist {
     /// at angular momentum zero throughout (tutorial 1.1, picture b; 3.5):
     /// Δ = −Ψ B (A_out − A_in) / ((A_out + B)(A_in + B)).
     ///
-    /// The two turns nearly cancel; the difference is taken between the moments, before anything is rounded.
+    /// The two turns nearly cancel, so the difference is formed between the moments, before anything is rounded.
     /// Zero for A_out = A_in, for B = 0, and in the limit B → ∞. The pace does not matter. Observed error: 3 ulp.
     ///
     /// # Errors
@@ -38,7 +38,7 @@ impl Waist {
         let folded = positive("the upper moment with arms in", self.upper_arms_in)?;
         let lower = not_negative("the lower moment", self.lower)?;
         let twist = finite("the twist", twist)?;
-        // Quotients of like magnitude: no product of two moments that might overflow.
+        // Quotients of similar magnitude, because a product of two moments could overflow.
         let share = lower / (folded + lower);
         finite(
             "the swivel angle",
@@ -71,8 +71,8 @@ impl Waist {
         ])
     }
 
-    /// The lower moment, kg m², with which these arms turn the body furthest: B = √(A_in A_out). The turn is then
-    /// Ψ (√A_out − √A_in)/(√A_out + √A_in), and never as much as the twist.
+    /// The lower moment, kg m², for which these arms turn the body furthest: B = √(A_in A_out). The turn is then
+    /// Ψ (√A_out − √A_in)/(√A_out + √A_in), always less than the twist.
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite) for an upper moment.
@@ -100,7 +100,7 @@ pub struct Swivel {
 }
 
 impl Swivel {
-    /// Rate of the lower part, rad/s, at angular momentum L: β′ = (L − Aψ′)/(A + B). What L does and what the shape does, one beside the other.
+    /// Rate of the lower part, rad/s, at angular momentum L: β′ = (L − Aψ′)/(A + B), the part due to L and the part due to the shape.
     pub(crate) fn rate(&self, angular_momentum: f64, upper: f64, twist_rate: f64) -> f64 {
         angular_momentum / (upper + self.lower) - self.turn_back(upper) * twist_rate
     }
@@ -108,7 +108,7 @@ impl Swivel {
 
 impl ShapePlane for Swivel {
     fn turn_back(&self, upper: f64) -> f64 {
-        // 0 for a lower part that weighs everything, 1 for one that weighs nothing.
+        // Tends to 0 for a heavy lower part, is 1 for one of no moment.
         upper / (upper + self.lower)
     }
 

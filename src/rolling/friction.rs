@@ -4,7 +4,7 @@ use core::f64::consts::FRAC_PI_2;
 
 use crate::error::{Error, Result, not_negative, positive, within};
 
-/// Coulomb's law: μ times the reaction against the slip; up to `grip` times the reaction while the contact sticks.
+/// Coulomb's law: friction is μ times the reaction, against the slip; while the contact sticks it is up to `grip` times the reaction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Coulomb {
     kinetic: f64,
@@ -26,7 +26,7 @@ impl Coulomb {
         Self::with_grip(coefficient, coefficient)
     }
 
-    /// A coefficient for slipping, and a greater one that has to be overcome first.
+    /// A coefficient for slipping, and a greater one, for sticking, that has to be overcome first.
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::Condition`] if the grip is less than the sliding friction.
@@ -60,10 +60,10 @@ impl Coulomb {
     }
 }
 
-/// Rolling resistance: the reaction acts ahead of the centre by `arm` radii, a couple against the turning.
+/// Rolling resistance: the reaction acts `arm` radii ahead of the centre, which makes a couple against the rotation.
 ///
-/// A body that rolls freely then slows down by arm·g/(1+κ), and one that is towed at constant speed takes a force of arm times
-/// its weight. Billiard cloth: 0.005 to 0.015.
+/// A freely rolling body then decelerates at arm·g/(1+κ), and towing one at constant speed takes a force of arm times
+/// its weight. On billiard cloth arm is 0.005 to 0.015.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RollingResistance {
     arm: f64,
@@ -90,11 +90,11 @@ impl RollingResistance {
     }
 }
 
-/// The coefficient of friction beyond which a rod that slides on its lower end has no motion with finite forces: Painlevé's paradox.
+/// The coefficient of friction above which a rod sliding on its lower end has no motion with finite forces: Painlevé's paradox.
 ///
 /// `kappa` is I/(Mr²) about the centre of mass at the distance r from that end, 1/3 for a uniform rod; `tilt` the angle between rod and table
 /// (rad, 0 to π/2), the end sliding ahead of the centre. A reaction N accelerates the end upward by (N/M)(1 + cos θ(cos θ − μ sin θ)/κ), which is
-/// positive only below μ = (κ + cos²θ)/(sin θ cos θ): at least 2√(κ(1+κ)), 4/3 for the uniform rod. Infinite for a rod that lies. Error: observed 1.4 ε.
+/// positive only below μ = (κ + cos²θ)/(sin θ cos θ): at least 2√(κ(1+κ)), 4/3 for the uniform rod. Infinite for a rod that lies. Observed error: 1.4 ε.
 ///
 /// # Errors
 /// [`Error::NotFinite`], [`Error::NotPositive`] for κ, [`Error::OutOfRange`] for the angle.

@@ -1,15 +1,15 @@
 //! Round bodies that skid and roll (tutorial 4.3–4.5): the billiard shot, the spool, the ball on a withdrawn sheet.
 //!
-//! Velocity is positive in the direction of travel, and spin is positive when the body turns the way it would roll. Spin is
-//! given as *rim speed* RΩ, so that rolling means velocity = rim speed and the contact point slips at velocity − rim speed.
+//! Velocity is positive in the direction of travel, and spin is positive when the body turns as it would in rolling that way. Spin is
+//! given as *rim speed* RΩ, so that rolling means velocity = rim speed, and the contact point slips at velocity − rim speed.
 //!
 //! | paragraph | type | what it computes |
 //! |---|---|---|
 //! | 4.3 | [`RoundBody`], [`Shot`], [`SlideToRoll`] | the blow of a cue, and the sliding that ends in rolling |
 //! | 4.3 | [`InPlane`], [`Slide`] | the same on the whole cloth: the massé shot |
 //! | 4.3–4.5 | [`Course`] | friction, rolling resistance, a pull, a moving sheet: closed forms from event to event |
-//! | 4.4 | [`Spool`], [`Tug`] | which way a spool rolls, what "gently" means, where it lifts off |
-//! | 4.5 | [`Sheet`], [`SheetSpeeds`] | a sheet withdrawn in any manner |
+//! | 4.4 | [`Spool`], [`Tug`] | which way a spool rolls, what "gently" means, when it lifts off |
+//! | 4.5 | [`Sheet`], [`SheetSpeeds`] | a sheet withdrawn at any speeds |
 //!
 //! ```
 //! use spinning_bodies::rolling::RoundBody;

@@ -1,9 +1,9 @@
-//! A round body at one moment, what rubs and pulls, and what can happen to it.
+//! A round body at one moment, the forces on it, and the events that can happen to it.
 
 use super::friction::{Coulomb, RollingResistance};
 use super::sheet::Sheet;
 
-/// What rubs: friction of the table, rolling resistance, and a sheet between the two, each if it is there.
+/// The contact: friction of the table, rolling resistance, and a sheet between body and table, each if it is there.
 pub(crate) type Contact<'a> = (
     Option<Coulomb>,
     Option<RollingResistance>,
@@ -13,12 +13,12 @@ pub(crate) type Contact<'a> = (
 /// The numbers of a [`Moment`], and the distance from the sheet's edge to the point of contact.
 pub(crate) type State = [f64; 8];
 
-/// A steady load on the body, per mass, m/s².
+/// A constant load on the body, per mass, m/s².
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Load {
     /// Pull along the table.
     pub push: f64,
-    /// Moment about the centre over MR, positive the way the body rolls.
+    /// Moment about the centre over MR, positive in the sense of rolling forward.
     pub twist: f64,
     /// Reaction of the ground; positive.
     pub reaction: f64,
@@ -39,7 +39,7 @@ impl Load {
     }
 }
 
-/// Where the body is and how it moves; by default at rest.
+/// The position and the motion of the body at one time; by default at rest.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Moment {
@@ -49,10 +49,10 @@ pub struct Moment {
     pub velocity: f64,
     /// Rim speed RΩ, m/s.
     pub rim_speed: f64,
-    /// Velocity of the contact point over the ground under it, m/s. While the ground rests it is V − RΩ, kept apart from the two
+    /// Velocity of the contact point relative to the ground under it, m/s. On ground at rest it is V − RΩ; it is stored separately
     /// so that nothing cancels when it is small.
     pub slip: f64,
-    /// What the rim has turned, R times the angle, m.
+    /// Distance that the rim has turned, R times the angle, m.
     pub turned: f64,
     /// Heat of friction and rolling resistance so far, J/kg.
     pub heat: f64,
@@ -61,8 +61,8 @@ pub struct Moment {
 }
 
 impl Moment {
-    /// At the origin with this velocity and rim speed (m/s), over ground at rest. Where the slip is known better than as the difference of
-    /// the two, set it.
+    /// At the origin with this velocity and rim speed (m/s), over ground at rest. If the slip is known more accurately than as the difference of
+    /// the two, set it afterwards.
     ///
     /// ```
     /// use spinning_bodies::rolling::Moment;
@@ -73,7 +73,7 @@ impl Moment {
         Self::of(&[0.0, velocity, rim_speed, slip, 0.0, 0.0, 0.0, 0.0])
     }
 
-    /// The numbers in the order of the fields, and a place for the distance from a sheet's edge.
+    /// The numbers in the order of the fields, followed by a place for the distance from a sheet's edge.
     pub(crate) const fn state(&self) -> State {
         let [x, v, w] = [self.position, self.velocity, self.rim_speed];
         [x, v, w, self.slip, self.turned, self.heat, self.work, 0.0]
@@ -110,7 +110,7 @@ impl Moment {
     }
 }
 
-/// What happens between two stretches of a course.
+/// The event between two stretches of a course.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Happening {
@@ -118,11 +118,11 @@ pub enum Happening {
     RollingBegins,
     /// The contact begins to slip.
     SlippingBegins,
-    /// The turning stops for an instant or for good.
+    /// The rotation stops for an instant or for good.
     TurningStops,
     /// The body has come to rest on the ground.
     Rest,
-    /// The sheet's edge has passed under the body: now it is on the table.
+    /// The sheet's edge has passed under the body, which is now on the table.
     LeavesSheet,
     /// The sheet has come back under the body.
     MountsSheet,

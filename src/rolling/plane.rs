@@ -1,4 +1,4 @@
-//! Sliding in any direction over the cloth (tutorial 4.3, out of its plane): the massé shot.
+//! Sliding in any direction over the cloth (tutorial 4.3, beyond the plane case): the massé shot.
 
 use super::shot::RoundBody;
 use crate::error::{Result, each_finite, finite, positive};
@@ -14,14 +14,14 @@ pub struct InPlane {
 
 /// A slide over the cloth and the rolling that follows.
 ///
-/// The slip u = V − W, with W the rim's velocity (rolling: W = V), keeps its direction while it dies, because friction acts against it
-/// on both V and W. So friction is a constant vector, and the path is a parabola that ends in a straight line.
+/// The slip u = V − W, with W the rim's velocity (rolling: W = V), keeps its direction while it decays, because friction changes
+/// both V and W along it. So friction is a constant vector, and the path is a parabola that ends in a straight line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Slide {
     start: InPlane,
     /// Friction per mass, m/s².
     friction: [f64; 2],
-    /// When rolling begins, s.
+    /// Time at which rolling begins, s.
     pub time: f64,
     kappa: f64,
     /// The velocity of rolling, m/s.
@@ -41,10 +41,10 @@ impl InPlane {
 }
 
 impl RoundBody {
-    /// From sliding in any direction to rolling, under Coulomb's friction. Closed form; κ|u|/((1+κ)μg) seconds of parabola.
+    /// The slide in any direction until the body rolls, under Coulomb friction, in closed form: a parabola for κ|u|/((1+κ)μg) seconds.
     ///
     /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite), also for what overflows; [`Error::NotPositive`](crate::Error::NotPositive) for μ or g.
+    /// [`Error::NotFinite`](crate::Error::NotFinite), also if a result overflows; [`Error::NotPositive`](crate::Error::NotPositive) for μ or g.
     ///
     /// ```
     /// use spinning_bodies::rolling::{InPlane, RoundBody};
@@ -89,7 +89,7 @@ impl RoundBody {
 }
 
 impl Slide {
-    /// Place of the centre, m, and the motion, at a time (s, 0 or later) since the stroke.
+    /// Position of the centre, m, and the motion, at a time (s, 0 or later) after the stroke.
     ///
     /// ```
     /// use spinning_bodies::rolling::{InPlane, RoundBody};

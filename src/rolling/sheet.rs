@@ -3,9 +3,9 @@
 use super::friction::Coulomb;
 use crate::error::{Error, Result, finite, positive};
 
-/// How fast the sheet goes, from time 0 on: straight from point to point, at its last speed after the last one.
+/// The speed of the sheet from time 0 on: linear between the points given, constant after the last one.
 ///
-/// Two points at one time make a jerk.
+/// Two points at one time make a jump in speed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SheetSpeeds {
     points: Vec<(f64, f64)>,
@@ -42,7 +42,7 @@ impl SheetSpeeds {
         }
         if let Some(pair) = points.windows(2).find(|pair| pair[1].0 < pair[0].0) {
             return Err(Error::Condition {
-                condition: "the times of the sheet's speeds must not go back",
+                condition: "the times of the sheet's speeds must not decrease",
                 value: pair[1].0,
             });
         }
@@ -64,7 +64,7 @@ impl SheetSpeeds {
         Self::through([(0.0, 0.0), (time, speed)])
     }
 
-    /// The speed at a time, m/s; at a jerk the one after it.
+    /// The speed at a time, m/s; at a jump the one after it.
     ///
     /// ```
     /// use spinning_bodies::rolling::SheetSpeeds;
@@ -91,8 +91,8 @@ impl SheetSpeeds {
 
 /// A sheet under the ball, its edge behind the ball.
 ///
-/// All friction acts along lines in the table, so about a point of the table it has no moment: V + κRΩ stays zero whatever the hand does.
-/// A ball that rolls has V = RΩ, and both are zero.
+/// All friction acts along lines in the table, so it has no moment about a point of the table: for a ball that was at rest V + κRΩ stays zero whatever the hand does.
+/// Once it rolls, V = RΩ, so both are zero.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sheet {
     friction: Coulomb,
@@ -120,7 +120,7 @@ impl Sheet {
         })
     }
 
-    /// Another: its speeds a little greater and less in turn, its edge a little nearer.
+    /// The same sheet slightly changed: its speeds a little greater and less in turn, its edge a little nearer.
     pub(crate) fn moved(&self, by: f64) -> Self {
         let mut moved = self.clone();
         for (place, point) in moved.speeds.points.iter_mut().enumerate() {
@@ -130,7 +130,7 @@ impl Sheet {
         moved
     }
 
-    /// How fast it goes.
+    /// The speeds of the sheet.
     pub(crate) fn speeds(&self) -> &SheetSpeeds {
         &self.speeds
     }

@@ -10,17 +10,17 @@ pub struct RoundBody {
     inertia_factor: f64,
 }
 
-/// How the body leaves the cue, relative to rolling (4.3).
+/// How the body leaves the cue, compared with rolling (4.3).
 ///
-/// "Backward" is relative: between heights R and (1+κ)R the ball does turn forward, only too slowly. True backspin
+/// "Backward" is relative: between heights R and (1+κ)R the ball does turn forward, only too slowly for rolling. True backspin
 /// needs a stroke below the centre.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Regime {
-    /// Struck below (1+κ)R: it turns too slowly, the contact point is dragged forward over the cloth.
+    /// Struck below (1+κ)R: it turns too slowly, and the contact point slides forward over the cloth.
     SkidsBackward,
     /// Struck at (1+κ)R: the contact point is at rest.
     PureRolling,
-    /// Struck above (1+κ)R: it turns too fast, the contact point sweeps backward over the cloth.
+    /// Struck above (1+κ)R: it turns too fast, and the contact point slides backward over the cloth.
     SkidsForward,
 }
 
@@ -48,7 +48,7 @@ pub struct SlideToRoll {
     pub distance: f64,
     /// Velocity of rolling, m/s; negative if spin has turned the body round.
     pub speed: f64,
-    /// Heat left in cloth and body, J.
+    /// Heat produced in cloth and body, J.
     pub heat: f64,
 }
 
@@ -56,7 +56,7 @@ impl RoundBody {
     /// A body of `mass` (kg), rolling `radius` (m) and inertia factor κ = I/(MR²) (dimensionless: 2/5 for a ball, 2/3 for its shell, 1/2 for a disc, 1 for a hoop).
     ///
     /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive); [`Error::OutOfRange`](crate::Error::OutOfRange) if κ > 1, more than the rim itself has.
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive); [`Error::OutOfRange`](crate::Error::OutOfRange) if κ > 1, more than if all mass were at the rim.
     ///
     /// ```
     /// use spinning_bodies::rolling::RoundBody;
@@ -88,7 +88,7 @@ impl RoundBody {
         self.inertia_factor
     }
 
-    /// Height of the stroke that gives pure rolling, in radii: H/R = 1 + κ (4.3). Exact to half a unit in the last place.
+    /// Height of the stroke that gives pure rolling, in radii: H/R = 1 + κ (4.3). Error: half a unit in the last place.
     ///
     /// ```
     /// use spinning_bodies::rolling::RoundBody;
@@ -102,8 +102,8 @@ impl RoundBody {
 
     /// Slip of the contact point after a level stroke at height H, in units of V': (V' − RΩ')/V' = 1 − (H−R)/(κR) (4.3).
     ///
-    /// Formed as ((1+κ) − H/R)/κ: zero exactly at [`Self::pure_rolling_height`], and elsewhere within two roundings, of which that of 1+κ is ε/2κ in the slip:
-    /// much for a body of next to no inertia.
+    /// Formed as ((1+κ) − H/R)/κ: zero exactly at [`Self::pure_rolling_height`], elsewhere with two roundings. That of 1+κ changes the slip by ε/2κ,
+    /// which is large for a body of very small inertia.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::OutOfRange`](crate::Error::OutOfRange) if the cue misses, H outside 0…2R.
@@ -124,7 +124,7 @@ impl RoundBody {
 
     /// Eventual rolling speed in units of V': V_f/V' = (H/R)/(1+κ), whatever the friction (4.3).
     ///
-    /// From the angular momentum about a point of the table, which friction in the table cannot change.
+    /// It follows from the angular momentum about a point of the table, which friction cannot change.
     ///
     /// # Errors
     /// As [`Self::cue_slip`].
@@ -139,7 +139,7 @@ impl RoundBody {
         Ok(height_on_body(height_over_radius)? / self.pure_rolling_height())
     }
 
-    /// The body after a level stroke at height H that gave its centre the velocity V' (m/s); the regime is decided here.
+    /// The body after a level stroke at height H that gives its centre the velocity V' (m/s); the regime is decided here.
     ///
     /// # Errors
     /// As [`Self::cue_slip`]; [`Error::NotPositive`](crate::Error::NotPositive) if the velocity is not.
@@ -172,18 +172,18 @@ impl RoundBody {
         })
     }
 
-    /// From sliding to rolling under Coulomb friction (4.3, continued): when, where, how fast, how hot.
+    /// Time, distance, speed and heat of the sliding under Coulomb friction until the body rolls (4.3, continued).
     ///
     /// `velocity` and `rim_speed` in m/s, `friction` the coefficient μ, `gravity` in m/s². With u = velocity − rim speed,
     /// t = κ|u|/((1+κ)μg), which is 2|u|/(7μg) for the ball; V_f = (V + κRΩ)/(1+κ), exactly 0 if the product κRΩ rounds to −V;
     /// heat = ½ M κu²/(1+κ).
     ///
-    /// The one subtraction forms u from the two numbers given and is backward stable. When the rim speed comes from a cue
-    /// stroke near 7R/5, use [`Shot::slide`], where u comes from the height and nothing cancels; when it comes from an angular
-    /// velocity, [`Self::slide_of_spin`].
+    /// The only subtraction forms u from the two numbers given and is backward stable. If the rim speed comes from a cue
+    /// stroke near 7R/5, use [`Shot::slide`], where u comes from the height and nothing cancels; if it comes from an angular
+    /// velocity, use [`Self::slide_of_spin`].
     ///
     /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite) for a number that is not, or a result that overflows; [`Error::NotPositive`](crate::Error::NotPositive) for μ or g.
+    /// [`Error::NotFinite`](crate::Error::NotFinite) for an argument that is not, or a result that overflows; [`Error::NotPositive`](crate::Error::NotPositive) for μ or g.
     ///
     /// ```
     /// use spinning_bodies::rolling::RoundBody;
@@ -205,8 +205,8 @@ impl RoundBody {
         self.slide(velocity, velocity - rim_speed, speed, friction, gravity)
     }
 
-    /// [`Self::slide_to_roll`] for a body that turns at Ω (`omega`, rad/s): V − RΩ by one fused multiplication, so that next to rolling the slip is
-    /// that of the three numbers given, where a product RΩ rounded first would say it rolls.
+    /// [`Self::slide_to_roll`] for a body that turns at Ω (`omega`, rad/s). V − RΩ is formed by one fused multiplication, so that close to rolling the slip is
+    /// that of the three numbers given; with RΩ rounded first it could come out as zero.
     ///
     /// # Errors
     /// As [`Self::slide_to_roll`].
@@ -244,7 +244,7 @@ impl RoundBody {
     ) -> Result<SlideToRoll> {
         let deceleration = positive("the coefficient of friction", friction)?
             * positive("the acceleration of gravity", gravity)?;
-        // κ/(1+κ) of the slip is taken from the velocity, the rest from the rim.
+        // Friction takes κ/(1+κ) of the slip from the velocity, and the rest goes to the rim.
         let change = self.inertia_factor / self.pure_rolling_height() * finite("the slip", slip)?;
         let time = if change == 0.0 {
             0.0
@@ -261,12 +261,12 @@ impl RoundBody {
 }
 
 impl Shot {
-    /// What was struck.
+    /// The body that was struck.
     pub(crate) fn body(&self) -> RoundBody {
         self.body
     }
 
-    /// The sliding that follows, as [`RoundBody::slide_to_roll`], with the slip taken from the stroke: no cancellation however
+    /// The sliding that follows, as [`RoundBody::slide_to_roll`], but with the slip from the height of the stroke: nothing cancels however
     /// near the stroke is to pure rolling.
     ///
     /// # Errors
@@ -280,7 +280,7 @@ impl Shot {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn slide(&self, friction: f64, gravity: f64) -> Result<SlideToRoll> {
-        // The angular momentum about the table is the stroke's: struck at the table's level the body stops dead.
+        // From the angular momentum of the stroke about the table: struck at table level, the body stops dead.
         let speed = self.velocity * self.height_over_radius / self.body.pure_rolling_height();
         self.body
             .slide(self.velocity, self.slip, speed, friction, gravity)

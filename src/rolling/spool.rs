@@ -1,34 +1,34 @@
-//! The spool whose string is tugged (tutorial 4.4): about the point of contact friction has no moment, and the tug's decides.
+//! The spool whose string is tugged (tutorial 4.4): friction has no moment about the point of contact, so the moment of the tug decides.
 
 use super::shot::RoundBody;
 use super::{Coulomb, Course, Load, Moment, RollingResistance};
 use crate::error::{Result, finite, not_negative, positive, within};
 
-/// A spool on a table: discs of the radius of a [`RoundBody`] and a thinner axle between them.
+/// A spool on a table: discs with the radius of a [`RoundBody`] and an axle between them.
 ///
 /// The string leaves the axle from below; the tug has tension T at the angle θ above the horizontal, 0 towards +x. Its moment about
-/// the centre is −rT at every angle, about the point of contact T(R cos θ − r), and the sign of that is the way the spool rolls.
+/// the centre is −rT at every angle, about the point of contact T(R cos θ − r), whose sign decides which way the spool rolls.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spool {
     body: RoundBody,
     ratio: f64,
 }
 
-/// A steady tug at the string.
+/// A constant tug on the string.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tug {
     tension: f64,
     angle: f64,
 }
 
-/// Which way a spool rolls when it is gently tugged, told by its string.
+/// The way a spool rolls when it is tugged gently, described by its string.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Way {
-    /// Along +x, winding string up: it comes to the hand.
+    /// Along +x, winding string up.
     WindsUp,
     /// Not at all: the line of force goes through the point of contact.
     Stays,
-    /// Along −x, paying string out: away from a hand that tugs forward or up, after one that tugs back over the axle (past 90°).
+    /// Along −x, paying string out: away from a hand that tugs forward, towards one that tugs back over the axle (past 90°).
     PaysOut,
 }
 
@@ -66,8 +66,8 @@ fn tug_angle(angle: f64) -> Result<f64> {
 }
 
 impl Spool {
-    /// A spool that rolls on `body` and whose string is wound on an axle of radius `axle` (m), which may be the larger one: a
-    /// spool whose axle rolls on rails.
+    /// A spool that rolls on `body` and whose string is wound on radius `axle` (m), which may be the larger of the two, for a
+    /// spool that rolls on rails.
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite) for the axle.
@@ -86,12 +86,12 @@ impl Spool {
         })
     }
 
-    /// What rolls.
+    /// The body that rolls on the table.
     pub(crate) fn body(&self) -> RoundBody {
         self.body
     }
 
-    /// The tug's moment about the centre, −rT, N m, the same at every angle; positive the way of rolling forward (4.4).
+    /// The tug's moment about the centre, −rT, N m, the same at every angle; positive in the sense of rolling forward (4.4).
     ///
     /// ```
     /// use spinning_bodies::rolling::{RoundBody, Spool, Tug};
@@ -104,7 +104,7 @@ impl Spool {
         -self.ratio * self.body.radius() * tug.tension
     }
 
-    /// The tug's moment about the point of contact, T(R cos θ − r), N m (4.4): friction has none there.
+    /// The tug's moment about the point of contact, T(R cos θ − r), N m (4.4); friction has no moment there.
     ///
     /// ```
     /// use spinning_bodies::rolling::{RoundBody, Spool, Tug};
@@ -117,7 +117,7 @@ impl Spool {
         self.body.radius() * tug.tension * (tug.angle.cos() - self.ratio)
     }
 
-    /// The angle at which the line of force goes through the point of contact, cos θ = r/R, rad; none if r > R (4.4).
+    /// The angle at which the line of force goes through the point of contact, cos θ = r/R, rad; `None` if r > R (4.4).
     ///
     /// ```
     /// use spinning_bodies::rolling::{RoundBody, Spool};
@@ -129,7 +129,7 @@ impl Spool {
         (self.ratio <= 1.0).then(|| self.ratio.acos())
     }
 
-    /// Which way it rolls, tugged gently at this angle (rad): decided by [`Self::critical_angle`], to the last bit (4.4).
+    /// The way it rolls when tugged gently at this angle (rad), decided by [`Self::critical_angle`] to the last bit (4.4).
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::OutOfRange`](crate::Error::OutOfRange) outside 0…π.
@@ -179,12 +179,12 @@ impl Spool {
         -tug.tension * self.needed(tug.angle)
     }
 
-    /// −f/T while it rolls.
+    /// −f/T while it rolls: the friction needed.
     fn needed(&self, angle: f64) -> f64 {
         (self.ratio + self.body.inertia_factor() * angle.cos()) / self.body.pure_rolling_height()
     }
 
-    /// Reaction of the table, Mg − T sin θ, N; negative: the spool is in the air.
+    /// Reaction of the table, Mg − T sin θ, N; if negative, the spool lifts off.
     ///
     /// ```
     /// use spinning_bodies::rolling::{RoundBody, Spool, Tug};
@@ -198,8 +198,8 @@ impl Spool {
         self.body.mass() * gravity - tug.tension * tug.angle.sin()
     }
 
-    /// The largest tension (N) that friction μ (dimensionless) lets roll without slipping at this angle (rad), with gravity g (m/s²): what "gently"
-    /// means (4.4). |f| ≤ μ(Mg − T sin θ), solved for T. Never more than [`Self::lift_off_tension`], and that where no friction is needed.
+    /// The largest tension (N) at which the spool rolls without slipping, with friction μ (dimensionless), at this angle (rad), under gravity g (m/s²): what "gently"
+    /// means (4.4). |f| ≤ μ(Mg − T sin θ), solved for T. Never more than [`Self::lift_off_tension`], and equal to it where no friction is needed.
     ///
     /// # Errors
     /// As [`Self::way`]; [`Error::Negative`](crate::Error::Negative) for μ; [`Error::NotPositive`](crate::Error::NotPositive) for g.
@@ -244,8 +244,8 @@ impl Spool {
         finite("the weight", self.body.mass() * gravity)
     }
 
-    /// Where the line of force meets the table, m in front of the point of contact (+x); infinite for a level tug, but 0 at R = r, when it lies in the table
-    /// (4.4, pictures e–g).
+    /// Distance in front of the point of contact (+x), m, at which the line of force meets the table; infinite for a level tug, but 0 if R = r, when the line
+    /// lies in the table (4.4, pictures e–g).
     ///
     /// The string touches the axle at r(sin θ, −cos θ) from the centre.
     ///
@@ -267,7 +267,7 @@ impl Spool {
         Ok(self.body.radius() * (self.ratio - cos) / sin)
     }
 
-    /// The load of a tug, per mass.
+    /// The load that the tug puts on the spool, per mass.
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) for the reaction: the tug lifts the spool.
@@ -285,7 +285,7 @@ impl Spool {
         })
     }
 
-    /// The motion from rest under a steady tug, up to `until` (s): rolling, or slipping if the tug is too hard for friction.
+    /// The motion from rest under a constant tug, up to `until` (s): rolling, or slipping if friction cannot hold against the tug.
     ///
     /// # Errors
     /// As [`Course::new`].
@@ -313,7 +313,7 @@ impl Spool {
         Course::new(kappa, load, effects, Moment::default(), until)
     }
 
-    /// Length of string on the axle since the start, m, from what the rim has turned: positive is wound up.
+    /// Length of string wound up since the start, m; negative if it was paid out.
     ///
     /// ```
     /// use spinning_bodies::rolling::{Moment, RoundBody, Spool};

@@ -6,14 +6,14 @@ use super::moment::{Contact, Happening, Load, Moment, State};
 use super::sheet::Sheet;
 use crate::error::{Result, finite, positive};
 
-/// Slips or turns: not at all by itself, one way, or held at zero.
+/// The state of slipping or of turning: free of any law, going one way, or held at zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Hold {
     /// No law acts on it.
     Free,
-    /// It goes this way, +1 or −1.
+    /// It has this sign, +1 or −1.
     Goes(f64),
-    /// It is zero and stays so.
+    /// It is zero and stays zero.
     Held,
 }
 
@@ -29,7 +29,7 @@ pub(crate) struct Pace {
     rates: [f64; 3],
 }
 
-/// Everything about the motion that does not change.
+/// The laws and constants of the motion.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Laws<'a> {
     pub kappa: f64,
@@ -39,13 +39,13 @@ pub(crate) struct Laws<'a> {
     pub sheet: Option<&'a Sheet>,
 }
 
-/// Constant accelerations from a moment on.
+/// A stretch of the motion with constant accelerations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Stretch {
     pub start: f64,
     pub state: State,
     pub pace: Pace,
-    /// When the sheet begins to move otherwise.
+    /// Time at which the sheet's acceleration changes.
     pub leg_ends: f64,
     load: Load,
     leg: usize,
@@ -70,8 +70,8 @@ impl<'a> Laws<'a> {
         })
     }
 
-    /// Friction and couple for this slip and rim speed, on ground that accelerates: the one assignment of "goes one way" and "is held" that
-    /// agrees with its own consequences. Held comes first, so a contact that can stick does.
+    /// The accelerations for this slip and rim speed, on ground with the acceleration `ground`: from the one assignment of "goes one way" and "is held" that
+    /// is consistent with its own consequences. "Held" is tried first, so a contact that can stick does.
     fn pace(&self, law: Option<Coulomb>, state: &State, ground: f64) -> Pace {
         let [_, _, rim_speed, slip, ..] = *state;
         let mut first = None;
@@ -86,7 +86,7 @@ impl<'a> Laws<'a> {
                 first.get_or_insert(pace);
             }
         }
-        // There is always one, up to a rounding that decides between two that differ by as little.
+        // A consistent one always exists, except that rounding may exclude two that differ as little; then either will do.
         first.unwrap_or_else(|| self.consequence(None, Hold::Free, Hold::Free, ground).0)
     }
 
@@ -117,7 +117,7 @@ impl<'a> Laws<'a> {
         let velocity = push + friction;
         let rim_speed = match (turning, slipping) {
             (Hold::Held, _) => 0.0,
-            // On the same footing as the velocity, so that rolling stays rolling.
+            // Computed from the acceleration of the centre, so that rolling stays rolling.
             (_, Hold::Held) => velocity - ground,
             _ => (twist + couple - friction) / kappa,
         };
@@ -137,7 +137,7 @@ impl<'a> Laws<'a> {
         (pace, sticks && stays)
     }
 
-    /// The stretch at the start, whose slip is that over the ground as it moves then.
+    /// The first stretch; the slip of `start` is relative to the ground as it moves then.
     pub fn first(&self, start: Moment) -> Stretch {
         let mut state = start.state();
         state[7] = self.sheet.map_or(0.0, Sheet::margin);
@@ -160,7 +160,7 @@ impl<'a> Laws<'a> {
             let (mut from, mut to) = sheet.leg(leg);
             while to.0 <= start {
                 if on_sheet && to.0 <= from.0 {
-                    // A jerk.
+                    // A jump in the sheet's speed.
                     state[3] -= to.1 - from.1;
                 }
                 leg += 1;
@@ -189,11 +189,11 @@ impl<'a> Laws<'a> {
         }
     }
 
-    /// The stretch after one that so long after its start has ended in this state, because something has happened or by the clock; and what
-    /// that means.
+    /// The stretch that follows one that ended in this state `after` seconds from its start, by an event or because the sheet's acceleration changes; and the
+    /// event.
     ///
-    /// What has become zero is made zero. No friction changes V + κRΩ, so the velocity of rolling follows from it without the roundings of the way
-    /// there, and a body that has none comes to rest, not to 1e-16 m/s.
+    /// What has become zero is set to exactly zero. Friction does not change V + κRΩ, so the velocity of rolling is computed from it, free of accumulated
+    /// rounding, and a body for which it is zero comes to rest exactly, not to 1e-16 m/s.
     pub fn after(
         &self,
         before: &Stretch,
@@ -203,7 +203,7 @@ impl<'a> Laws<'a> {
     ) -> (Stretch, Option<Happening>) {
         let (kappa, pace) = (self.kappa, &before.pace);
         let time = what.map_or(before.leg_ends, |_| before.start + after);
-        // Everything but friction changes it.
+        // Everything except friction changes V + κRΩ.
         let moments = self.load.push + self.load.twist + pace.couple;
         let mut about = before.about + after * moments;
         let mut on_sheet = before.on_sheet;
@@ -236,7 +236,7 @@ impl<'a> Laws<'a> {
                 rim_speed = 0.0;
                 rests = slip == 0.0;
             }
-            // It neither slips nor turns any more.
+            // It no longer slips or turns.
             Some(_) => {
                 (slip, rim_speed, rests) = (0.0, 0.0, true);
                 (velocity, about) = (ground(on_sheet), ground(on_sheet));
@@ -249,7 +249,7 @@ impl<'a> Laws<'a> {
     }
 }
 
-/// Ways a quantity with this value can go on.
+/// The states in which a quantity with this value can continue.
 fn candidates(acts: bool, value: f64) -> &'static [Hold] {
     match (acts, value) {
         (false, _) => &[Hold::Free],
@@ -259,7 +259,7 @@ fn candidates(acts: bool, value: f64) -> &'static [Hold] {
     }
 }
 
-/// Whether a quantity at zero, with this rate, goes the way it is said to go.
+/// Whether a quantity at zero, with this rate, leaves zero as `hold` assumes.
 fn starts(hold: Hold, rate: f64) -> bool {
     match hold {
         Hold::Goes(sign) => sign * rate > 0.0,
@@ -268,22 +268,22 @@ fn starts(hold: Hold, rate: f64) -> bool {
 }
 
 impl Stretch {
-    /// The state so long after the start: quadratics.
+    /// The state `t` seconds after the start: quadratics in time.
     pub fn at(&self, t: f64) -> State {
         let rates = self.rates(0.0, &self.state);
         let bends = self.flow(self.pace.rates, [0.0; 3], self.sheet[1]);
         core::array::from_fn(|n| self.state[n] + t * (rates[n] + 0.5 * t * bends[n]))
     }
 
-    /// The rates of the state so long after the start.
+    /// The rates of the state `t` seconds after the start.
     pub fn rates(&self, t: f64, state: &State) -> State {
         let [_, velocity, rim_speed, slip, ..] = *state;
         let speeds = [velocity, rim_speed, slip];
         self.flow(speeds, self.pace.rates, self.sheet_speed(t))
     }
 
-    /// What becomes of the state at these speeds and accelerations of V, RΩ and slip, on a sheet of this speed. What friction takes from
-    /// the slip, and the couple from the turning, is heat.
+    /// The rates of the state, given the speeds V, RΩ and slip, their accelerations, and the speed of the sheet. The work of friction against
+    /// the slip, and of the couple against the rotation, becomes heat.
     fn flow(&self, [velocity, rim_speed, slip]: [f64; 3], rates: [f64; 3], sheet: f64) -> State {
         let (load, pace) = (&self.load, &self.pace);
         let ground = if self.on_sheet == Some(true) {
@@ -297,7 +297,7 @@ impl Stretch {
         [velocity, v, w, u, rim_speed, heat, work, velocity - sheet]
     }
 
-    /// What can end the stretch, each with a number that is positive until it does.
+    /// The events that can end the stretch, each with a number that is positive until it happens.
     pub fn ends(&self, state: &State) -> impl Iterator<Item = (f64, Happening)> {
         let [_, _, rim_speed, slip, _, _, _, margin] = *state;
         let toward = |hold, value, what| match hold {
@@ -313,7 +313,7 @@ impl Stretch {
         [slips, turns, edge].into_iter().flatten()
     }
 
-    /// What ends the stretch before `longest` is over, and after how long.
+    /// The first event that ends the stretch before `longest`, and the time until it.
     pub fn next(&self, longest: f64) -> Option<(f64, Happening)> {
         let (rates, mut bends) = (self.rates(0.0, &self.state), [0.0; 8]);
         bends[7] = self.pace.rates[0] - self.sheet[1];
@@ -335,10 +335,10 @@ impl Stretch {
     }
 }
 
-/// When value + rate t + ½ bend t², positive or just about to be, falls through zero.
+/// The time at which value + rate t + ½ bend t², positive or about to become so, falls through zero.
 fn falls(value: f64, rate: f64, bend: f64) -> Option<f64> {
     if value <= 0.0 {
-        // At zero itself: it falls at once, or it rises first and may come back.
+        // Starting at zero: it falls at once, or it rises first and may come back.
         if rate < 0.0 || (rate == 0.0 && bend < 0.0) {
             return Some(0.0);
         }
@@ -348,7 +348,7 @@ fn falls(value: f64, rate: f64, bend: f64) -> Option<f64> {
         return (rate < 0.0).then(|| -value / rate);
     }
     let square = rate * rate - 2.0 * bend * value;
-    // The stable root of the two, whichever sign the rate has.
+    // The earlier root, in the form without cancellation for the sign of the rate.
     let root = if rate < 0.0 {
         2.0 * value / (square.sqrt() - rate)
     } else {

@@ -1,4 +1,4 @@
-//! A superball in flight (tutorial 4.6): from the hand to the floor, to the underside of a table, and so on, with exact times.
+//! A superball in flight (tutorial 4.6): from the hand to the floor, to the underside of a table, and so on, with the times of the bounces.
 
 use super::{BounceRotation, Motion, Restitution, Surface, bounce_with, gripping_bounce};
 use crate::error::{Error, Result, finite, not_negative, positive, within};
@@ -37,29 +37,29 @@ impl InFlight {
     }
 }
 
-/// A ball, the room it has and what acts on it.
+/// A ball, its room and the effects on it.
 ///
-/// Horizontal velocity and spin change only in bounces, height only as gravity says; so every flight is a quadratic and its time a root
-/// taken without cancellation.
+/// Horizontal velocity and spin change only in bounces, and gravity changes only the vertical velocity; so height is quadratic in time in every flight,
+/// and the time of a flight is a root, taken without cancellation.
 #[derive(Debug, Clone, Copy)]
 pub struct Flight {
     kappa: f64,
-    /// From floor to ceiling less the ball's diameter; infinite without a ceiling.
+    /// Height from floor to ceiling less the ball's diameter; infinite without a ceiling.
     room: f64,
-    /// More than nothing, if there is any.
+    /// Positive, if there is any.
     gravity: Option<f64>,
     losses: Option<Restitution>,
     grip: Option<Coulomb>,
     start: InFlight,
 }
 
-/// More bounces than this are not followed one by one.
+/// Most bounces followed one by one.
 const MOST_BOUNCES: u64 = 10_000_000;
 
-/// 2⁵³: whole numbers up to here are doubles.
+/// 2⁵³: up to here every whole number is a double.
 const MOST_FLIGHTS: f64 = 9_007_199_254_740_992.0;
 
-/// Times whose ratio differs from 1 by less are one time.
+/// Times whose ratio differs from 1 by no more than this count as the same.
 const SAME: f64 = 1e-16;
 
 impl Flight {
@@ -91,7 +91,7 @@ impl Flight {
             positive("the height of the room", room)?;
         }
         start.checked()?;
-        // What the speeds at the contacts are made of.
+        // The terms of the speeds at the contacts.
         let doubled = finite("twice the acceleration of gravity", 2.0 * gravity)?;
         let energy = start.climb * start.climb + doubled * start.height;
         finite("twice the energy of the ball per mass", energy)?;
@@ -113,22 +113,22 @@ impl Flight {
         self.gravity.unwrap_or(0.0)
     }
 
-    /// From floor to ceiling less the ball's diameter, m; infinite without a ceiling.
+    /// Height from floor to ceiling less the ball's diameter, m; infinite without a ceiling.
     pub(crate) fn room(&self) -> f64 {
         self.room
     }
 
-    /// How it starts.
+    /// The start.
     pub(crate) fn start(&self) -> &InFlight {
         &self.start
     }
 
-    /// Whether the energy is kept and the bounces are reflections, so that [`Self::exact`] speaks of it.
+    /// Whether energy is conserved and the bounces are reflections, so that [`Self::exact`] applies.
     pub(crate) fn is_elastic(&self) -> bool {
         self.losses.is_none() && self.grip.is_none()
     }
 
-    /// The speeds at which a ball in flight passes the floor, and the ceiling if it gets so high, in twice the precision.
+    /// The speeds at which a ball in flight meets the floor, and the ceiling if it gets so high, in twice the precision.
     fn speeds(&self, ball: &InFlight) -> (DoubleDouble, Option<DoubleDouble>) {
         let v = ball.climb.abs();
         let Some(g) = self.gravity else {
@@ -149,12 +149,12 @@ impl Flight {
         (floor, reached.then(|| after(rise, ceiling)))
     }
 
-    /// The next contact of a ball in flight: after how long, with which surface, and how fast upright. None if it never comes down, or
+    /// The next contact of a ball in flight: the time until it, the surface, and the vertical speed. `None` if the ball never comes down, or
     /// lies on the floor.
     fn contact(&self, ball: &InFlight) -> Option<(DoubleDouble, Surface, DoubleDouble)> {
         let v = DoubleDouble::from(ball.climb);
         let (floor, ceiling) = self.speeds(ball);
-        // Of the two roots the one that does not cancel, for either sign of v.
+        // The root in the form that does not cancel, for either sign of v.
         let contact = match (ceiling, self.gravity) {
             (Some(speed), _) if ball.climb > 0.0 => {
                 let left = DoubleDouble::difference(self.room, ball.height);
@@ -171,7 +171,7 @@ impl Flight {
             }
             _ => None,
         };
-        // In a time beyond all doubles is never.
+        // A time that overflows counts as never.
         contact.filter(|(time, ..)| time.value().is_finite())
     }
 
@@ -210,7 +210,7 @@ impl Flight {
         }
     }
 
-    /// A ball at a surface, after the bounce; `speed` is how fast it arrives, upright.
+    /// A ball at a surface, after the bounce; `speed` is the vertical speed at which it arrives.
     pub(crate) fn bounced(
         &self,
         ball: &InFlight,
@@ -235,16 +235,16 @@ impl Flight {
         }
     }
 
-    /// The ball at a time (s, 0 or later), elastic and non-slipping, without following the bounces: the n-th is a power of a
-    /// rotation, all flights between two surfaces take the same time, and the places are a sum of rotations.
+    /// The ball at a time (s, 0 or later), if it is elastic and does not slip, without following the bounces: the n-th motion is a power of a
+    /// rotation, all flights between two surfaces take the same time, and positions are sums of rotations.
     ///
-    /// The flights are counted in twice the precision, so the answer is that of the doubles given, however far the time. Error: a few units in the last
-    /// place of the largest speed and distance of a flight, and of the place where it runs away; observed up to 10¹⁴ s (8·10¹⁴ bounces),
+    /// The flights are counted in twice the precision, so the result is that of the exact doubles given, however late the time. Error: a few units in the last
+    /// place of the largest speed and distance of a flight, and of the position if the ball travels away; observed up to 10¹⁴ s (8·10¹⁴ bounces),
     /// against 34 digits: 1e-15. Cost: two powers, whatever t.
     ///
     /// # Errors
     /// [`Error::Condition`] if the ball is not elastic, or lies on the floor and would slip; [`Error::NotFinite`], [`Error::Negative`] for the
-    /// time; [`Error::NotFinite`] for a place that no double can hold; [`Error::OutOfRange`] beyond 2⁵³ flights, which a double does not count.
+    /// time; [`Error::NotFinite`] for a position that overflows; [`Error::OutOfRange`] beyond 2⁵³ flights, which a double cannot count.
     ///
     /// ```
     /// use spinning_bodies::superball::{Flight, InFlight, Motion};
@@ -262,7 +262,7 @@ impl Flight {
     fn after_flights(&self, t: f64) -> Result<InFlight> {
         if !self.is_elastic() {
             return Err(Error::Condition {
-                condition: "the closed form is for a ball without losses and slipping",
+                condition: "for the closed form the ball must have no losses and must not slip",
                 value: self.kappa,
             });
         }
@@ -296,13 +296,13 @@ impl Flight {
         }
         let mut later = since - flight.times(whole);
         if later.value() < 0.0 {
-            // The quotient has been rounded up to a whole number.
+            // The quotient was rounded up to a whole number.
             (whole, later) = (whole - 1.0, later + flight);
         }
         let count = whole as u64;
         let (motion, way) = if ceiling.is_some() {
             let rotation = BounceRotation::new(self.kappa)?;
-            // Ceiling first is floor first in a mirror.
+            // A motion that meets the ceiling first is the mirror image of one that meets the floor first.
             let sense = if first == Surface::Floor { 1.0 } else { -1.0 };
             let mirror = |m: Motion<f64>| Motion {
                 rim_speed: sense * m.rim_speed,
@@ -312,7 +312,7 @@ impl Flight {
             let way = flight.value() * rotation.place(seen, count);
             (mirror(rotation.after(seen, count + 1)), way)
         } else {
-            // The floor alone: two motions by turns, the first bounce's and the start's.
+            // With the floor alone two motions alternate, that after the first bounce and that of the start.
             let v = start.motion.velocity;
             let slip = DoubleDouble::difference(v, start.motion.rim_speed);
             let kick = slip.times(2.0 * self.kappa) / DoubleDouble::sum(1.0, self.kappa);
@@ -343,10 +343,10 @@ impl Flight {
         self.flown(&ball, later.value())
     }
 
-    /// When a ball that loses height at every bounce has made them all, s: the bounces pile up after finite time. None if they never end.
+    /// The time, s, at which a ball that loses height at every bounce has made all its bounces, infinitely many in a finite time. `None` if they never end.
     ///
-    /// From the first contact with the floor the flights are a geometric series, 2e_nV_z/(g(1−e_n)). Under a ceiling: from the first bounce
-    /// after which it is out of reach, which this function follows.
+    /// From the first contact with the floor the flights form a geometric series with the sum 2e_nV_z/(g(1−e_n)). Under a ceiling they do so from the first bounce
+    /// after which the ball no longer reaches it; the bounces before are followed.
     ///
     /// # Errors
     /// [`Error::Integration`] after ten million bounces below the ceiling.
@@ -365,7 +365,7 @@ impl Flight {
         Ok(self.pile()?.map(|(_, _, last)| last))
     }
 
-    /// When the bounces begin to pile up, the ball as it leaves the floor then, and when they have ended.
+    /// The time from which the flights form a geometric series, the ball as it leaves the floor then, and the time at which the bounces end.
     fn pile(&self) -> Result<Option<(f64, InFlight, f64)>> {
         let (mut time, mut ball) = (DoubleDouble::from(0.0), self.start);
         let [normal, _] = self.restitution();
@@ -396,11 +396,11 @@ impl Flight {
 
     /// The ball at `times` (s, ascending from 0), bounce by bounce; after the last bounce it rolls, or slides until it rolls.
     ///
-    /// Where the grip has no limit the sums over all the bounces of the pile are geometric series, and none of them is followed.
+    /// If the ball cannot slip, the sums over all bounces are geometric series, and none of these bounces is followed.
     ///
     /// # Errors
     /// [`Error::Integration`] after ten million bounces; [`Error::Condition`] for times after the last bounce of a ball with e_t = 1 that cannot
-    /// slip, whose contact speed is reversed infinitely often and has no last value.
+    /// slip: its contact speed is reversed infinitely often and has no last value.
     ///
     /// ```
     /// use spinning_bodies::superball::{Flight, InFlight, Motion, Restitution};
@@ -417,11 +417,11 @@ impl Flight {
         self.sampled(&samples)
     }
 
-    /// The same at times that come with a count: after so many bounces, whether or not the next one is over by then.
+    /// The same at times that may come with a number of bounces; then the ball is given after exactly that many, even if another falls on the same time.
     pub(crate) fn sampled(&self, samples: &[(f64, Option<u64>)]) -> Result<Vec<InFlight>> {
         let pile = self.pile()?;
         let mut states = Vec::with_capacity(samples.len());
-        // As many sums as bounces, rounded alike in each of them: in twice the precision.
+        // One addition for each bounce, with similar rounding errors each time: in twice the precision.
         let (mut now, mut ball) = (DoubleDouble::from(0.0), self.start);
         let mut next = self.contact(&ball);
         for &(t, count) in samples {
@@ -436,7 +436,7 @@ impl Flight {
                 if over.is_none() && later {
                     break;
                 }
-                // The last bounces of the pile cannot be told apart from its end.
+                // The last bounces cannot be told apart from the end of the series.
                 let ends = |(_, first, last): (f64, InFlight, f64)| {
                     ball.bounces >= first.bounces && (then.value() >= last || wait <= SAME * last)
                 };
@@ -465,20 +465,20 @@ impl Flight {
         states.into_iter().map(InFlight::checked).collect()
     }
 
-    /// The ball some time after the last bounce, from the first one of the pile and from how long it took.
+    /// The ball `after` seconds from the last bounce, given the first ball of the geometric series and the time `took` that the series took.
     ///
-    /// Over the flights the contact speed is u, −e_t u, e_t²u, …, their lengths are τ, e_n τ, e_n²τ, …
+    /// In successive flights the contact speed is u, −e_t u, e_t²u, …, and their durations are τ, e_n τ, e_n²τ, …
     fn piled(&self, first: &InFlight, took: f64, after: f64) -> Result<InFlight> {
         let [normal, tangential] = self.restitution();
         let (kappa, flight) = (self.kappa, took * (1.0 - normal));
         let slip = first.motion.contact_speed(Surface::Floor);
-        // A ball that lies there flies no more.
+        // A ball that already lies on the floor has no flights.
         let swing = match took {
             0.0 => 0.0,
             _ => kappa / (1.0 + kappa) * slip * flight / (1.0 + normal * tangential),
         };
         let landed = first.position + took * self.common(&first.motion) + swing;
-        // As many as could be followed: until they cannot be told apart from the end.
+        // The bounces that could have been followed: those that can be told apart from the end.
         let told = ((SAME * took / flight).ln() / normal.ln()).max(0.0).ceil();
         let ball = InFlight {
             bounces: first.bounces.saturating_add(told as u64),
@@ -487,12 +487,12 @@ impl Flight {
         self.on_the_floor(&ball, landed, after)
     }
 
-    /// What no impulse at the floor changes, as the velocity of rolling: (V + κRΩ)/(1+κ).
+    /// The velocity of rolling (V + κRΩ)/(1+κ), which no impulse at the floor changes.
     fn common(&self, motion: &Motion<f64>) -> f64 {
         (motion.velocity + self.kappa * motion.rim_speed) / (1.0 + self.kappa)
     }
 
-    /// A ball that lies on the floor since `t` seconds, where it was then.
+    /// A ball that has lain on the floor for `t` seconds, since it landed at `landed`.
     fn on_the_floor(&self, ball: &InFlight, landed: f64, t: f64) -> Result<InFlight> {
         let [_, tangential] = self.restitution();
         let motion = ball.motion;
@@ -509,7 +509,7 @@ impl Flight {
             (t * motion.velocity, [motion.velocity, motion.rim_speed])
         } else {
             return Err(Error::Condition {
-                condition: "after infinitely many reversals of the contact speed there is no motion to speak of; tangential restitution must be below 1",
+                condition: "tangential restitution must be below 1 for a motion after infinitely many bounces, each of which reverses the contact speed",
                 value: tangential,
             });
         };

@@ -1,4 +1,4 @@
-//! Balls that are not quite super: restitution along and across the surface, and a contact that slips.
+//! Imperfect superballs: restitution along and across the surface, and a contact that slips.
 
 use num_traits::Num;
 
@@ -7,7 +7,7 @@ use crate::error::{Error, Result, not_negative, positive, within};
 use crate::integrators::halved;
 use crate::rolling::Coulomb;
 
-/// What is left of the two speeds of the contact point.
+/// Coefficients of restitution for the two velocities of the contact point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Restitution {
     normal: f64,
@@ -17,7 +17,7 @@ pub struct Restitution {
 impl Restitution {
     /// Coefficients across the surface (0…1) and along it (−1…1), dimensionless: u' = −e_t u and V_z' = −e_n V_z.
     ///
-    /// Along the surface 1 is the superball, 0 a ball that leaves the surface rolling, −1 a frictionless one.
+    /// Along the surface, 1 is the superball, 0 a ball that leaves the surface rolling, −1 a frictionless ball.
     ///
     /// # Errors
     /// [`Error::OutOfRange`], [`Error::NotFinite`].
@@ -43,9 +43,9 @@ impl Restitution {
         self.tangential
     }
 
-    /// Up and down, how far a ball travels in all its bounces after a drop from `height`, in the unit of the height: h(1+e_n²)/(1−e_n²), Zeno's sum.
+    /// Total path, up and down, of a ball in all its bounces after a drop from `height`, in the unit of the height: h(1+e_n²)/(1−e_n²), Zeno's sum.
     ///
-    /// Infinite for e_n = 1. Error: 2 ε, next to 1 as well, for 1 − e_n is exact there. When the bounces end, [`Flight::last_contact`](super::Flight::last_contact) tells.
+    /// Infinite for e_n = 1. Error: 2 ε, next to e_n = 1 as well, where 1 − e_n is exact. [`Flight::last_contact`](super::Flight::last_contact) gives the time at which the bounces end.
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Negative`] for the height.
@@ -64,9 +64,9 @@ impl Restitution {
         Ok(height * (1.0 + e * e) / ((1.0 - e) * (1.0 + e)))
     }
 
-    /// After how many bounces a ball that first meets the floor at `speed` leaves it no faster than `least`, both in m/s: the least n with e_nⁿ·speed ≤ least.
+    /// The number of bounces after which a ball that first meets the floor at `speed` leaves it no faster than `least`, both in m/s: the least n with e_nⁿ·speed ≤ least.
     ///
-    /// None if it never does: e_n = 1, or `least` = 0 with e_n > 0. Where eⁿ meets the ratio of the speeds within 4 units in the last place of n, it counts as met.
+    /// `None` if it never does: for e_n = 1, or `least` = 0 with e_n > 0. If e_nⁿ equals the ratio of the speeds to within 4 units in the last place of n, that n is taken.
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::Negative`] for a speed.
@@ -93,7 +93,7 @@ impl Restitution {
     }
 }
 
-/// ln(part/whole), next to 1 from their exact difference, and where the quotient is no normal number from two logarithms.
+/// ln(part/whole): from their exact difference if the quotient is close to 1, from two logarithms if it is not a normal number.
 fn logarithm_of_ratio(part: f64, whole: f64) -> f64 {
     match part / whole {
         ratio if ratio > 0.5 => ((part - whole) / whole).ln_1p(),
@@ -102,7 +102,7 @@ fn logarithm_of_ratio(part: f64, whole: f64) -> f64 {
     }
 }
 
-/// A bounce that leaves the part `restitution` of the contact speed, reversed: V' = V − κ(1+e_t)u/(1+κ), RΩ' = RΩ ± (1+e_t)u/(1+κ) (4.6).
+/// A bounce that reverses the contact speed and multiplies it by `restitution`: V' = V − κ(1+e_t)u/(1+κ), RΩ' = RΩ ± (1+e_t)u/(1+κ) (4.6).
 ///
 /// At e_t = 1 it is [`bounce`](super::bounce) to the bit. Energy κu²(1−e_t²)/(1+κ) (in the unit of [`Motion::energy`]) is lost. Panics as [`bounce`](super::bounce).
 ///
@@ -124,8 +124,8 @@ pub fn bounce_with<T: Num + Copy>(
     kicked(before, surface, kappa, turned)
 }
 
-/// The same by Coulomb's law for impulses: the contact passes on at most its grip times the normal impulse `pressed` per mass (m/s); where that is
-/// not enough it slips, and takes the kinetic coefficient times it.
+/// The same bounce with Coulomb's law for impulses: the contact transmits at most its grip times the normal impulse `pressed` per mass (m/s); if that is
+/// not enough it slips, and transmits the kinetic coefficient times `pressed`.
 ///
 /// `pressed` is (1+e_n)|V_z|. At grazing incidence V_z is small and every ball slips.
 ///
@@ -165,9 +165,9 @@ fn kicked<T: Num + Copy>(before: Motion<T>, surface: Surface, kappa: T, turned: 
     }
 }
 
-/// The tangential restitution below which a ball thrown under a table without spin does not come back after three bounces, V₃ > 0.
+/// The tangential restitution below which a ball thrown under a table without spin does not come back after three bounces, but goes on with V₃ > 0.
 ///
-/// With a = (1+e_t)/(1+κ), V₃/V = 1 − κa(3 + (1−3κ)a + (1−κ)²a²), which falls with a; the root by bisection, to rounding. 0.13809 for κ = 2/5.
+/// With a = (1+e_t)/(1+κ), V₃/V = 1 − κa(3 + (1−3κ)a + (1−κ)²a²), which falls with a; its root is found by bisection, to rounding. 0.13809 for κ = 2/5.
 ///
 /// # Errors
 /// [`Error::NotPositive`], [`Error::NotFinite`] for κ; [`Error::OutOfRange`] above 2/3, the thin shell's, where V₃ is no longer monotone;
@@ -192,7 +192,7 @@ pub fn return_threshold(kappa: f64) -> Result<f64> {
     let value = |a: f64| kappa * a * (3.0 + a * (b + a * c)) - 1.0;
     if value(most) < 0.0 {
         return Err(Error::Condition {
-            condition: "the inertia factor must be large enough that a superball of it comes back at all",
+            condition: "the inertia factor must be large enough for a superball to come back after three bounces",
             value: kappa,
         });
     }

@@ -1,6 +1,6 @@
 //! The superball (tutorial 4.6): a ball that bounces tangentially as well as normally.
 //!
-//! The motion is planar; a bounce reverses the velocity of the contact point and keeps the energy. Everything but the
+//! The motion is planar; a bounce reverses the velocity of the contact point and conserves energy. Everything except the
 //! closed form is generic over the scalar: with `f64` it computes, with `num_rational::Ratio<i128>` it proves.
 //!
 //! ```
@@ -26,7 +26,7 @@ use num_traits::{CheckedAdd, CheckedDiv, CheckedMul, CheckedSub, Num};
 use crate::error::{Result, finite, not_negative, positive, within};
 use crate::precise::{DoubleDouble, Number};
 
-/// What a bounce leaves and takes: both in the same unit of speed.
+/// Velocity and rim speed, which a bounce changes, in the same unit of speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Motion<T> {
@@ -36,7 +36,7 @@ pub struct Motion<T> {
     pub rim_speed: T,
 }
 
-/// What the ball bounces off.
+/// The surface that the ball bounces off.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Surface {
     /// Below the ball: the contact point moves at V − RΩ.
@@ -46,7 +46,7 @@ pub enum Surface {
 }
 
 impl Surface {
-    /// The other one.
+    /// The other surface.
     ///
     /// ```
     /// use spinning_bodies::superball::Surface;
@@ -75,7 +75,7 @@ impl<T: Num + Copy> Motion<T> {
         }
     }
 
-    /// Horizontal and rotational kinetic energy per half mass: V² + κ(RΩ)², the quantity every bounce keeps (4.6).
+    /// Horizontal and rotational kinetic energy per half mass: V² + κ(RΩ)², which every bounce conserves (4.6).
     ///
     /// ```
     /// use spinning_bodies::superball::Motion;
@@ -86,13 +86,13 @@ impl<T: Num + Copy> Motion<T> {
     }
 }
 
-/// The motion after one bounce (4.6): V' − RΩ' = −(V − RΩ) at the floor, with the energy kept.
+/// The motion after one bounce (4.6): V' − RΩ' = −(V − RΩ) at the floor, with energy conserved.
 ///
-/// Written as increments, V' = V − 2κu/(1+κ) and RΩ' = RΩ ± 2u/(1+κ), with u the speed of the contact point: a ball that
-/// already rolls, u = 0, is left alone to the bit. In exact arithmetic this is [`bounce_matrix`].
+/// Written as increments, V' = V − 2κu/(1+κ) and RΩ' = RΩ ± 2u/(1+κ), with u the speed of the contact point, so that a ball that
+/// already rolls, u = 0, is unchanged to the bit. In exact arithmetic this is [`bounce_matrix`].
 ///
 /// `kappa` is I/(MR²), 2/5 for the ball, from 0 (all mass at the centre) to 1 (all on the rim). Numbers outside that range
-/// have no body but a result. In floating point each bounce is right to a few roundings, but 1+κ is rounded the same way
+/// belong to no body, but give a result. In floating point each bounce is right to a few roundings, but 1+κ is rounded the same way
 /// every time, so the energy drifts in proportion to the number of bounces. Observed: at most 2e-16 a bounce (κ = 2/5:
 /// 1.6e-9 after ten million). [`UnderTable`] and [`BounceRotation`] do not drift. Cost: two multiplications, one division, five additions.
 ///
@@ -156,7 +156,7 @@ where
 
 /// The matrix of a bounce on the column (V, RΩ): [[1−κ, ±2κ], [±2, −(1−κ)]]/(1+κ), plus at the floor (4.6).
 ///
-/// Rows first. For the ball [[3, ±4], [±10, −3]]/7. Determinant −1, square 1: a reflection. Panics as [`bounce`].
+/// Indexed by row, then column. For the ball [[3, ±4], [±10, −3]]/7. Determinant −1, square 1: a reflection. Panics as [`bounce`].
 ///
 /// ```
 /// use spinning_bodies::superball::{Surface, bounce_matrix};
@@ -176,14 +176,14 @@ pub fn bounce_matrix<T: Num + Copy>(surface: Surface, kappa: T) -> [[T; 2]; 2] {
 
 /// The motions after bounces 1, 2, 3, … off floor, ceiling, floor, … (4.6). Endless.
 ///
-/// In (V, √κ RΩ) two bounces are a rotation, and with `f64` they stay one: the motion is carried in twice the precision, so that the n-th
-/// is that of the κ and the start given, to half a unit in the last place each and n·2⁻¹⁰⁰ in phase; observed after 2·10⁶ bounces, against
-/// 40 digits: energy 3e-16, motion 2e-16. Cost: some ten times [`bounce`]'s.
-/// In fractions each step is one [`bounce`], and as long as they are: past 43 bounces of the ball `Ratio<i128>` overflows, as [`bounce`] says.
+/// In (V, √κ RΩ) two bounces are a rotation, and with `f64` they remain one: the motion is carried in twice the precision. The n-th
+/// motion is that of the κ and the start given, to half a unit in the last place each and n·2⁻¹⁰⁰ in phase; observed after 2·10⁶ bounces, against
+/// 40 digits: energy 3e-16, motion 2e-16. Cost: some ten times that of [`bounce`].
+/// In fractions each step is one [`bounce`], and panics where that does: with `Ratio<i128>` after 43 bounces of the ball.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UnderTable<T> {
     motion: Motion<T>,
-    /// What rounding has left out of the motion; nothing in exact arithmetic.
+    /// The low words of the motion, which rounding to doubles leaves out; zero in exact arithmetic.
     rest: Motion<T>,
     kappa: T,
     next: Surface,
@@ -211,10 +211,10 @@ impl<T: Num + Copy> UnderTable<T> {
         }
     }
 
-    /// Where bounces 2, 3, 4, … happen: x₁, x₂, x₃, … from the first floor contact at x = 0.
+    /// Positions x₁, x₂, x₃, … of bounces 2, 3, 4, …, from the first floor contact at x = 0.
     ///
     /// In units of (speed) × (flight time): x_n is the sum of the velocities after bounces 1…n. All flights between floor and
-    /// ceiling take the same time, with gravity too, because the way up is the way down reversed.
+    /// ceiling take the same time, with gravity too, because the flight up is the flight down reversed.
     ///
     /// ```
     /// use num_rational::Ratio;
@@ -276,10 +276,10 @@ where
     }
 }
 
-/// Between which bounds all bounces between two endless plates lie, for a ball thrown without spin: −½ ± ½√((1+κ)/κ) (4.6).
+/// The bounds between which all bounces between two endless plates lie, for a ball thrown without spin: −½ ± ½√((1+κ)/κ) (4.6).
 ///
-/// In the units of [`UnderTable::positions`], least first; for the ball −½ ± √(7/8). From x_n = −½ + sin((n+½)δ)/(2 sin(δ/2)).
-/// κ → 0 gives an infinite reach: it passes straight through. Correct to two units in the last place.
+/// In the units of [`UnderTable::positions`], least first; for the ball −½ ± √(7/8). They follow from x_n = −½ + sin((n+½)δ)/(2 sin(δ/2)).
+/// As κ → 0 the reach becomes infinite: the ball passes straight through. Error: two units in the last place.
 ///
 /// # Errors
 /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive) for κ.
@@ -297,10 +297,10 @@ pub fn reach(kappa: f64) -> Result<[f64; 2]> {
     Ok([-0.5 - 0.5 * width, 0.5 * inverse / (width + 1.0)])
 }
 
-/// The whole sequence at once (4.6): in the metric of the energy a double bounce is a rotation by 2δ, cos δ = (1−κ)/(1+κ).
+/// The sequence of bounces in closed form (4.6): in the metric of the energy a double bounce is a rotation by 2δ, cos δ = (1−κ)/(1+κ).
 ///
-/// Works in the ring of numbers p + q√−κ, where one bounce multiplies by g = (1−κ + 2√−κ)/(1+κ), a number of modulus 1, after a
-/// conjugation. [`Self::after`] raises g to the n-th power by squaring, in double-double arithmetic: no angle is ever formed,
+/// It works in the ring of numbers p + q√−κ, where a bounce is a conjugation followed by multiplication with g = (1−κ + 2√−κ)/(1+κ), a number of
+/// modulus 1. [`Self::after`] raises g to the n-th power by squaring, in double-double arithmetic: no angle is ever formed,
 /// so none has to be reduced.
 #[derive(Debug, Clone, Copy)]
 pub struct BounceRotation {
@@ -312,7 +312,7 @@ pub struct BounceRotation {
 impl BounceRotation {
     /// For an inertia factor given as a double.
     ///
-    /// Mind that 0.4 is not 2/5: it is off by 2e-17, which turns the ball by 3e-17 rad more a bounce. For fractions use
+    /// Mind that 0.4 is not 2/5: the difference of 2e-17 adds 3e-17 rad to the angle of every bounce. For fractions use
     /// [`Self::of_fraction`].
     ///
     /// # Errors
@@ -351,7 +351,7 @@ impl BounceRotation {
         Ok(Self { kappa, unit })
     }
 
-    /// Angle δ of one bounce, radians: cos δ = (1−κ)/(1+κ), formed as 2 arctan √κ. One unit in the last place.
+    /// Angle δ of one bounce, radians: cos δ = (1−κ)/(1+κ), formed as 2 arctan √κ. Error: one unit in the last place.
     ///
     /// ```
     /// use spinning_bodies::superball::BounceRotation;
@@ -363,12 +363,12 @@ impl BounceRotation {
         2.0 * self.kappa.value().sqrt().atan()
     }
 
-    /// The motion after `bounces` bounces, floor first: V_n = V cos nδ + √κ RΩ sin nδ, and its companion (4.6).
+    /// The motion after `bounces` bounces, floor first: V_n = V cos nδ + √κ RΩ sin nδ, and likewise the rim speed (4.6).
     ///
     /// For a start without spin these are the Chebyshev polynomials V T_n and ±2/(1+κ) V U_{n−1} at cos δ.
     /// Error: about n·2⁻¹⁰² in phase plus two units in the last place of the larger part. Observed for n = 10¹²: 3e-16. The energy is
     /// right to a few roundings for every n. Cost: at most 128 products of two pairs, whatever n. A start that is not
-    /// finite gives a motion that is not.
+    /// finite gives a motion that is not finite.
     ///
     /// ```
     /// use spinning_bodies::superball::{BounceRotation, Motion};
@@ -379,7 +379,7 @@ impl BounceRotation {
     pub fn after(&self, start: Motion<f64>, bounces: u64) -> Motion<f64> {
         let [p, q] = self.power(bounces);
         let kappa = self.kappa.value();
-        // The modulus of g is 1; what rounding has made of it after n factors is divided out.
+        // The modulus of g is 1; the modulus that rounding gives to the product of n factors is divided out.
         let modulus = p.mul_add(p, kappa * q * q).sqrt();
         let (p, q) = (p / modulus, q / modulus);
         let along = p * start.velocity + kappa * q * start.rim_speed;
@@ -395,7 +395,7 @@ impl BounceRotation {
         }
     }
 
-    /// V₁ + V₂ + … + V_n, velocities after bounces 1…n, floor first: where bounce n+1 happens, in flights (4.6).
+    /// V₁ + V₂ + … + V_n, the velocities after bounces 1…n, floor first: the position of bounce n+1, in flight times (4.6).
     ///
     /// The sum of a geometric series of rotations: with gⁿ = p + q√−κ it is ½(p − 1 + q)V + ½(κq − p + 1)RΩ, so it never leaves
     /// [`reach`]. Error and cost as [`Self::after`].
@@ -424,7 +424,7 @@ impl BounceRotation {
     }
 }
 
-/// What a contact of two springs leaves behind.
+/// The result of a bounce through a contact with two springs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpringBounce {
     /// The motion as the ball leaves the surface.
@@ -436,9 +436,9 @@ pub struct SpringBounce {
 
 /// A bounce through a contact with a linear spring across the surface and one along it (4.6, a mechanism for it).
 ///
-/// The normal spring k_n holds the ball for half of its period; in that time the contact speed u swings as cos on the
+/// The normal spring k_n holds the ball for half of its period; in that time the contact speed u swings as a cosine on the
 /// tangential spring k_t. `tuning` is k_t over κk_n/(1+κ), dimensionless: at 1 both half-periods agree, u is reversed
-/// and this is [`bounce`], exactly; otherwise u' = u cos(π√tuning) and energy stays in the spring. 0 is a frictionless surface.
+/// and this is [`bounce`], exactly; otherwise u' = u cos(π√tuning) and energy remains in the spring. 0 is a frictionless surface.
 /// Error: a few units in the last place times (1 + √tuning).
 ///
 /// # Errors

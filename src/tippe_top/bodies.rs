@@ -1,4 +1,4 @@
-//! The bodies of the chapter, with the parameters that its numbers belong to.
+//! The bodies of the chapter, with the parameters for which its numbers are computed.
 
 use nalgebra::Matrix3;
 
@@ -128,7 +128,7 @@ pub fn chiral_top() -> Result<ConvexBody> {
 }
 
 /// A top of 20 g and R = 2 cm on an ellipsoidal end with semi-axes R(1+e), R(1−e), R, turned by `delta` (rad) about CK against the axes
-/// of inertia; moments `moments` in units M R²: chiral as a rattleback is. That of the example spins over anticlockwise in a fifth of a second (at 102.4 rad/s, μ = 0.5).
+/// of inertia, with `moments` in units M R²: it is chiral as a rattleback is. The top of the example, spun anticlockwise, turns over in a fifth of a second (at 102.4 rad/s, μ = 0.5).
 ///
 /// # Errors
 /// As for [`eccentric_ball`].
@@ -149,7 +149,7 @@ pub fn celt_ended_top(alpha: f64, moments: [f64; 3], delta: f64, e: f64) -> Resu
 }
 
 /// Kane and Levinson's rattleback (1982), of 1 kg: semi-axes 20, 3 and 2 cm, C 1 cm below the centre, moments 2, 16, 17 and product
-/// −0.2 cm² a unit mass.
+/// −0.2 cm² per unit mass.
 ///
 /// # Errors
 /// None for these parameters.

@@ -1,4 +1,4 @@
-//! A rigid body that can stand on a table, and how it is put there.
+//! A rigid body that can stand on a table, and its state at the start.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -22,8 +22,8 @@ impl ConvexBody {
     /// The body of this mass (kg) and inertia matrix about C (kg m²), whose surface has its centre K at `center` (m, from C).
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for the mass; [`Error::NotFinite`]; [`Error::Condition`] for a body all on one line, whose spin about
-    /// it no torque could be held to.
+    /// [`Error::NotPositive`] for the mass; [`Error::NotFinite`]; [`Error::Condition`] for a body that lies on a line, since no equation governs
+    /// its spin about that line.
     ///
     /// ```
     /// use spinning_bodies::{frame::BodyVector, inertia::InertiaMatrix, tippe_top::{ConvexBody, Surface}};
@@ -102,7 +102,7 @@ impl ConvexBody {
         BodyVector::from_components(self.center)
     }
 
-    /// The mirror image: in the plane through the body's first and third axis. A chiral body is not a turned copy of its own.
+    /// The mirror image in the plane through the body's first and third axis. That of a chiral body is not the same body turned.
     ///
     /// ```
     /// use spinning_bodies::{frame::BodyVector, inertia::InertiaMatrix, tippe_top::{ConvexBody, Surface}};
@@ -118,7 +118,7 @@ impl ConvexBody {
         image.inverse = mirrored(&self.inverse);
         image.surface = self.surface.mirrored();
         image.center.y = -self.center.y;
-        // The mirror image of the inertia matrix of a body is one.
+        // The mirror image of an inertia matrix is an inertia matrix.
         let inertia = InertiaMatrix::from_matrix(mirrored(&self.inertia.matrix()));
         image.inertia = inertia.unwrap_or(self.inertia);
         image
@@ -169,7 +169,7 @@ impl ConvexBody {
         (inertia - symmetric).amax() <= 8.0 * f64::EPSILON * inertia.amax()
     }
 
-    /// √(gR), the speed against which slips are small or large, m/s.
+    /// √(gR), the speed with which slips are compared, m/s.
     pub(crate) fn speed_scale(&self, gravity: f64) -> f64 {
         (gravity * self.surface.size()).sqrt()
     }
@@ -180,21 +180,21 @@ impl ConvexBody {
     }
 }
 
-/// How a body is put on the table: its attitude, its angular velocity, and the level part of the velocity of C.
+/// The start of a body on the table: its attitude, its angular velocity, and the level part of the velocity of C.
 ///
 /// The height of C and its vertical velocity follow from the contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Start {
-    /// From the body's axes to those of space; the third axis of space points up.
+    /// Attitude, from the body's axes to those of space, whose third axis points up.
     pub attitude: Attitude,
     /// Angular velocity, rad/s.
     pub omega: BodyVector,
-    /// Level velocity of C, m/s; a vertical component is ignored, and all of it in pure rolling.
+    /// Level velocity of C, m/s; a vertical component is ignored, and in pure rolling the whole vector.
     pub velocity: SpaceVector,
 }
 
 impl Start {
-    /// At rest over the table but for the angular velocity `omega` (rad/s).
+    /// With angular velocity `omega` (rad/s) and C at rest.
     ///
     /// # Errors
     /// [`Error::NotFinite`].
@@ -247,7 +247,7 @@ impl Start {
         Self::spinning(attitude, BodyVector::new(0.0, 0.0, spin))
     }
 
-    /// The mirror image, with [`ConvexBody::mirrored`]: the same motion in a mirror.
+    /// The mirror image of the start; with [`ConvexBody::mirrored`] it gives the mirror image of the motion.
     ///
     /// ```
     /// use spinning_bodies::tippe_top::Start;

@@ -1,4 +1,4 @@
-//! Handedness: the index that decides it for a body on a sphere, and beads to build the body from.
+//! Chirality: the index that decides it for a body on a sphere, and beads from which to build the body.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -9,13 +9,13 @@ use crate::error::{Result, finite, positive};
 use crate::frame::{Attitude, BodyVector};
 use crate::inertia::InertiaMatrix;
 
-/// χ = k·(Ik ∧ I²k), with k the unit vector along `axis` (tutorial 4.7, chiral tippe tops): in the third power of the unit of I.
+/// The chirality index χ = k·(Ik ∧ I²k), with k the unit vector along `axis` (tutorial 4.7, chiral tippe tops): in the third power of the unit of I.
 ///
 /// χ = 0 if and only if some plane through k is a principal plane of I. For a body on a sphere with k along CK the reflection in that
-/// plane maps the body to itself and spin to minus spin, so it tips alike both ways. A mirror image has −χ. With k = e3,
+/// plane then maps the body to itself and reverses its spin, so it tips alike for both senses. A mirror image has −χ. With k = e3,
 /// χ = I12 (I13² − I23²) + I13 I23 (I22 − I11).
 ///
-/// Found by computing, not proved: χ > 0 makes negative (clockwise) spin the faster one to tip. Error: a few units of rounding of
+/// Observed, not proved: for χ > 0 negative (clockwise) spin tips faster. Error: a few roundings of
 /// |I|³.
 ///
 /// # Errors
@@ -38,8 +38,8 @@ pub fn chirality_index(inertia: &InertiaMatrix, axis: BodyVector) -> Result<f64>
     )
 }
 
-/// The slow swing of small perturbations for spin in both senses, anticlockwise first, at `spin` (rad/s) under gravity g: whether the top
-/// begins to turn over one way, the other, or both.
+/// The slow swing of small perturbations for spin in both senses, anticlockwise first, at `spin` (rad/s) under gravity g: it tells for which
+/// sense of spin, if any, the top begins to turn over.
 ///
 /// As [`quasi_steady`] and [`QuasiSteady::slow_swing`](super::QuasiSteady::slow_swing) for ±`spin`; errors and cost are theirs.
 ///
@@ -64,7 +64,7 @@ pub fn swings_of_both_senses(
     Ok([swing(spin)?, swing(-spin)?])
 }
 
-/// Three pairs of opposite places ±pᵢ (m), relative to C, where six equal beads of mass `mass`/6 have this inertia matrix.
+/// Positions ±pᵢ (m), relative to C, of three pairs of opposite beads, each of mass `mass`/6, that have this inertia matrix.
 ///
 /// pᵢ = Σⱼ √(3 Jⱼ/M) Qⱼᵢ eⱼ, with the principal second moments Jⱼ = ½ tr I − Iⱼ, the principal axes eⱼ, and any rotation Q: `mixing`
 /// (the identity puts the beads on the principal axes). Every such set of three pairs is of this form, up to a reflection.
@@ -86,7 +86,7 @@ pub fn beads(mass: f64, inertia: &InertiaMatrix, mixing: &Attitude) -> Result<[B
     let axes = inertia.principal_axes();
     let moments = Vector3::from(axes.moments);
     let half = 0.5 * moments.sum();
-    // Not below zero but by rounding: a lamina.
+    // For a lamina, rounding may make it negative.
     let lengths = moments.map(|moment| (3.0 * (half - moment).max(0.0) / mass).sqrt());
     let mixing = mixing.quaternion().to_rotation_matrix();
     let places = axes.axes * Matrix3::from_diagonal(&lengths) * mixing.matrix();

@@ -1,4 +1,4 @@
-//! The equations of a body in contact with a level table: Newton, Euler, and the reaction in closed form.
+//! The equations of a body in contact with a level table: those of Newton and Euler, with the reaction in closed form.
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
@@ -6,14 +6,14 @@ use super::body::{ConvexBody, Start};
 use super::friction::{Friction, Resistance};
 use crate::frame::Attitude;
 
-/// Numbers of a state: quaternion 4, Ω 3 (body), level velocity of C 2, level position of C 2, work done against friction 1.
+/// Number of numbers in a state: quaternion 4, Ω 3 (body), level velocity of C 2, level position of C 2, work done against friction 1.
 ///
-/// Height and vertical velocity of C are not among them: the contact decides both, so no step can violate it.
+/// Height and vertical velocity of C are not among them: both follow from the contact, so no step can violate it.
 pub(crate) const NUMBERS: usize = 12;
 /// A state as numbers.
 pub(crate) type Numbers = [f64; NUMBERS];
 
-/// A body and what acts at its contact.
+/// A body and the forces at its contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Table {
     pub(crate) body: ConvexBody,
@@ -22,22 +22,22 @@ pub(crate) struct Table {
     pub(crate) resistance: Option<Resistance>,
 }
 
-/// What is known of the contact at a state, in body axes.
+/// The contact at a state, in body axes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Contact {
     /// Velocity of the point in contact.
     pub(crate) slip: Vector3<f64>,
     /// Normal reaction, N.
     pub(crate) reaction: f64,
-    /// The level force of the table over the normal one.
+    /// The level force of the table divided by the normal one.
     pub(crate) traction: Vector3<f64>,
     pub(crate) omega_rate: Vector3<f64>,
-    /// Power of friction and couple, over the normal force; not positive.
+    /// Power of friction and couple, divided by the normal force; not positive.
     pub(crate) power: f64,
 }
 
 impl Contact {
-    /// A body in the air.
+    /// The contact of a body in the air: no force.
     pub(crate) fn none(body: &ConvexBody, omega: &Vector3<f64>) -> Self {
         Self {
             slip: Vector3::zeros(),
@@ -60,7 +60,7 @@ pub(crate) struct Pose {
 }
 
 impl Pose {
-    /// As the body sees itself; how it has turned about the vertical makes no difference to it.
+    /// A pose given in the body's axes; the turn about the vertical, which makes no difference to the contact, is left open.
     pub(crate) fn seen(up: Vector3<f64>, omega: Vector3<f64>, level: Vector3<f64>) -> Self {
         Self {
             turn: UnitQuaternion::identity(),
@@ -87,7 +87,7 @@ impl Pose {
     }
 }
 
-/// The numbers at a start: nothing has been done yet.
+/// The numbers at a start, with no work done yet.
 pub(crate) fn numbers(start: &Start) -> Numbers {
     let q = start.attitude.quaternion();
     let [p, r, s] = start.omega.components().into();
@@ -95,7 +95,7 @@ pub(crate) fn numbers(start: &Start) -> Numbers {
     [q.w, q.i, q.j, q.k, p, r, s, v.x(), v.y(), 0.0, 0.0, 0.0]
 }
 
-/// The point in contact: its arm from C, its velocity, and what its acceleration is without any force.
+/// The point in contact: its arm from C, its velocity, and the terms of its acceleration without any force.
 struct Touch {
     arm: Vector3<f64>,
     slip: Vector3<f64>,
@@ -115,7 +115,7 @@ impl Table {
         let swing = omega.cross(&arm);
         Touch {
             arm,
-            // C moves up or down as the contact asks, which cancels the vertical part of the swing.
+            // C moves up or down as the contact requires, which cancels the vertical part of the swing.
             slip: pose.level + swing - up * up.dot(&swing),
             whirl: omega.cross(&(swing - rate)),
             free: body.inverse * omega.cross(&(body.inertia.matrix() * omega)),
@@ -123,7 +123,7 @@ impl Table {
         }
     }
 
-    /// Sliding: accelerations, reaction and slip.
+    /// The contact of a sliding body: accelerations, reaction and slip.
     #[inline]
     pub(crate) fn slides(&self, pose: &Pose) -> Contact {
         let touch = self.touch(pose);
@@ -131,7 +131,7 @@ impl Table {
         self.pushed(pose, &touch, traction)
     }
 
-    /// Under this level force per normal one.
+    /// The contact under this level force per normal force; `None` is no friction.
     ///
     /// The reaction N is linear in the accelerations it causes, since friction and couple are N times functions of the velocities:
     /// the vertical acceleration of the point in contact is zero, one linear equation for N.
@@ -163,7 +163,7 @@ impl Table {
         }
     }
 
-    /// Pure rolling: V = −Ω∧ρ at all times, and the force that this takes.
+    /// The contact in pure rolling: V = −Ω∧ρ at all times, and the force that this takes.
     pub(crate) fn rolls(&self, pose: &Pose) -> Contact {
         let (body, up, omega) = (&self.body, &pose.up, &pose.omega);
         let touch = self.touch(pose);
@@ -184,10 +184,10 @@ impl Table {
         }
     }
 
-    /// A body that starts from rolling to slide by Coulomb's law, with coefficient `mu` while it slides.
+    /// The contact of a body that begins to slide out of rolling by Coulomb's law, with coefficient `mu` while it slides.
     ///
-    /// While the slip s is so small, friction turns it into its own direction within s/μg, much less than anything else takes: no
-    /// method of explicit steps follows that. To first order in s the direction e is the one in which the slip turns as e itself does,
+    /// While the slip s is very small, friction turns it into a definite direction within a time of s/μg, much less than any other time of the motion, which
+    /// explicit steps cannot follow. To first order in s the direction e is the one that the slip keeps while e itself turns,
     /// ẇ⊥(e) = s φ̇, where ẇ is the acceleration of the point in contact and φ̇ the rate at which the direction for s = 0 turns.
     pub(crate) fn leaving(&self, pose: &Pose, mu: f64) -> Contact {
         let body = &self.body;
@@ -198,7 +198,7 @@ impl Table {
         let yielding = self.yielding(up, &touch);
         let along = yielding.gives_way(mu);
         let contact = self.pushed(pose, &touch, Some(along * -mu));
-        // The same a moment later.
+        // The direction a short time later.
         let moment = MOMENT / (omega.norm() + body.speed_scale(self.gravity) / body.surface.size());
         let push = contact.traction * (contact.reaction / body.mass);
         let later = Pose::seen(
@@ -214,7 +214,7 @@ impl Table {
         self.pushed(pose, &touch, Some(along * -mu))
     }
 
-    /// How the point in contact answers a force.
+    /// The response of the point in contact to a force.
     fn yielding(&self, up: &Vector3<f64>, touch: &Touch) -> Yielding {
         let (body, arm) = (&self.body, &touch.arm);
         let mut matrix = body.yielding(arm);
@@ -240,10 +240,10 @@ impl Table {
     }
 }
 
-/// A short while, in units of the motion's own.
+/// A short time, in the natural unit of the motion.
 const MOMENT: f64 = 1e-5;
 
-/// How the point in contact answers a force: its acceleration under the force p is `matrix` p + `free`. In a blow the same holds of
+/// The response of the point in contact to a force: its acceleration under the force p is `matrix` p + `free`. In an impact the same holds for
 /// impulses and velocities.
 pub(crate) struct Yielding {
     pub(crate) matrix: Matrix3<f64>,
@@ -252,21 +252,21 @@ pub(crate) struct Yielding {
 }
 
 impl Yielding {
-    /// The force that holds the point.
+    /// The force that holds the point at rest.
     pub(crate) fn holding(&self) -> Vector3<f64> {
-        // Positive definite but for the couple; what is not finite makes the step fail.
+        // The matrix is positive definite except for the couple; a result that is not finite makes the step fail.
         let inverse = self.matrix.try_inverse();
         inverse.map_or_else(|| Vector3::repeat(f64::NAN), |inverse| inverse * -self.free)
     }
 
-    /// The direction in which a point at rest begins to slip where friction `mu` does not hold it.
+    /// The direction in which a point at rest begins to slip if friction `mu` cannot hold it.
     pub(crate) fn gives_way(&self, mu: f64) -> Vector3<f64> {
         let push = self.holding();
         let level = push - self.up * self.up.dot(&push);
         self.direction(mu, &(level / -level.norm()), 0.0)
     }
 
-    /// The direction e near `guess` for which friction −μe lets the velocity turn at the rate that makes its acceleration across e `across`.
+    /// The direction e near `guess` for which, under friction −μe, the acceleration of the point perpendicular to e is `across`.
     fn direction(&self, mu: f64, guess: &Vector3<f64>, across: f64) -> Vector3<f64> {
         let mut along = *guess;
         for _ in 0..NEWTON {
@@ -288,17 +288,17 @@ impl Yielding {
     }
 }
 
-/// Rounds of Newton's method; four are the most that were seen.
+/// Most rounds of Newton's method; at most four have been observed.
 const NEWTON: usize = 20;
 
 impl ConvexBody {
-    /// The inverse effective mass of a point at this arm from C.
+    /// The inverse effective mass of the point at this arm from C.
     pub(crate) fn yielding(&self, arm: &Vector3<f64>) -> Matrix3<f64> {
         let cross = arm.cross_matrix();
         Matrix3::identity() / self.mass - cross * self.inverse * cross
     }
 
-    /// The state with the velocity of C that pure rolling gives it.
+    /// The state with the velocity of C replaced by that of pure rolling.
     pub(crate) fn rolled(&self, y: &Numbers) -> Numbers {
         let pose = Pose::of(y);
         let velocity = pose.turn * -pose.omega.cross(&self.arm(&pose.up));
@@ -307,7 +307,7 @@ impl ConvexBody {
         y
     }
 
-    /// Height of C over the table and its vertical velocity, in contact.
+    /// Height of C above the table and its vertical velocity, in contact.
     pub(crate) fn height(&self, pose: &Pose) -> (f64, f64) {
         let arm = self.arm(&pose.up);
         (-pose.up.dot(&arm), -pose.up.dot(&pose.omega.cross(&arm)))

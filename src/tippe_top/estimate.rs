@@ -1,4 +1,4 @@
-//! The hoop with clay: the tutorial's estimate of how fast it tips over, and what it leaves out.
+//! The hoop with clay: the tutorial's estimate of how fast it tips over, and a refinement of it.
 
 use super::bodies::offset;
 use crate::error::{Result, positive};
@@ -8,7 +8,7 @@ use crate::precise::{Extended, Number};
 /// The hoop with clay of tutorial 4.7: radius R, inertia I about C in every direction, C a distance ε = α R from the centre of curvature K,
 /// sliding with friction μ M g.
 ///
-/// θ is the angle between L, vertical, and the axis from C to K. The axes of the picture: x to the right, y into the page, z up; C is
+/// θ is the angle between L, which is vertical, and the axis from C to K. The axes of the picture: x to the right, y into the page, z up; C is
 /// below K and to the left of it, so that e = (sin θ, 0, cos θ).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HoopWithClay {
@@ -27,7 +27,7 @@ impl HoopWithClay {
     /// The hoop of this mass (kg), radius (m), α = ε/R, I/(M R²), μ, g (m/s²).
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite), also for friction and for R μ M g/I and μ g/R beyond the doubles; [`Error::OutOfRange`](crate::Error::OutOfRange) unless 0 ≤ α < 1.
+    /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite), also if friction, R μ M g/I or μ g/R leaves the range of doubles; [`Error::OutOfRange`](crate::Error::OutOfRange) unless 0 ≤ α < 1.
     ///
     /// ```
     /// use spinning_bodies::tippe_top::HoopWithClay;
@@ -48,7 +48,7 @@ impl HoopWithClay {
         offset(alpha)?;
         let mu = positive("the coefficient of friction", mu)?;
         let gravity = positive("gravity", gravity)?;
-        // Each may leave the range of doubles on the way to a quotient that does not.
+        // Intermediate products may leave the range of doubles where the quotient does not.
         let number = Extended::from_double;
         let deceleration = number(mu) * number(gravity);
         let grip = deceleration.quotient(number(radius));
@@ -71,7 +71,7 @@ impl HoopWithClay {
         SpaceVector::new(offset * sin, 0.0, offset * cos - self.radius)
     }
 
-    /// Velocity of the point of contact, Ω∧r (m/s) for spin Ω (rad/s) up: into the page, with Ω ε sin θ. The motion of C is left out.
+    /// Velocity of the point of contact, Ω∧r (m/s), for upward spin Ω (rad/s): Ω ε sin θ, into the page. The motion of C is left out.
     ///
     /// ```
     /// use spinning_bodies::tippe_top::HoopWithClay;
@@ -120,7 +120,7 @@ impl HoopWithClay {
         core::f64::consts::PI / self.tip_rate(spin)
     }
 
-    /// dθ/dt with L as Jellett's integral J lets it fall, f (R − ε cos θ)²/J, rad/s; J = I Ω (R − ε cos θ₀) for spin Ω about the vertical at
+    /// dθ/dt with |L| from the constancy of Jellett's integral J, f (R − ε cos θ)²/J, rad/s; J = I Ω (R − ε cos θ₀) for spin Ω about the vertical at
     /// tilt θ₀.
     ///
     /// ```
@@ -137,7 +137,7 @@ impl HoopWithClay {
 
     /// Time from tilt θ₀, where the spin about the vertical is Ω, to tilt θ₁ with [`refined_rate`](Self::refined_rate): s.
     ///
-    /// In closed form, a difference that loses (1−α)^(−3/2) where α is next to 1; from 0 to π it is [`tip_over_time`](Self::tip_over_time) × (1+α)^(−3/2) (1−α)^(−1/2). Domain: 0 ≤ θ₀, θ₁ ≤ π.
+    /// In closed form, as a difference whose relative error grows like (1−α)^(−3/2) as α approaches 1; from 0 to π it is [`tip_over_time`](Self::tip_over_time) × (1+α)^(−3/2) (1−α)^(−1/2). Domain: 0 ≤ θ₀, θ₁ ≤ π.
     ///
     /// ```
     /// use spinning_bodies::tippe_top::HoopWithClay;
@@ -149,7 +149,7 @@ impl HoopWithClay {
     pub fn refined_time(&self, spin: f64, start: f64, end: f64) -> f64 {
         let a = self.alpha;
         let square = (1.0 - a) * (1.0 + a);
-        // ∫ dθ/(1 − α cos θ)², a primitive that vanishes at 0 and has no jump up to π.
+        // A primitive of 1/(1 − α cos θ)² that vanishes at 0 and is continuous up to π.
         let primitive = |tilt: f64| {
             let (sin, cos) = (0.5 * tilt).sin_cos();
             let turn = 2.0 * ((1.0 + a).sqrt() * sin).atan2((1.0 - a).sqrt() * cos);
@@ -170,7 +170,7 @@ impl HoopWithClay {
         (1.0 - self.alpha * start.cos()) / (1.0 - self.alpha * end.cos())
     }
 
-    /// ε Ω²/(μ g): the estimate needs this large, so that slip keeps its direction.
+    /// ε Ω²/(μ g), which must be large for the estimate, so that the slip keeps its direction.
     ///
     /// ```
     /// use spinning_bodies::tippe_top::HoopWithClay;
@@ -182,7 +182,7 @@ impl HoopWithClay {
         self.alpha * spin * (spin / self.grip)
     }
 
-    /// −½ M Ω² ε² sin² θ (J): least at the horizontal. Centrifugal force alone would bring C there from both sides, and no higher.
+    /// Centrifugal potential −½ M Ω² ε² sin² θ (J), least for a horizontal axis: centrifugal force alone would bring C to that height from both sides, and no higher.
     ///
     /// ```
     /// use spinning_bodies::tippe_top::HoopWithClay;

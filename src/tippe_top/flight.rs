@@ -1,4 +1,4 @@
-//! Off the table and back: a free body in closed form, and the blow with which it lands.
+//! Off the table and back: the free body in closed form, and the impact with which it lands.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -10,7 +10,7 @@ use crate::euler_top::{FreeBody, State};
 use crate::frame::BodyVector;
 use crate::integrators::{Effort, Kept, Leg, System, halved};
 
-/// A free body with its centre of mass on a parabola.
+/// A free body whose centre of mass moves on a parabola.
 #[derive(Debug, Clone)]
 pub(crate) struct Flight {
     body: ConvexBody,
@@ -21,14 +21,14 @@ pub(crate) struct Flight {
     gravity: f64,
 }
 
-/// What a body in the air has from its start, beside its numbers.
+/// The take-off of a body: what its flight needs besides the numbers of the state.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct TakeOff {
-    /// When, s.
+    /// Time, s.
     pub(crate) time: f64,
     /// Height of C, m.
     pub(crate) height: f64,
-    /// Its vertical velocity, m/s.
+    /// Vertical velocity of C, m/s.
     pub(crate) climb: f64,
 }
 
@@ -42,7 +42,7 @@ impl TakeOff {
 }
 
 impl Flight {
-    /// From a state that leaves the table.
+    /// The flight from a state that leaves the table.
     pub(crate) fn from(
         body: &ConvexBody,
         gravity: f64,
@@ -65,7 +65,7 @@ impl Flight {
         })
     }
 
-    /// The numbers at a time.
+    /// The numbers of the state at a time.
     pub(crate) fn at(&self, time: f64) -> Result<Numbers> {
         let t = time - self.takeoff.time;
         let mut y = self.start;
@@ -89,13 +89,13 @@ impl Flight {
         Ok(height + pose.up.dot(&self.body.arm(&pose.up)))
     }
 
-    /// When the body is back on the table, if that is before the time `until`: to rounding of the time.
+    /// The time at which the body lands on the table, to rounding, if it does so before `until`.
     ///
-    /// No point of the body moves faster than C and its rotation allow, so nothing can touch before the gap is closed at that speed. Below a
-    /// thousandth of a turn a touch that leaves the gap open again is missed.
+    /// The speed of C and the rotation bound the speed of every point of the body, so it cannot touch before the gap would be closed at that speed. A touch
+    /// within less than a thousandth of a turn after which the gap is open again is missed.
     ///
     /// # Errors
-    /// Those of `looked`, which is told of every time that the search looks at; [`Error::Integration`] where the next time is the same double.
+    /// Those of `looked`, which is called with every time that the search examines; [`Error::Integration`] where the next time is the same double.
     pub(crate) fn landing(
         &self,
         until: f64,
@@ -124,7 +124,7 @@ impl Flight {
             before = after;
             let (height, climb) = self.takeoff.at(before, self.gravity);
             let squared = |drop: f64| 2.0 * self.gravity * drop.max(0.0) + climb * climb;
-            // Not before the parabola has brought C down to where a point could touch.
+            // Nor before the parabola has brought C down to a height at which a point could touch.
             let aloft = if height > reach {
                 (climb + squared(height - reach).sqrt()) / self.gravity
             } else {
@@ -134,7 +134,7 @@ impl Flight {
             after = (before + nearing.max(aloft).max(0.01 * stride)).min(until);
             if after == before {
                 return Err(Error::Integration {
-                    reason: "the body moves faster than two doubles can tell times apart; end the run earlier",
+                    reason: "the body moves so fast that doubles do not resolve its time; end the run earlier",
                     time: before,
                 });
             }
@@ -143,12 +143,12 @@ impl Flight {
 }
 
 impl ConvexBody {
-    /// No point of the surface is further from C, m.
+    /// A bound on the distance of the surface from C, m.
     fn reach(&self) -> f64 {
         self.center.norm() + self.surface.greatest()
     }
 
-    /// No angular velocity of the free body exceeds the one at the start by more than this factor: energy is conserved.
+    /// A bound on the growth of |Ω| in free flight, as a factor: it follows from the conservation of energy.
     fn slenderness(&self) -> f64 {
         let moments = self.inertia().principal_axes().moments;
         (moments[2] / moments[0]).sqrt()
@@ -156,14 +156,14 @@ impl ConvexBody {
 }
 
 impl Table {
-    /// The state after the inelastic blow of a landing with this vertical velocity of C: the normal velocity of the point in contact is
-    /// lost, the level one as far as friction goes.
+    /// The state after the inelastic impact of a landing with this vertical velocity of C: the point in contact loses its normal velocity,
+    /// and as much of its level velocity as friction takes.
     ///
-    /// During the blow the level force is N f(v) as at any time, with v changing as the impulse p grows (Routh 1905): dv/dp = K (n + f(v)) until
-    /// v·n = 0, where K is the inverse effective mass of the point in contact. So a blow only takes energy.
+    /// During the impact the level force is N f(v) as at any time, with v changing as the impulse p grows (Routh 1905): dv/dp = K (n + f(v)) until
+    /// v·n = 0, where K is the inverse effective mass of the point in contact. So an impact can only lose energy.
     ///
     /// # Errors
-    /// [`Error::Integration`] for a blow that is not finite.
+    /// [`Error::Integration`] for an impact that is not finite.
     pub(crate) fn landed(&self, y: &Numbers, climb: f64) -> Result<Numbers> {
         let pose = Pose::of(y);
         let arm = self.body.arm(&pose.up);
@@ -172,14 +172,14 @@ impl Table {
         Ok(self.body.struck(y, &pose, climb, after))
     }
 
-    /// The state with all velocity of the point in contact taken away by a blow.
+    /// The state after an impulse that brings the point in contact to rest.
     pub(crate) fn held(&self, y: &Numbers) -> Numbers {
         let pose = Pose::of(y);
         let (_, climb) = self.body.height(&pose);
         self.body.struck(y, &pose, climb, Vector3::zeros())
     }
 
-    /// The velocity of the point in contact after a blow.
+    /// The velocity of the point in contact after an impact.
     fn blow(
         &self,
         up: &Vector3<f64>,
@@ -221,12 +221,12 @@ impl Table {
         }
     }
 
-    /// The level slip at the end of a blow, or where by Coulomb's law it comes to nothing, and what velocity of approach is left then.
+    /// The level slip at the end of an impact, or when by Coulomb's law it vanishes, and the velocity of approach left then.
     ///
-    /// Counted is the impulse, in units of velocity. It grows to the end, while the approach may even quicken for a time, where friction presses the body into
-    /// the table: the energy at the contact only falls, and by more than the approach times the impulse. Under Coulomb's law it is the impulse over the
-    /// slip: the direction of a slip that goes to nothing then turns at a finite rate. Where a smooth law holds the slip it stays, and the rest is skipped: steps
-    /// as short as the law is sharp would take minutes there.
+    /// The independent variable is the impulse, in units of velocity. It grows to the end, although the approach may even quicken for a time, where friction presses the body into
+    /// the table: the energy at the contact only falls, and by more than the approach times the impulse. Under Coulomb's law the variable is the impulse over the
+    /// slip, so that the direction of a vanishing slip turns at a finite rate. Once a smooth law holds the slip constant, the rest is skipped: steps
+    /// short enough for a sharp law would take minutes there.
     fn slowed(
         &self,
         yielding: &Yielding,
@@ -242,7 +242,7 @@ impl Table {
         let second = across.unwrap_or_else(|| up.cross(&Vector3::ith(up.iamin(), 1.0)).normalize());
         let first = second.cross(&up);
         let unit = up.dot(&(yielding.matrix * up));
-        // What is left of the slip along two level directions, and of the approach.
+        // The remaining slip along two level directions, and the remaining approach.
         let level = |y: &[f64; 3]| first * y[0] + second * y[1];
         let rate = |_: f64, y: &[f64; 3]| {
             let slip = level(y);
@@ -284,15 +284,15 @@ impl Table {
     }
 }
 
-/// Error of a step within a blow.
+/// Tolerance of a step within an impact.
 const IN_A_BLOW: f64 = 1e-13;
-/// A slip that changes by less than this part of what the approach changes is held there by a smooth law.
+/// A slip that changes by less than this fraction of the change in approach is held constant by a smooth law.
 const SETTLED: f64 = 1e-12;
-/// What slips less than this part of the velocity at the beginning of a blow has come to rest.
+/// A slip below this fraction of the velocity at the beginning of an impact counts as rest.
 const NO_SLIP: f64 = 1e-15;
 
 impl ConvexBody {
-    /// The state after the blow that leaves the point in contact this velocity, where C had that vertical one.
+    /// The state after the impulse that gives the point in contact the velocity `contact`; before it, the vertical velocity of C was `climb`.
     fn struck(&self, y: &Numbers, pose: &Pose, climb: f64, contact: Vector3<f64>) -> Numbers {
         let velocity = pose.level + pose.up * climb;
         let arm = self.arm(&pose.up);
@@ -322,7 +322,7 @@ mod tests {
     use crate::rolling::Coulomb;
     use crate::tippe_top::{ConvexBody, Regularised, Surface, Viscous};
 
-    /// The velocity of the contact after a blow that comes with this slip and approach, in a plane: a mass of 1 with the moment 1/20 about C, which the contact is 1 below and 0.8 beside.
+    /// The velocity of the contact after a plane impact with this slip and approach: of a mass of 1 with the moment 1/20 about C, the contact 1 below C and 0.8 to the side.
     fn after(law: impl Into<Friction>, slip: f64, approach: f64) -> [f64; 3] {
         let inertia = InertiaMatrix::diagonal(1.0, 1.0, 1.0).unwrap();
         let sphere = Surface::sphere(1.0).unwrap();
@@ -338,7 +338,7 @@ mod tests {
         table.blow(&Vector3::z(), &contact, matrix).unwrap().into()
     }
 
-    /// What an impulse along the table gives along it, either gives the other way, and one upward upward.
+    /// Entries of the inverse effective mass: along the table, mixed, and vertical.
     const A: f64 = 21.0;
     const B: f64 = 16.0;
     const C: f64 = 13.8;
@@ -346,7 +346,7 @@ mod tests {
     /// Routh's diagram: the slip falls by μA − B and the approach by C − μB for every unit of impulse.
     #[test]
     fn a_blow_is_followed_by_its_impulse() {
-        // Without a jam: it ends still slipping.
+        // Without jamming: it ends still slipping.
         let mu = 0.8;
         let impulse = 0.3 / (C - mu * B);
         let [slip, ..] = after(Coulomb::new(mu).unwrap(), 5.0, 0.3);
@@ -354,9 +354,9 @@ mod tests {
             (slip - (5.0 - (mu * A - B) * impulse)).abs() < 1e-14 * 5.0,
             "{slip}"
         );
-        // Friction presses it into the table until the slip is over; what approaches then is held.
+        // Friction presses it into the table until the slip is over; then the contact sticks.
         assert_eq!(after(Coulomb::new(1.0).unwrap(), 5.0, 1e-3), [0.0; 3]);
-        // A smooth law holds it at a slip at which its force along the table is B/A of that upward.
+        // A smooth law holds the slip at the value at which its force along the table is B/A of the upward one.
         let ratio = B / A;
         for epsilon in [1e-2, 1e-7] {
             let held = epsilon * ratio / (1.0 - ratio * ratio).sqrt();

@@ -1,11 +1,11 @@
-//! What a table does to a body that slides, rolls or pivots on it.
+//! Friction and resistance of a table to a body that slides, rolls or pivots on it.
 
 use nalgebra::Vector3;
 
 use crate::error::{Result, not_negative, positive};
 use crate::rolling::Coulomb;
 
-/// Coulomb's law smoothed over slips of size ε: f = −μ v/√(v² + ε²). A body that "rolls" creeps.
+/// Coulomb's law smoothed over slips of size ε: f = −μ v/√(v² + ε²). A body that would roll creeps instead.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Regularised {
     mu: f64,
@@ -13,7 +13,7 @@ pub struct Regularised {
 }
 
 impl Regularised {
-    /// The law with coefficient μ and slip scale ε (m/s). ε = 1 mm/s is converged to 0.2° of tilt for tops of 2 cm.
+    /// The law with coefficient μ and slip scale ε (m/s). With ε = 1 mm/s the tilt of tops of 2 cm is right to 0.2°.
     ///
     /// # Errors
     /// [`Error::Negative`](crate::Error::Negative), [`Error::NotPositive`](crate::Error::NotPositive),
@@ -54,8 +54,8 @@ impl Viscous {
 
 /// The rolling constraint: the point in contact never slips, whatever force that takes (4.7).
 ///
-/// Where the reaction falls to zero while a level force is still needed, no table can do both, and the body cannot take off either if
-/// that force held it up: the run ends there with [`Error::Integration`](crate::Error::Integration). [`Coulomb`] slides first.
+/// If the reaction falls to zero while a level force is still needed, the constraint cannot be satisfied; and if that force is what holds the body
+/// on the table, it cannot take off either. The run ends there with [`Error::Integration`](crate::Error::Integration). With [`Coulomb`] friction the body would slide before.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct NoSlip;
 
@@ -73,7 +73,7 @@ pub enum Friction {
 }
 
 impl Friction {
-    /// Whether it can do anything.
+    /// Whether the law has any effect.
     pub(crate) fn acts(&self) -> bool {
         match self {
             Self::Coulomb(law) => law.grip() > 0.0,
@@ -83,7 +83,7 @@ impl Friction {
         }
     }
 
-    /// f(v), opposite to the level slip v (m/s). Pure rolling has no slip, and so no such force.
+    /// f(v), opposite to the level slip v (m/s). Zero for pure rolling, which has no slip.
     #[inline]
     pub(crate) fn traction(&self, slip: &Vector3<f64>) -> Vector3<f64> {
         match *self {
@@ -99,7 +99,7 @@ impl Friction {
         }
     }
 
-    /// A part of it.
+    /// The law with its coefficient multiplied by `part`.
     pub(crate) fn weakened(self, part: f64) -> Result<Self> {
         Ok(match self {
             Self::Coulomb(law) => {
@@ -116,7 +116,7 @@ impl Friction {
         })
     }
 
-    /// The slip over which the law bends, m/s; infinite for a linear law.
+    /// The slip scale over which the law is nonlinear, m/s; infinite for a linear law.
     pub(crate) const fn sharpness(&self) -> f64 {
         match self {
             Self::Coulomb(_) | Self::NoSlip => 0.0,

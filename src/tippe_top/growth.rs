@@ -1,4 +1,4 @@
-//! Does a small tilt grow? Quasi-steady sliding states and the eigenvalues about them.
+//! Whether a small tilt grows: quasi-steady sliding states and the eigenvalues about them.
 
 use nalgebra::{Complex, SMatrix, SVector, Vector3, Vector4};
 
@@ -16,7 +16,7 @@ pub struct Rate {
     pub frequency: f64,
 }
 
-/// A state that is at rest in the body's axes but for a slow loss of spin: the body spins about the vertical, and C circles.
+/// A state that is constant in the body's axes except for a slow loss of spin: the body spins about the vertical, and C goes round a circle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct QuasiSteady {
     /// Tilt of the third axis, rad.
@@ -24,24 +24,24 @@ pub struct QuasiSteady {
     /// The rate at which the spin changes in this state, rad/s².
     pub spin_rate: f64,
     /// The eigenvalues of small perturbations in the body's axes, the fastest growing first (1/s): three pairs, of slip, nutation and
-    /// slow swing. Left out is the seventh, the least: the loss of spin itself.
+    /// slow swing. The seventh, the smallest, is the loss of spin itself and is left out.
     ///
-    /// Since the state itself drifts as it loses spin, its rates depend on the coordinates by as much as the rate of the spin
-    /// over the spin, a first order of friction that is the same for both senses. The coordinates here: two of the vertical, Ω, two of the velocity of C. The Jacobian is taken by differences of fourth order over 2% of
-    /// what bends the law: relative error about 1e-7 in the fastest rates.
+    /// Since the state drifts as it loses spin, its rates depend on the choice of coordinates by about the relative rate of that loss,
+    /// which is of first order in friction and the same for both senses. The coordinates used are two of the vertical, Ω, and two of the velocity of C. The Jacobian is taken by differences of fourth order over 2% of
+    /// the law's slip scale: relative error about 1e-7 in the fastest rates.
     pub growth_rates: [Rate; 6],
-    /// The slow swing, the pair of eigenvalues with the least frequency: whether a tippe top begins to turn over.
+    /// The slow swing, the pair of eigenvalues with the least frequency: its growth tells whether a tippe top begins to turn over.
     pub slow_swing: Rate,
 }
 
 /// The quasi-steady sliding state at `spin` (rad/s about the vertical) with the third axis nearly upright.
 ///
-/// Unknown are the vertical in the body (two numbers) and the velocity of C in the body's axes (two); required is that neither
-/// they nor the level part of Ω change. Newton's method, from the state without friction to the full law in eight parts. Error:
+/// The unknowns are the vertical in the body (two numbers) and the velocity of C in the body's axes (two); neither
+/// they nor the level part of Ω may change. Solved by Newton's method, from the state without friction to the full law in eight steps. Error:
 /// residuals of rounding, about 1e-12 relative. Cost: some fifty Jacobians of 4 × 4, a fraction of a millisecond.
 ///
 /// # Errors
-/// [`Error::NotFinite`]; [`Error::NotPositive`] for gravity, and for Coulomb's law itself and pure rolling, which have no derivative;
+/// [`Error::NotFinite`]; [`Error::NotPositive`] for gravity, and for unsmoothed Coulomb friction and pure rolling, which have no derivative;
 /// [`Error::Condition`] where Newton's method finds no such state or its eigenvalues cannot be found, as without spin.
 ///
 /// ```
@@ -94,7 +94,7 @@ pub fn quasi_steady(
     })
 }
 
-/// Vertical and level velocity from the unknowns: two components of the one, two of the other over √(gR).
+/// Vertical and level velocity from the unknowns: two components of the vertical, and two of the velocity over √(gR).
 fn steady(table: &Table, x: &Vector4<f64>) -> (Vector3<f64>, Vector3<f64>) {
     let speed = table.body.speed_scale(table.gravity);
     let up = upright(x[0], x[1]);
@@ -135,7 +135,7 @@ fn newton(table: &Table, spin: f64, start: Vector4<f64>) -> Result<Vector4<f64>>
         if step.amax() <= 1e-11 * x.amax().max(1e-2) {
             return Ok(x - step);
         }
-        // Shorter where the whole step does not bring the residual down.
+        // A shorter step where the whole one does not reduce the residual.
         let mut part = 1.0;
         loop {
             let next = x - step * part;
@@ -174,7 +174,7 @@ fn growth_rates(table: &Table, up: Vector3<f64>, [a, b]: [f64; 2], spin: f64) ->
         let level = tangent(&up, [x[5], x[6]]);
         let contact = table.slides(&Pose::seen(up, omega, level));
         let turn = up.cross(&omega);
-        // V minus its vertical part, seen from the body.
+        // The rate of the level velocity of C, seen from the body.
         let drift = contact.traction * (contact.reaction / body.mass) - omega.cross(&level);
         let r = contact.omega_rate;
         SVector::from([turn.x, turn.y, r.x, r.y, r.z, drift.x, drift.y])
@@ -210,7 +210,7 @@ fn sorted<T, const N: usize>(
     values
 }
 
-/// By differences of fourth order, each coordinate over its scale, so that the eigenvalue solver sees numbers of one size.
+/// The Jacobian by differences of fourth order, each coordinate divided by its scale, so that the eigenvalue solver gets numbers of similar magnitude.
 fn jacobian<const N: usize>(
     rate: impl Fn(&SVector<f64, N>) -> SVector<f64, N>,
     x: SVector<f64, N>,
@@ -237,8 +237,8 @@ fn jacobian<const N: usize>(
     }
 }
 
-/// The eigenvalues (1/s) of pure rolling about steady spin round the third axis, which must be vertical-steady: CK along it and the
-/// vertical a symmetric direction of surface and inertia (rattleback, celt-ended tops). Fastest growing first.
+/// The eigenvalues (1/s) of pure rolling about steady spin round the vertical third axis, the fastest growing first. That spin must be steady: CK
+/// must lie along the third axis, and that must be a symmetric direction of surface and inertia (rattleback, celt-ended tops).
 ///
 /// Coordinates: two of the vertical, two of Ω across the third axis. Differences of fourth order; error about 1e-9 relative.
 ///

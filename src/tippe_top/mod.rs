@@ -7,13 +7,13 @@
 //! * I Ω̇ + Ω∧IΩ = N ρ∧(n + f), and the level velocity of C changes by N f/M;
 //! * the height of C is −⟨ρ, n⟩, so N follows from one linear equation.
 //!
-//! Simulations are scenes: [`crate::scene::contact`]. Here are the bodies, the laws of friction, and what can be said in closed form.
+//! Simulations are scenes: [`crate::scene::contact`]. This module has the bodies, the laws of friction, and the results in closed form.
 //!
 //! | question | answer |
 //! |---|---|
 //! | how fast does a hoop with clay tip over? | [`HoopWithClay`]: the tutorial's estimate, and the one that uses Jellett's integral |
 //! | does a tippe top turn over, and how far? | [`TippeTop`]: thresholds, final tilt, effective potential |
-//! | does a body tip alike both ways? | [`chirality_index`], [`quasi_steady`] and its [`growth rates`](QuasiSteady::growth_rates) |
+//! | does a body tip alike for both senses of spin? | [`chirality_index`], [`quasi_steady`] and its [`growth rates`](QuasiSteady::growth_rates) |
 //! | how does one build such a body? | [`beads`], [`bodies`] |
 
 pub mod bodies;

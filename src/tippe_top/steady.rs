@@ -1,4 +1,4 @@
-//! The axisymmetric tippe top in closed form: where it can end, and how fast it must be spun to get there.
+//! The axisymmetric tippe top in closed form: the tilts at which it can end, and the spin needed to get there.
 
 use core::f64::consts::PI;
 
@@ -12,8 +12,8 @@ use crate::integrators::halved;
 
 /// An axisymmetric top on a sphere: mass M, radius R, C at α R from the centre, moments I1 across the axis and I3 about it.
 ///
-/// Any friction takes energy and keeps Jellett's integral λ = ⟨L, R z − ε e⟩. So the top slides down the effective potential
-/// V(θ) = λ²/(2 R² D(θ)) + M g R (1 − α cos θ), D = I1 sin² θ + I3 (cos θ − α)², until it reaches a minimum: there it neither slips nor
+/// Any friction dissipates energy and conserves Jellett's integral λ = ⟨L, R z − ε e⟩. So the tilt moves down the effective potential
+/// V(θ) = λ²/(2 R² D(θ)) + M g R (1 − α cos θ), D = I1 sin² θ + I3 (cos θ − α)², until it reaches a minimum, where the top neither slips nor
 /// rises.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TippeTop {
@@ -25,14 +25,14 @@ pub struct TippeTop {
     gravity: f64,
 }
 
-/// What spin can do to an axisymmetric tippe top (Ueda, Sasaki and Watanabe 2005), by γ = I1/I3.
+/// How far spin can turn an axisymmetric tippe top over (Ueda, Sasaki and Watanabe 2005), by γ = I1/I3.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Inversion {
     /// γ ≤ 1 − α: upright, C low, is stable at any spin.
     Never,
-    /// 1 − α < γ < 1 + α: fast enough, it turns over completely.
+    /// 1 − α < γ < 1 + α: spun fast enough, it turns over completely.
     Complete,
-    /// γ ≥ 1 + α: fast enough, it rises to a tilt short of π.
+    /// γ ≥ 1 + α: spun fast enough, it rises to a tilt short of π.
     Partial,
 }
 
@@ -71,7 +71,7 @@ impl TippeTop {
     /// The same top as a body for a scene.
     ///
     /// # Errors
-    /// As for [`ConvexBody::new`]; moments that no body has.
+    /// As for [`ConvexBody::new`], and [`Error::TriangleInequality`](crate::Error::TriangleInequality) for moments that no body has.
     ///
     /// ```
     /// use spinning_bodies::tippe_top::TippeTop;
@@ -91,7 +91,7 @@ impl TippeTop {
         )
     }
 
-    /// What spin can do to it.
+    /// How far spin can turn it over.
     ///
     /// ```
     /// use spinning_bodies::tippe_top::{Inversion, TippeTop};
@@ -131,7 +131,7 @@ impl TippeTop {
         self.transverse * across + self.axial * (cos - self.alpha) * (cos - self.alpha)
     }
 
-    /// I3 α − (I3 − I1) cos θ, of the sign of what steadies a precession at θ.
+    /// I3 α − (I3 − I1) cos θ, which must be positive for a steady precession at θ.
     fn steadying(&self, cos: f64) -> f64 {
         self.axial * self.alpha - (self.axial - self.transverse) * cos
     }
@@ -154,10 +154,10 @@ impl TippeTop {
             + self.mass * self.gravity * self.radius * (1.0 - self.alpha * cos)
     }
 
-    /// λ = R φ̇ D(θ) of the steady state at tilt θ, if there is one: no slip, C at rest, Ω = φ̇ (z − α e), φ̇² = M g α R/(I3 α − (I3 − I1) cos θ).
+    /// Jellett's integral λ = R φ̇ D(θ) of the steady state at tilt θ, if there is one: no slip, C at rest, Ω = φ̇ (z − α e), φ̇² = M g α R/(I3 α − (I3 − I1) cos θ).
     ///
-    /// At θ = 0 it is the least λ at which the top does not stay upright with C low, λ² = M g R³ I3 α (1−α)⁴/(γ − 1 + α); at θ = π the least
-    /// at which it stands on its head, √(M g R³ I3 α) (1+α)²/√(1 + α − γ).
+    /// At θ = 0 it is the least λ at which the upright position with C low is unstable, λ² = M g R³ I3 α (1−α)⁴/(γ − 1 + α); at θ = π the least
+    /// at which the inverted one is stable, √(M g R³ I3 α) (1+α)²/√(1 + α − γ).
     ///
     /// ```
     /// use spinning_bodies::tippe_top::TippeTop;
@@ -178,7 +178,7 @@ impl TippeTop {
         (steadying > 0.0).then(|| self.radius * precession() * self.effective_inertia(cos))
     }
 
-    /// Least spin (rad/s) about the upright axis at which it rises, if any.
+    /// Least spin (rad/s) about the upright axis at which the top rises, if any.
     ///
     /// ```
     /// use spinning_bodies::tippe_top::TippeTop;
@@ -192,10 +192,10 @@ impl TippeTop {
         self.steady_jellett(0.0).map(|jellett| jellett / unit)
     }
 
-    /// Least spin (rad/s) about the upright axis at which it turns over completely, if any: enough to rise, and enough to stand on its head.
+    /// Least spin (rad/s) about the upright axis at which the top turns over completely, if any: enough to rise, and enough to stand inverted.
     ///
-    /// Between the two nothing holds it: λ of the [steady states](Self::steady_jellett) is greatest at an end. Mostly the head asks for more; for γ
-    /// little above 1 − α, rising does.
+    /// No tilt in between holds it, because λ of the [steady states](Self::steady_jellett) is greatest at one of the ends. Usually the inverted position needs more; for γ
+    /// slightly above 1 − α, rising does.
     ///
     /// ```
     /// use spinning_bodies::tippe_top::TippeTop;
@@ -217,11 +217,11 @@ impl TippeTop {
         }
     }
 
-    /// The tilt (rad) at which a top with Jellett's integral λ ends that starts without energy to spare at tilt `start`: the first
-    /// minimum of the effective potential on the way down, π if there is none.
+    /// The final tilt (rad) of a top with Jellett's integral λ that starts at tilt `start` without excess energy: the first
+    /// minimum of the effective potential downhill, or if there is none π for a rising top, 0 for a sinking one.
     ///
     /// V′ as a function of cos θ is a quartic over a square; its sign is scanned in 4096 steps of θ and the change located to
-    /// rounding. A start with much energy to spare (a slow top spun about its own tilted axis) may leave that valley.
+    /// rounding. A start with much excess energy (a slow top spun about its own tilted axis) may leave that valley.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite).
@@ -259,5 +259,5 @@ impl TippeTop {
     }
 }
 
-/// In which the way of the tilt is looked at.
+/// Steps in which the range of the tilt is scanned.
 const STEPS: u32 = 4096;

@@ -1,4 +1,4 @@
-//! Smooth convex surfaces, by the point at which they touch a level table.
+//! Smooth convex surfaces, described by the point at which they touch a level table.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -49,7 +49,7 @@ impl Surface {
         }))
     }
 
-    /// The same surface turned within the body: `turn` takes directions of the old one into directions of the new.
+    /// The same surface turned within the body: `turn` takes directions of the old surface to those of the new one.
     #[must_use]
     pub(crate) fn turned(&self, turn: &Attitude) -> Self {
         match self.0 {
@@ -81,7 +81,7 @@ impl Surface {
         }
     }
 
-    /// A length that is of the size of the surface, m.
+    /// A typical length of the surface, m.
     pub(crate) fn size(&self) -> f64 {
         match self.0 {
             Shape::Sphere { radius } => radius,
@@ -89,7 +89,7 @@ impl Surface {
         }
     }
 
-    /// No point of the surface is further from its centre, m.
+    /// The greatest distance of a point of the surface from its centre, m.
     pub(crate) fn greatest(&self) -> f64 {
         match self.0 {
             Shape::Sphere { radius } => radius,
@@ -122,7 +122,7 @@ impl Surface {
     }
 }
 
-/// M with the sign of everything changed that is odd in the second axis.
+/// The matrix reflected in the plane of the first and third axis: entries odd in the second axis change sign.
 pub(super) fn mirrored(matrix: &Matrix3<f64>) -> Matrix3<f64> {
     matrix.component_mul(&Matrix3::new(
         1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0,

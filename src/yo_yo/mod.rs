@@ -6,7 +6,7 @@
 //! | the turn | [`Turn`] | half a revolution of a physical pendulum: Jacobi functions |
 //! | asleep | [`sleeping_spin`] | elementary |
 //!
-//! Depth is measured down from where the string is fully wound, energy from rest there. SI units.
+//! Depth is measured down from the position with the string fully wound, and energy is zero at rest there. SI units.
 
 mod sleep;
 mod turn;
@@ -25,7 +25,7 @@ pub struct YoYo {
     inertia: f64,
     length: f64,
     axle: f64,
-    /// The string leaves at a radius r(x) with r² = r_w² − q x: r_w², and q, which is 0 of a thin string.
+    /// The string leaves at a radius r(x) with r² = r_w² − q x: r_w², and q, which is 0 for a thin string.
     wound_squared: f64,
     slope: f64,
 }
@@ -72,9 +72,9 @@ impl YoYo {
         Self::new(mass, 0.5 * mass * radius * radius, length, axle)
     }
 
-    /// The same with a string so thick that it is wound up to this radius (m) at the hand: r(x)² = r_w² − (r_w² − r₀²)x/l.
+    /// The same with a string so thick that, fully wound, it reaches this radius (m): r(x)² = r_w² − (r_w² − r₀²)x/l.
     ///
-    /// The area of the wound string, seen along the axle, shrinks in proportion to what has come off.
+    /// The cross-section of the wound string shrinks in proportion to the length unwound.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::OutOfRange`](crate::Error::OutOfRange) below the radius of the axle or beyond half the length.
@@ -125,7 +125,7 @@ impl YoYo {
 
     /// r², m², at a depth between 0 and the length of the string.
     pub(crate) fn radius_squared(&self, depth: f64) -> f64 {
-        // From the nearer end, so that both ends are exact.
+        // Counted from the nearer end, so that both ends are exact.
         if depth < 0.5 * self.length {
             self.wound_squared - self.slope * depth
         } else {
@@ -150,7 +150,7 @@ impl YoYo {
         self.radius_squared(depth.clamp(0.0, self.length)).sqrt()
     }
 
-    /// Downward acceleration, m/s², at this depth and spin (rad/s): the same on the way down and on the way up.
+    /// Downward acceleration, m/s², at this depth and spin (rad/s); it is the same going down and going up.
     ///
     /// (g r² − q k² ω²/2)/(r² + k²) with q = −d(r²)/dx; on a thin string g/(1 + I/(m r²)).
     ///
@@ -168,7 +168,7 @@ impl YoYo {
 
     /// Tension of the string m(g − a), N, while it unwinds or winds.
     ///
-    /// As m(g k² + q k² ω²/2)/(r² + k²): nothing cancels.
+    /// Formed as m(g k² + q k² ω²/2)/(r² + k²), where nothing cancels.
     ///
     /// ```
     /// use spinning_bodies::yo_yo::YoYo;
@@ -182,7 +182,7 @@ impl YoYo {
         self.inertia * pull / (square + self.gyration_squared())
     }
 
-    /// ½(I + m r²)ω², J, with the radius at this depth.
+    /// Kinetic energy ½(I + m r²)ω², J, with the radius at this depth.
     ///
     /// ```
     /// use spinning_bodies::yo_yo::YoYo;

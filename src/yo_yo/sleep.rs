@@ -1,9 +1,9 @@
-//! Spinning in the loop at the end of the string.
+//! The sleep: spinning in the loop at the end of the string.
 
 use super::YoYo;
 
-/// Spin, rad/s, `time` seconds after falling asleep with spin `omega`, under a constant torque of the axle's friction (N m): I ω' = −torque, and zero
-/// once it has stopped.
+/// Spin, rad/s, `time` seconds after falling asleep with spin `omega`, under a constant torque of friction at the axle (N m): I ω' = −torque, until it has
+/// stopped.
 ///
 /// ```
 /// use spinning_bodies::yo_yo::{YoYo, sleeping_spin};
@@ -19,7 +19,7 @@ pub fn sleeping_spin(toy: &YoYo, omega: f64, time: f64, torque: f64) -> f64 {
 
 /// Spin, rad/s, after a jerk has made the string grip: I ω = (I + m r²)ω'.
 ///
-/// The angular momentum about the string's end is kept while the centre, at rest till then, is caught up into the motion; a fraction 1/(1 + I/(m r²)) of the energy is lost.
+/// The angular momentum about the string's end is conserved while the centre, at rest before, is jerked into motion; a fraction 1/(1 + I/(m r²)) of the energy is lost.
 ///
 /// ```
 /// use spinning_bodies::yo_yo::{YoYo, spin_after_waking};

@@ -6,25 +6,25 @@ use super::YoYo;
 use crate::elliptic::{Modulus, Parameter, incomplete_first};
 use crate::error::{Error, Result, finite, not_negative, positive};
 
-/// The turn: the string is all out, and the axle swings half round its end.
+/// The turn at the end of the string: the string is all out, and the yo-yo swings half a turn about the string's end.
 ///
-/// The end of the string stays where it is, at the side of the axle; the yo-yo is a physical pendulum that goes from α = 0, its centre
-/// level with the string's end on one side, through the lowest point to α = π on the other. α'² = ω² + 2n sin α, n = m g r/(I + m r²), and so the spin after the turn is
-/// the spin before, whatever happens between: both are at the same height. The string is taken to be long compared with the axle,
-/// so that its end is held still sideways.
+/// The end of the string, at the side of the axle, stays at rest; the yo-yo is a physical pendulum that goes from α = 0, with its centre
+/// level with the string's end on one side, through the lowest point to α = π on the other side. α'² = ω² + 2n sin α, n = m g r/(I + m r²), so the spin after the turn equals
+/// the spin before, since both are at the same height. The string is taken to be long compared with the axle,
+/// so that its end does not move sideways.
 #[derive(Debug, Clone, Copy)]
 pub struct Turn {
     /// Spin at its beginning and at its end, rad/s.
     pub omega: f64,
     /// Spin at the lowest point, rad/s.
     pub fastest: f64,
-    /// How long it takes, s: π/ω, a little less.
+    /// Duration, s: a little less than π/ω.
     pub duration: f64,
-    /// Mean pull of the string during the turn, N: the weight and twice the momentum over the duration.
+    /// Mean pull of the string during the turn, N: the weight plus twice the momentum over the duration.
     pub mean_tension: f64,
     /// The same at constant spin, N: m g + (2/π) m r ω², which for a yo-yo let go at the hand is m g [1 + (4/π)(l/r)/(1 + I/(m r²))].
     ///
-    /// Leaves out gravity's part in the turn; too small by a fraction of the order n/ω² = r/(2l).
+    /// It neglects the effect of gravity on the spin during the turn, and is too small by a fraction of the order n/ω² = r/(2l).
     pub mean_tension_at_constant_spin: f64,
     toy: YoYo,
     gravity: f64,
@@ -35,7 +35,7 @@ pub struct Turn {
 /// The yo-yo in its turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TurnState {
-    /// How far the axle has gone round, rad, 0…π.
+    /// Angle α of the turn, rad, 0…π.
     pub angle: f64,
     /// Spin, rad/s.
     pub omega: f64,
@@ -51,8 +51,8 @@ impl Turn {
     /// The turn that begins with this spin (rad/s) under `gravity` (m/s²).
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::Negative`]; [`Error::Condition`] if the yo-yo comes with less than it would
-    /// have after a fall of one radius of the axle: then it swings rather than turns.
+    /// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::Negative`]; [`Error::Condition`] if the spin is less than after
+    /// a fall of one radius of the axle: then the yo-yo swings rather than turns.
     ///
     /// ```
     /// use spinning_bodies::yo_yo::{Turn, YoYo};
@@ -100,7 +100,7 @@ impl Turn {
         })
     }
 
-    /// The state so long after its beginning (s; clamped to the turn).
+    /// The state at a time after the beginning of the turn (s; clamped to the turn).
     ///
     /// # Errors
     /// [`Error::NotFinite`].
@@ -118,7 +118,7 @@ impl Turn {
         let jacobi = self.modulus.jacobi(0.5 * self.fastest * since_middle)?;
         let (sine, cosine) = (jacobi.sn, jacobi.cn);
         let omega = self.fastest * jacobi.dn;
-        // α = π/2 + 2 am: its sine and cosine by those of twice the amplitude.
+        // α = π/2 + 2 am: its sine and cosine follow from those of twice the amplitude.
         let (sin_alpha, cos_alpha) = ((cosine - sine) * (cosine + sine), -2.0 * sine * cosine);
         let r = self.toy.axle();
         let centripetal = r * (omega * omega * sin_alpha - self.pull * cos_alpha * cos_alpha);
@@ -134,7 +134,7 @@ impl Turn {
     /// The work, J, that the hand does on the yo-yo if it rises by `lift` (m) during the turn with a speed proportional to sin α.
     ///
     /// The spin grows by Δ = ω c d/(2 − c d/2), c = (π/2) r/(r² + I/m), and the energy by (I + m r²)(ωΔ + Δ²/2): for a small lift
-    /// (π/4) m r ω² d. Leaves out gravity's part in the turn; observed error 0.4 per cent for lifts up to 1 cm. For lifts below 2/c.
+    /// (π/4) m r ω² d. It neglects gravity during the turn; observed error 0.4 per cent for lifts up to 1 cm. Domain: lifts below 2/c.
     ///
     /// ```
     /// use spinning_bodies::yo_yo::{Turn, YoYo};

@@ -1,36 +1,36 @@
-//! Down the string and up again.
+//! Down the string and up again, in closed form.
 
 use super::YoYo;
 use crate::elliptic::{rd, rf};
 use crate::error::{Error, Result, finite, not_negative, positive, within};
 
-/// A way down the string, or, run backwards, a way up: from its upper end to the end of the string.
+/// A motion down the string, or, run backwards, up it: from its upper end to the end of the string.
 ///
-/// The upper end is the hand, if the yo-yo comes there with speed, or else the depth at which it is at rest. With
+/// The upper end is the hand, if the yo-yo has speed there, or else the depth at which it is at rest. With
 /// V² = 2(e + g x) r²/(r² + k²), e the energy over the mass, the time from depth x₀ to x is
 ///
 /// * on a thin string that of a constant acceleration;
 /// * on a thick one √(2(P + ε)/g) [E(φ|m) − E(φ₀|m)], tan²φ = (x + ε)/(p − x), ε = e/g, p and P the depths at which r² and r² + k²
-///   would be zero, m = (p + ε)/(P + ε); the radius that shrinks is an ellipse that straightens. Here as one integral from x₀ to x by Carlson's
+///   would be zero, m = (p + ε)/(P + ε). It is computed as one integral from x₀ to x by Carlson's
 ///   functions (*A table of elliptic integrals of the second kind*, Math. Comp. 49, 1987), as a multiple of the time on a string that stays as thick as
-///   at x₀: all terms are positive, no difference is taken, and neither a fall without gravity nor one from rest is an exception.
+///   at x₀: all terms are positive, no difference is taken, and neither a motion without gravity nor one from rest is an exception.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unwinding {
     toy: YoYo,
     gravity: f64,
     energy: f64,
     top: f64,
-    /// At the upper end: the speed, and the acceleration on a string that stays as thick as there.
+    /// At the upper end: the speed, and the acceleration if the string stayed as thick as there.
     speed: f64,
     acceleration: f64,
 }
 
 impl Unwinding {
-    /// The way of this yo-yo under `gravity` (m/s², not negative) with the energy `energy` (J, zero for rest at the hand).
+    /// The motion of this yo-yo under `gravity` (m/s², not negative) with the energy `energy` (J, zero for rest at the hand).
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::Condition`] if it has not energy enough to be anywhere above the end of the
-    /// string, or, without gravity, none.
+    /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::Condition`] if its energy is too small for it to be anywhere above the end of the
+    /// string, or, without gravity, zero.
     ///
     /// ```
     /// use spinning_bodies::yo_yo::{Unwinding, YoYo};
@@ -46,7 +46,7 @@ impl Unwinding {
         let top = if e < 0.0 { -e / gravity } else { 0.0 };
         if (gravity == 0.0 && energy <= 0.0) || top >= toy.length {
             return Err(Error::Condition {
-                condition: "the yo-yo must have energy enough to leave the end of the string",
+                condition: "the yo-yo must have enough energy to leave the end of the string",
                 value: energy,
             });
         }
@@ -56,7 +56,7 @@ impl Unwinding {
             gravity,
             energy,
             top,
-            // From rest below the hand.
+            // Zero if it starts from rest below the hand.
             speed: (2.0 * e.max(0.0) / factor).sqrt(),
             acceleration: gravity / factor,
         })
@@ -75,7 +75,7 @@ impl Unwinding {
         self.omega(depth) * self.toy.radius(depth)
     }
 
-    /// Spin, rad/s, at such a depth.
+    /// Spin, rad/s, at a depth between the upper end and the end of the string.
     ///
     /// ```
     /// use spinning_bodies::yo_yo::{Unwinding, YoYo};
@@ -88,9 +88,9 @@ impl Unwinding {
         self.omega_below(depth, depth - self.top)
     }
 
-    /// The same where it is known how far below the upper end that is.
+    /// The same if the distance below the upper end, `way`, is known as well.
     fn omega_below(&self, depth: f64, way: f64) -> f64 {
-        // From rest the fall below the upper end is what counts.
+        // From rest, the fall from the upper end determines the speed.
         let fall = if self.energy < 0.0 {
             self.gravity * way
         } else {
@@ -103,7 +103,7 @@ impl Unwinding {
     /// Time from the upper end to this depth, s. Observed error: 1e-14.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] outside the way.
+    /// [`Error::OutOfRange`] for a depth outside the motion.
     ///
     /// ```
     /// use spinning_bodies::yo_yo::{Unwinding, YoYo};
@@ -117,7 +117,7 @@ impl Unwinding {
         self.time_of(depth - self.top)
     }
 
-    /// The time of this way from the upper end, s.
+    /// The time from the upper end to the distance `way` below it, s.
     fn time_of(&self, way: f64) -> Result<f64> {
         if way == 0.0 {
             return Ok(0.0);
@@ -129,7 +129,7 @@ impl Unwinding {
         if q == 0.0 {
             return Ok(even);
         }
-        // ∫ √(1 + k²/r²)/√(2(e + g x)) dx over what it is with r at the upper end.
+        // ∫ √(1 + k²/r²)/√(2(e + g x)) dx, divided by its value with r constant as at the upper end.
         let ([_, b0], [a, b]) = (self.roots(0.0), self.roots(way));
         let [c0, c] = [speed, later].map(|v| v / (speed + later));
         let [x, y, z] = [
@@ -150,7 +150,7 @@ impl Unwinding {
         2.0 * way / (self.speed + square.sqrt())
     }
 
-    /// √r² and √(r² + k²) so far below the upper end, over r there.
+    /// √r² and √(r² + k²) at the distance `way` below the upper end, both divided by r at the upper end.
     fn roots(&self, way: f64) -> [f64; 2] {
         let depth = (self.top + way).min(self.toy.length);
         let [from, here] = [self.top, depth].map(|depth| self.toy.radius_squared(depth));
@@ -160,7 +160,7 @@ impl Unwinding {
     /// Time from the upper end to the end of the string, s.
     ///
     /// # Errors
-    /// None that [`new`](Self::new) has not reported; [`Error::NotFinite`] where the time overflows.
+    /// [`Error::NotFinite`] where the time overflows.
     ///
     /// ```
     /// use spinning_bodies::yo_yo::{Unwinding, YoYo};
@@ -170,15 +170,15 @@ impl Unwinding {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn duration(&self) -> Result<f64> {
-        finite("the time of the way down", self.time_at(self.toy.length)?)
+        finite("the time down the string", self.time_at(self.toy.length)?)
     }
 
-    /// Depth (m) so long after the upper end (s, between 0 and the [duration](Self::duration)).
+    /// Depth (m) at a time after the upper end (s, between 0 and the [duration](Self::duration)).
     ///
-    /// Thin string: a formula. Thick: Newton's method on the time, an integral that is one short sum: some microseconds.
+    /// Thin string: a formula. Thick string: Newton's method on the time, some microseconds.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] outside the way.
+    /// [`Error::OutOfRange`] for a time outside the motion.
     ///
     /// ```
     /// use spinning_bodies::yo_yo::{Unwinding, YoYo};
@@ -191,7 +191,7 @@ impl Unwinding {
         Ok(self.at(time)?[0])
     }
 
-    /// Depth (m) and spin (rad/s) so long after the upper end. Next to a rest the spin has more digits than the depth could give it.
+    /// Depth (m) and spin (rad/s) at a time after the upper end. Close to rest the spin keeps digits that it would lose if computed from the depth.
     pub(crate) fn at(&self, time: f64) -> Result<[f64; 2]> {
         let length = self.toy.length;
         let duration = self.duration()?;
@@ -203,7 +203,7 @@ impl Unwinding {
         Ok([depth, self.omega_below(depth, way.max(0.0))])
     }
 
-    /// The way from the upper end that takes this time: by Newton's method in the time that it takes on a string that stays as thick as there.
+    /// The distance from the upper end covered in this time, by Newton's method; its variable is the time on a string that stays as thick as at the upper end.
     fn way_of(&self, time: f64, duration: f64) -> Result<f64> {
         let way = |even: f64| even * (self.speed + 0.5 * self.acceleration * even);
         if self.toy.thinning() == 0.0 {
@@ -212,7 +212,7 @@ impl Unwinding {
         let [_, b0] = self.roots(0.0);
         let most = self.even_time(self.toy.length - self.top);
         let mut even = most * (time / duration);
-        // The time bends upward, so that steps come from above after the first and cannot overshoot.
+        // The time is convex, so that all steps after the first come from above and cannot overshoot.
         for _ in 0..100 {
             let [a, b] = self.roots(way(even));
             let step = (self.time_of(way(even))? - time) * (a * b0 / b);
@@ -224,10 +224,10 @@ impl Unwinding {
         Ok(way(even))
     }
 
-    /// The energy, J, with which a yo-yo leaves this depth (m) at this speed (m/s, either way) under `gravity`.
+    /// The energy, J, of a yo-yo at this depth (m) with this speed (m/s, up or down) under `gravity`.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::OutOfRange`](crate::Error::OutOfRange) for a depth that is not on the string.
+    /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::OutOfRange`](crate::Error::OutOfRange) for a depth outside 0 … the length of the string.
     ///
     /// ```
     /// use spinning_bodies::yo_yo::{Unwinding, YoYo};

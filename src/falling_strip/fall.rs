@@ -1,4 +1,4 @@
-//! A fall in the units of the theory, and what becomes of it in the long run.
+//! A fall in the units of the theory, and its regime in the long run.
 
 use core::f64::consts::{FRAC_1_PI, PI, TAU};
 
@@ -6,7 +6,7 @@ use super::plate::{AddedMass, Drag, Equations, Lift, Plate, RotationalDamping};
 use crate::error::{Result, positive, within};
 use crate::integrators::{Effort, Kept, System, halved, order_eight};
 
-/// The numbers that the forces of the fluid are fitted with. All dimensionless.
+/// The coefficients fitted for the forces of the fluid, all dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Coefficients {
     /// C_T and C_R.
@@ -20,7 +20,7 @@ pub struct Coefficients {
 }
 
 impl Coefficients {
-    /// Those of Andersen, Pesavento and Wang, for a thin elliptical plate: C_T = 1.2, C_R = π, A = 1.4, B = 1, μ₁ = μ₂ = 0.2, j = 1/4.
+    /// The coefficients of Andersen, Pesavento and Wang, for a thin elliptical plate: C_T = 1.2, C_R = π, A = 1.4, B = 1, μ₁ = μ₂ = 0.2, j = 1/4.
     pub const PUBLISHED: Self = Self {
         lift: Lift {
             translational: 1.2,
@@ -37,10 +37,10 @@ impl Coefficients {
         inertia_factor: 0.25,
     };
 
-    /// Ours, for flat strips of paper: C_T = 1.7, C_R = 1.1, A = 1.7, B = 1, μ₁ = 0.05, μ₂ = 0.04, j = 1/3.
+    /// Our coefficients, for flat strips of paper: C_T = 1.7, C_R = 1.1, A = 1.7, B = 1, μ₁ = 0.05, μ₂ = 0.04, j = 1/3.
     ///
-    /// Found by a random search of 12 500 sets for one that flutters below the measured transition, tumbles above it up to I* = 16, and glides
-    /// at about 40 degrees. A fit, not a measurement; many neighbouring sets do as well.
+    /// Found by a random search among 12 500 sets for one that flutters below the measured transition, tumbles above it up to I* = 16, and glides
+    /// at about 40 degrees. A fit, not a measurement; many neighbouring sets fit as well.
     pub const PAPER: Self = Self {
         lift: Lift {
             translational: 1.7,
@@ -58,7 +58,7 @@ impl Coefficients {
     };
 }
 
-/// How a fall begins: at rest in all but these.
+/// The start of a fall, at the origin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Start {
     /// Angle of the chord above the horizontal, rad.
@@ -70,14 +70,14 @@ pub struct Start {
 }
 
 impl Start {
-    /// Let go at 0.2 rad from the horizontal, with a breath of speed along the chord.
+    /// Released at 0.2 rad from the horizontal, with a small velocity.
     pub const TILTED: Self = Self {
         tilt: 0.2,
         velocity: [0.01, -0.01],
         omega: 0.0,
     };
 
-    /// Set spinning: a turn in 2π time units, edge on.
+    /// Released nearly edge on and spinning, one turn in 2π time units.
     pub const SPINNING: Self = Self {
         tilt: 1.4,
         velocity: [0.0, 0.0],
@@ -85,29 +85,29 @@ impl Start {
     };
 }
 
-/// A plate that falls through a fluid, with all the terms, in units of its half width a, U = √(I* a g) and a/U.
+/// A plate falling through a fluid, with all the terms, in units of its half width a, U = √(I* a g) and a/U.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fall {
     equations: Equations,
 }
 
-/// What becomes of a fall.
+/// The regime of a fall.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Regime {
     /// Straight down, broadside.
     Steady,
-    /// To and fro; it never turns over.
+    /// To and fro, without ever turning over.
     Flutter,
-    /// Over and over, the same way, if with hesitations.
+    /// Over and over in the same sense, perhaps with hesitations.
     Tumble,
-    /// Now this, now that: it turns over, and back.
+    /// Irregular: it turns over now one way, now the other.
     Mixed,
 }
 
-/// The averages of a fall after its beginnings are forgotten, in units of a, U and a/U.
+/// The averages of a fall after its transients, in units of a, U and a/U.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LongRun {
-    /// What it does.
+    /// The regime.
     pub regime: Regime,
     /// Mean angular velocity.
     pub rotation: f64,
@@ -115,11 +115,11 @@ pub struct LongRun {
     pub drift: f64,
     /// Mean velocity downward.
     pub descent: f64,
-    /// Greatest distance sideways from a straight line down, in the window.
+    /// Greatest sideways distance, in the window, from the vertical line through the point where the window begins.
     pub reach: f64,
-    /// Half the angle between the farthest ends of its swings, rad; none unless it flutters.
+    /// Half the angle between the extreme ends of its swings, rad; `None` unless it flutters.
     pub swing: Option<f64>,
-    /// Time after which the motion repeats itself, up to a turn by π; none if it did not in the window.
+    /// Time after which the motion repeats itself, up to a turn by π; `None` if it did not in the window.
     pub period: Option<f64>,
 }
 
@@ -137,22 +137,22 @@ impl LongRun {
     }
 }
 
-/// Places in the state.
+/// Indices of w and ω in the state.
 const W: usize = 4;
 const OMEGA: usize = 5;
 
-/// Time between samples, units a/U: a sixtieth of the fastest turn there is.
+/// Time between samples, units a/U: a sixtieth of the fastest turn.
 const SAMPLE: f64 = 0.1;
 
 /// The longest run, units a/U.
 const LONGEST: f64 = 2e5;
 
-/// One passage edge on, w = 0; or, for a plate that never is edge on, one end of a swing, ω = 0.
+/// A passage through the edge-on position, w = 0; or, for a plate that is never edge on, an end of a swing, ω = 0.
 struct Passage {
     time: f64,
-    /// θ, its turns counted.
+    /// θ, with its turns counted.
     theta: f64,
-    /// θ, u, w and ω, with the plate turned by π if it moved the other way: its two sides are alike.
+    /// θ, u, w and ω, with the plate turned by π if it moved the other way, since its two sides are alike.
     section: [f64; 4],
     /// Whether the quantity falls through zero there.
     falling: bool,
@@ -163,7 +163,7 @@ impl Fall {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive) for the mass ratio or the inertia factor;
-    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Negative`](crate::Error::Negative) for a coefficient that drives what it should brake.
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Negative`](crate::Error::Negative) for coefficients with which drag or damping would add energy.
     ///
     /// ```
     /// use spinning_bodies::falling_strip::{Coefficients, Fall};
@@ -186,7 +186,7 @@ impl Fall {
         })
     }
 
-    /// x, y, θ, u, w, ω and heat at each of the times (units a/U), from the origin, by order 8 with a tolerance of 1e-11.
+    /// x, y, θ, u, w, ω and heat at each of the times (units a/U), from the origin, by the method of order 8 with a tolerance of 1e-11.
     ///
     /// Observed error over 100 units where the motion is regular: 1e-9. Chaotic motions (published coefficients, I* from 1.7 to 2.5)
     /// lose a digit every few units, as any method must.
@@ -219,10 +219,10 @@ impl Fall {
         Ok(run.states)
     }
 
-    /// What the fall does between `run_up` and `run_up + window` (units a/U): its regime, its averages, its period.
+    /// Regime, averages and period of the fall between `run_up` and `run_up + window` (units a/U).
     ///
     /// Steady: the angle stays within a thousandth. Flutter: it stays within one turn. Tumble: it does not, and the plate never turns back by half a
-    /// turn. Averages of a motion that repeats itself are those of whole periods.
+    /// turn. If the motion repeats itself, averages are taken over whole periods.
     ///
     /// Cost: about 50 evaluations of the equations a unit of time.
     ///
@@ -248,9 +248,9 @@ impl Fall {
         let path = self.path(start, &times)?;
         let edge_on = self.crossings(&times, &path, W)?;
         let ends = self.crossings(&times, &path, OMEGA)?;
-        // Half of what lies between the least and the greatest angle at which it turns back.
+        // Half the range of the angles at which it turns back.
         let swing = 0.5 * range(ends.iter().map(|end| end.theta));
-        // All passages edge on, or all ends of a swing to the left.
+        // All edge-on passages, or all left ends of swings.
         let passages: Vec<Passage> = if edge_on.len() > 2 {
             edge_on
         } else {
@@ -258,7 +258,7 @@ impl Fall {
         };
         let regime = regime(&path);
         let (first, last, period) = match repeats(&passages) {
-            // Whole periods only: from the first passage to the last one like it.
+            // Whole periods only: from the first passage to the last equivalent one.
             Some(every) if passages.len() > every => {
                 let last = (passages.len() - 1) / every * every;
                 let period = (passages[last].time - passages[0].time) * every as f64 / last as f64;
@@ -280,7 +280,7 @@ impl Fall {
         })
     }
 
-    /// All times at which a component of the state changes its sign, and whether it fell.
+    /// All times at which a component of the state changes sign, and whether it was falling.
     fn crossings(
         &self,
         times: &[f64],
@@ -293,7 +293,7 @@ impl Fall {
             if falling == (path[k][component] > 0.0) {
                 continue;
             }
-            // By bisection of the cubic through values and rates.
+            // By bisection on the cubic through values and rates.
             let still = |t| Ok((self.hermite(times, path, k, t)[component] > 0.0) == falling);
             let width = 1e-12 * (times[k] - times[k - 1]);
             let [low, _] = halved([times[k - 1], times[k]], width, still)?;
@@ -332,7 +332,7 @@ impl Fall {
     }
 }
 
-/// What a sampled path does.
+/// The regime of a sampled path.
 fn regime(path: &[[f64; 7]]) -> Regime {
     let angles = || path.iter().map(|state| state[2]);
     let range = range(angles());
@@ -348,14 +348,14 @@ fn regime(path: &[[f64; 7]]) -> Regime {
     }
 }
 
-/// From the least to the greatest of these angles.
+/// The range of these angles.
 fn range(angles: impl Iterator<Item = f64>) -> f64 {
     let nothing = [f64::INFINITY, f64::NEG_INFINITY];
     let [least, greatest] = angles.fold(nothing, |[low, high], x| [low.min(x), high.max(x)]);
     greatest - least
 }
 
-/// How far a sequence of angles at most falls below the greatest before it.
+/// The most by which a sequence of angles falls below the greatest before it.
 fn turned_back(angles: impl Iterator<Item = f64>) -> f64 {
     let mut greatest = f64::NEG_INFINITY;
     angles.fold(0.0, |back: f64, theta| {
@@ -364,7 +364,7 @@ fn turned_back(angles: impl Iterator<Item = f64>) -> f64 {
     })
 }
 
-/// After how many passages the motion repeats itself, if it does so for all of them.
+/// The number of passages after which the motion repeats itself, if it does so throughout.
 fn repeats(passages: &[Passage]) -> Option<usize> {
     let alike = |a: &Passage, b: &Passage| {
         let turn = (a.section[0] - b.section[0] + PI).rem_euclid(TAU) - PI;

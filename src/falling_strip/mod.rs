@@ -1,11 +1,11 @@
 //! A strip of paper falls through air: it flutters or it tumbles (tutorial 4.10).
 //!
-//! The model is quasi-steady and two-dimensional: a long plate that turns about its long axis only, with the forces of its present motion.
+//! The model is quasi-steady and two-dimensional: a long plate that turns only about its long axis, with forces that depend only on its present motion.
 //! Its equations are those of Andersen, Pesavento and Wang (Journal of Fluid Mechanics 541, 2005): weight, added mass, lift by
 //! a circulation with a translational and a rotational part, drag that depends on the angle of attack, and a torque that resists rotation.
 //!
-//! [`Equations`] has a place for each of these effects; [`Fall`] fills them all, in the units of the theory, and tells what becomes of
-//! a fall in the [long run](Fall::long_run). [`Sheet`] is a real strip, in SI units.
+//! [`Equations`] has a place for each of these effects; [`Fall`] has them all, in the units of the theory, and finds the regime of a
+//! fall in the [long run](Fall::long_run). [`Sheet`] is a real strip, in SI units.
 //!
 //! | | published | paper |
 //! |---|---|---|

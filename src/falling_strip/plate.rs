@@ -1,4 +1,4 @@
-//! The equations of a falling plate, term by term. SI units, per metre of its length.
+//! The equations of a falling plate, term by term. SI units, per metre of the plate's length.
 
 use core::f64::consts::PI;
 
@@ -18,8 +18,8 @@ pub struct Plate {
 impl Plate {
     /// A plate of half width a (`half_chord`, m) and `mass` (kg per metre of length) in a fluid of density ρ (kg/m³, 0 for none).
     ///
-    /// `thickness_ratio` is β = b/a of the elliptical section whose added mass it has, `inertia_factor` is j: its moment of inertia about
-    /// the long axis is j m a²(1 + β²), so 1/3 is a flat strip, 1/4 an elliptical cylinder.
+    /// `thickness_ratio` is β = b/a of the elliptical section from which its added mass is taken, `inertia_factor` is j in its moment of inertia
+    /// j m a²(1 + β²) about the long axis: 1/3 for a flat strip, 1/4 for an elliptical cylinder.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive),
@@ -63,18 +63,18 @@ impl Plate {
         self.inertia_factor * self.mass * a * a * (1.0 + beta * beta)
     }
 
-    /// The mass π ρ a² of the fluid cylinder that just holds it, kg/m: what it must push aside when it moves broadside.
+    /// The mass π ρ a² of the fluid in the cylinder around the plate, kg/m: its added mass in broadside motion.
     pub(crate) fn displaced_mass(&self) -> f64 {
         PI * self.fluid_density * self.half_chord * self.half_chord
     }
 }
 
-/// Lift ρΓ at right angles to the velocity, with Γ = 2a(−C_T u w/V + C_R a ω), m²/s. At rest the first part is zero, its limit.
+/// Lift ρΓV at right angles to the velocity, with the circulation Γ = 2a(−C_T u w/V + C_R a ω), m²/s. At rest the first part of Γ is zero, its limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lift {
-    /// C_T, of the angle of attack.
+    /// C_T, for the lift due to the angle of attack.
     pub translational: f64,
-    /// C_R, of the rotation.
+    /// C_R, for the lift due to rotation.
     pub rotational: f64,
 }
 
@@ -93,13 +93,13 @@ impl Lift {
 pub struct Drag {
     /// A.
     pub mean: f64,
-    /// B, not more than A in size.
+    /// B, at most A in magnitude.
     pub contrast: f64,
 }
 
 impl Drag {
     /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Negative`](crate::Error::Negative) where it would drive.
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Negative`](crate::Error::Negative) where it would push the plate.
     pub(crate) fn checked(self) -> Result<Self> {
         not_negative("the least drag", self.mean - self.contrast.abs())?;
         Ok(self)
@@ -109,7 +109,7 @@ impl Drag {
 /// A torque −π ρ a⁴(c + μ₂|ω|)ω against the rotation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RotationalDamping {
-    /// c, 1/s. In the units of the theory it is μ₁.
+    /// c, 1/s; in units of a and U it is μ₁.
     pub linear: f64,
     /// μ₂, dimensionless.
     pub quadratic: f64,
@@ -117,7 +117,7 @@ pub struct RotationalDamping {
 
 impl RotationalDamping {
     /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Negative`](crate::Error::Negative) where it would drive.
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Negative`](crate::Error::Negative) where it would speed up the rotation.
     pub(crate) fn checked(self) -> Result<Self> {
         not_negative("the linear resistance to rotation", self.linear)?;
         not_negative("the quadratic resistance to rotation", self.quadratic)?;
@@ -125,19 +125,19 @@ impl RotationalDamping {
     }
 }
 
-/// The fluid that an accelerated plate takes along: π ρ a² broadside, β² of it edgewise, π ρ a⁴(1 − β²)²/8 in rotation, each times a factor.
+/// The added mass, of the fluid that an accelerated plate carries along: π ρ a² broadside, β² times that edgewise, π ρ a⁴(1 − β²)²/8 in rotation, each times a factor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AddedMass {
     /// 1 for an ideal fluid.
     pub factor: f64,
 }
 
-/// What the plate resists acceleration with: along the chord and across it (kg/m), and in rotation (kg m).
+/// The inertia of plate and added mass: along the chord and across it (kg/m), and in rotation (kg m).
 struct Masses {
     along: f64,
     across: f64,
     moment: f64,
-    /// Broadside added mass less the edgewise one, if any fluid is taken along.
+    /// Broadside added mass less the edgewise one, if there is added mass.
     difference: Option<f64>,
 }
 
@@ -150,10 +150,10 @@ struct Load {
     heating: f64,
 }
 
-/// The equations of motion of a plate under those of the effects that are there.
+/// The equations of motion of a plate under the effects that are present.
 ///
-/// State: x, y (m), θ (rad), u, w (m/s), ω (rad/s), heat (J/m); u is the velocity along the chord, w across it, in axes that turn with it. With
-/// the masses of the plate and of the fluid that it takes along, m_u u' = m_w ω w + F_u, m_w w' = −m_u ω u + F_w, J ω' = N.
+/// State: x, y (m), θ (rad), u, w (m/s), ω (rad/s), heat (J/m); u is the velocity along the chord, w across it, in axes that turn with the plate. With
+/// masses that include the added mass, m_u u' = m_w ω w + F_u, m_w w' = −m_u ω u + F_w, J ω' = N.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Equations {
     /// The plate.
@@ -166,12 +166,12 @@ pub struct Equations {
     pub drag: Option<Drag>,
     /// Resistance to rotation.
     pub damping: Option<RotationalDamping>,
-    /// The fluid it takes along.
+    /// Added mass.
     pub added_mass: Option<AddedMass>,
 }
 
 impl Equations {
-    /// Those of a plate on which nothing acts.
+    /// The equations of a plate on which nothing acts.
     pub(crate) const fn new(plate: Plate) -> Self {
         Self {
             plate,
@@ -209,7 +209,7 @@ impl Equations {
         }
     }
 
-    /// What acts on the plate, given sine and cosine of its angle and the sign of its spin.
+    /// Force and torque on the plate, given sine and cosine of its angle and the sign of its spin.
     fn load(&self, slope: (f64, f64), sense: f64, state: &[f64; 7], masses: &Masses) -> Load {
         let [.., u, w, omega, _] = *state;
         let (plate, a, density) = (&self.plate, self.plate.half_chord, self.plate.fluid_density);
@@ -245,14 +245,14 @@ impl Equations {
             load.torque -= torque;
             load.heating += torque * omega;
         }
-        // It is what the two added masses differ by that turns a plate broadside to its way.
+        // The difference of the two added masses turns a plate broadside to its motion.
         if let Some(difference) = masses.difference {
             load.torque -= difference * u * w;
         }
         load
     }
 
-    /// The rates of the state, with |ω| read as `sense` · ω: smooth as long as the plate does not turn back.
+    /// The rates of the state, with |ω| written as `sense` · ω: smooth as long as ω does not change sign.
     // ANCHOR: rate
     pub(crate) fn rate_in(&self, sense: f64, state: &[f64; 7]) -> [f64; 7] {
         let [_, _, theta, u, w, omega, _] = *state;

@@ -1,4 +1,4 @@
-//! A real strip of paper: what it weighs against the air that it must push aside.
+//! A real strip of paper, and the ratio of its mass to that of the air around it.
 
 use core::f64::consts::PI;
 
@@ -7,14 +7,14 @@ use super::plate::Plate;
 use crate::error::{Error, Result, finite, positive};
 use crate::integrators::halved;
 
-/// Where flutter goes over into tumbling, as a Froude number: measured value and its uncertainty.
+/// The Froude number at which flutter turns into tumbling: the measured value and its uncertainty.
 ///
 /// Source: Belmonte, Eisenberg and Moses, Physical Review Letters 81 (1998), for flat strips falling between two walls.
 pub const MEASURED_FROUDE: (f64, f64) = (0.67, 0.05);
 
-/// A strip by its width (m), its mass per area (kg/m²), the density of the fluid (kg/m³) and g (m/s²).
+/// A strip with its width (m), its mass per area (kg/m²), the density of the fluid (kg/m³) and g (m/s²).
 ///
-/// Its length does not matter to a quasi-two-dimensional model.
+/// Its length does not enter a two-dimensional model.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sheet {
     width: f64,
@@ -59,7 +59,7 @@ impl Sheet {
         Self::new(width, 0.08, 1.2, 9.81)
     }
 
-    /// The width at which such paper has this mass ratio: 4σ/(π ρ I*), m.
+    /// The width at which a strip of this material has the given mass ratio: 4σ/(π ρ I*), m.
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::NotPositive`].
@@ -76,7 +76,7 @@ impl Sheet {
         finite("the width of the strip", width)
     }
 
-    /// I* = 4σ/(π ρ w): the mass of the strip over that of the air cylinder around it. Dimensionless.
+    /// Mass ratio I* = 4σ/(π ρ w): the mass of the strip over that of the cylinder of fluid around it. Dimensionless.
     ///
     /// ```
     /// use spinning_bodies::falling_strip::Sheet;
@@ -89,7 +89,7 @@ impl Sheet {
         4.0 * self.areal_density / (PI * self.fluid_density * self.width)
     }
 
-    /// The speed of the theory, U = √(2σg/(π ρ)), m/s: the same for every width.
+    /// The unit of speed of the theory, U = √(2σg/(π ρ)), m/s: the same for every width.
     ///
     /// ```
     /// use spinning_bodies::falling_strip::Sheet;
@@ -101,12 +101,12 @@ impl Sheet {
         (2.0 * self.areal_density * self.gravity / (PI * self.fluid_density)).sqrt()
     }
 
-    /// Half the width, the length of the theory, m.
+    /// Half the width, the unit of length of the theory, m.
     pub(crate) fn half_chord(&self) -> f64 {
         0.5 * self.width
     }
 
-    /// The time of the theory, a/U, s.
+    /// The unit of time of the theory, a/U, s.
     ///
     /// ```
     /// use spinning_bodies::falling_strip::Sheet;
@@ -135,10 +135,10 @@ impl Sheet {
     }
 }
 
-/// The mass ratio I* at which flutter ends, between `low`, where the plate must flutter, and `high`, where it must not; to `accuracy`.
+/// The mass ratio I* at which flutter ends, to `accuracy`, between `low`, where the plate must flutter, and `high`, where it must not.
 ///
-/// By bisection on what becomes of the plate [in the long run](Fall::long_run). Flutter ends where its period grows beyond all bounds,
-/// so the last digits need long runs: `window` is how long the plate is watched, after as long a run-up, units a/U.
+/// Found by bisection on the regime [in the long run](Fall::long_run). Flutter ends where its period grows without bound,
+/// so the last digits need long runs: `window` is the time for which the plate is watched, after a run-up of the same length, units a/U.
 ///
 /// Cost: log₂((high − low)/accuracy) long runs.
 ///

@@ -1,4 +1,4 @@
-//! What a pen leaves on the canvas, and how a backend of plotters draws it.
+//! The marks that a pen leaves on the canvas, and how a backend of plotters draws them.
 //!
 //! A mark knows its role, not its colour; the finisher puts colours in. The backend is called directly, so that a page in a
 //! browser needs `plotters-svg` and nothing else of plotters.
@@ -11,7 +11,7 @@ use plotters_backend::{
     FontFamily, FontTransform,
 };
 
-/// What a colour means. A hue belongs to a quantity, never to a figure.
+/// The meaning of a colour. A hue belongs to a quantity, never to a figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
     /// The colour of the text around the figure.
@@ -26,7 +26,7 @@ pub enum Role {
     Torque,
     /// The light on a round body: a radial gradient of ink.
     Shade,
-    /// The page: what a nearer body is filled with to hide what is behind it.
+    /// The page: the fill of a nearer body that hides what is behind it.
     Paper,
 }
 
@@ -115,7 +115,7 @@ pub enum Mark {
     },
     /// Words.
     Text {
-        /// Where their base line starts, is centred or ends.
+        /// The point at which their base line starts, is centred or ends.
         at: BackendCoord,
         /// Which of these.
         anchor: Anchor,
@@ -189,7 +189,7 @@ impl BackendTextStyle for Letters {
         FontFamily::SansSerif
     }
 
-    // Whoever shows the picture lays the letters out.
+    // The letters are laid out by the program that shows the picture.
     fn layout_box(&self, _: &str) -> Result<(BackendCoord, BackendCoord), Infallible> {
         Ok(((0, 0), (0, 0)))
     }

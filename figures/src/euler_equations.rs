@@ -21,7 +21,7 @@ parameters! {
     SECOND: "second", "I_2", "kg m²", "second moment of inertia", [2.0, 2.9], 2.0;
     THIRD: "third", "I_3", "kg m²", "third moment of inertia", [2.0, 3.0], 3.0;
 }
-/// What may be chosen: the moments.
+/// The parameters: the moments.
 pub const FLOW: &[Parameter] = &[FIRST, SECOND, THIRD];
 
 /// Strength of what lies on the far side of the sphere.

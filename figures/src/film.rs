@@ -12,14 +12,14 @@ use crate::solid::{Vector, View, hull};
 use crate::style::*;
 use crate::{Figure, Theme};
 
-/// What is drawn of a solid, along its own axes.
+/// The drawing of a solid, along its own axes.
 ///
 /// It is the convex hull of ellipsoids, which may be flat or points, with lines on its surface; or a bar.
 #[derive(Default)]
 struct Body {
     /// Middle and half axes of each.
     rounds: Vec<(Vector, Matrix3<f64>)>,
-    /// Places with the outward normals of the two faces that meet there: what looks away from the eye on both sides is hidden.
+    /// Points of lines with the outward normals of the two faces that meet there: a point is hidden if both faces look away from the eye.
     edges: Vec<Vec<[Vector; 3]>>,
     bar: Option<Vector>,
 }
@@ -122,7 +122,7 @@ impl Body {
         }
     }
 
-    /// How far it reaches from its origin, m.
+    /// The greatest distance from its origin, m.
     fn reach(&self) -> f64 {
         // Flat discs lie across the way to their middle.
         let rounds = self.rounds.iter().map(|(middle, half)| {
@@ -201,7 +201,7 @@ fn thinned(line: &[Point]) -> Vec<Point> {
     kept
 }
 
-/// How far it is drawn from the point that is followed, m.
+/// The distance to which it is drawn from the point that is followed, m.
 fn reach(sight: &Sight) -> f64 {
     let solids = sight.solids.iter().map(|(solid, stands)| {
         (stands.translation.vector - sight.place).norm() + Body::of(solid).reach()
@@ -214,7 +214,7 @@ const CORNERS: u32 = 36;
 const INNER: u32 = 24;
 /// An edge of an outline that may be a curve, units.
 const LONG: f64 = 16.0;
-/// Nobody sees a bend that is so shallow, units.
+/// Bends shallower than this are not seen, units.
 const FINE: f64 = 0.12;
 
 fn round_about<T>(at: impl Fn(f64) -> T) -> Vec<T> {
@@ -222,7 +222,7 @@ fn round_about<T>(at: impl Fn(f64) -> T) -> Vec<T> {
     angles.map(at).collect()
 }
 
-/// A motion that can be seen.
+/// A motion that can be drawn.
 #[derive(Debug)]
 pub struct Film<'a> {
     /// What the motion is called.
@@ -235,22 +235,22 @@ pub struct Film<'a> {
 
 const HEIGHT: f64 = 420.0;
 const MIDDLE: Point = [300.0, 200.0];
-/// Of the longest arrow of a film, units.
+/// Length of the longest arrow of a film, units.
 const ARROW: f64 = 150.0;
-/// From where it is seen: a little from the right and from above.
+/// The direction from which it is seen: a little from the right and from above.
 const DIRECTION: [f64; 2] = [-1.2, 0.3];
 
 /// What the arrows and the view have in common.
 struct Scenery {
     view: View,
     followed: bool,
-    /// Whether what is around the body is the same in every picture, so that it is drawn but once.
+    /// Whether the surroundings are the same in every picture, so that they are drawn only once.
     still: bool,
-    /// Of the picture that an arrow takes for a unit of what it stands for.
+    /// Units of the picture per unit of the quantity that an arrow shows.
     shares: [f64; 2],
 }
 
-/// The vectors of which there are arrows, and what stands at their tips.
+/// The vectors shown by arrows, and the letters at their tips.
 fn vectors(sight: &Sight) -> [Vector; 2] {
     [sight.omega, sight.angular_momentum.unwrap_or_default()]
 }
@@ -340,7 +340,7 @@ impl Film<'_> {
                 }
             }
         }
-        // They may be shortened by so much.
+        // The factor by which they may be shortened.
         scenery.shares = scenery.shares.map(|share| share * within.max(0.3));
         scenery
     }
@@ -351,7 +351,7 @@ impl Film<'_> {
         reaches.fold(f64::MIN_POSITIVE, f64::max)
     }
 
-    /// What stands still in space.
+    /// The surroundings that are at rest in space.
     fn draw_around(&self, pen: &mut Pen, scenery: &Scenery, sight: &Sight) {
         let Scenery { view, followed, .. } = scenery;
         let floor = match sight.around {
@@ -494,7 +494,7 @@ impl Film<'_> {
         }
     }
 
-    /// What all pictures share.
+    /// The parts that all pictures share.
     fn draw_shared(&self, pen: &mut Pen, scenery: &Scenery, pace: &str) {
         if scenery.still {
             self.draw_around(pen, scenery, &self.shots[0].1);
@@ -516,8 +516,8 @@ impl Film<'_> {
         })
     }
 
-    /// The file of all of them after each other, for this long (s), and again from the beginning. It holds still under the pointer, shows its middle to who wants
-    /// nothing to move, and is dark on a dark screen.
+    /// The file that shows all of them in sequence, for this long (s), and then begins again. It holds still under the pointer, shows its middle picture to
+    /// readers who want no motion, and is dark on a dark screen.
     pub fn film(&self, seconds: f64) -> String {
         let count = self.shots.len();
         let pace = match brief(self.speed).as_str() {
@@ -578,5 +578,5 @@ fn colours(theme: Theme) -> String {
 }
 
 const NAME: &str = "film";
-/// The style of who wants nothing to move.
+/// The style for readers who want no motion.
 const STILL: &str = ".fig-film{animation:none}.fig-film.still{visibility:visible}";

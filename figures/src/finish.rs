@@ -1,11 +1,11 @@
-//! From the backend's SVG to the finished one: roles to variables of the page, mathematics to `tspan`s.
+//! Turns the backend's SVG into the finished one: roles become variables of the page, mathematics becomes `tspan`s.
 
 use std::fmt::{Display, Write as _};
 
 use crate::Figure;
 use crate::style::{self, LEAST, Role, SCALE};
 
-/// How a file looks that is looked at by itself.
+/// The look of a file that is viewed on its own.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Look {
     /// Its colours.
@@ -262,7 +262,7 @@ pub fn keyframes(name: &str, frames: impl Iterator<Item = (String, impl Display)
     format!("@keyframes {name}{{{frames}}}")
 }
 
-/// The end of a film's style sheet: what moves stops under the pointer, stays for who wants no motion, and on paper.
+/// The end of a film's style sheet: the motion stops under the pointer, for readers who want no motion, and on paper.
 pub fn stops(name: &str, moving: &str) -> String {
     format!(
         "#fig-{name}-svg:hover :is({moving}){{animation-play-state:paused}}\
@@ -270,7 +270,7 @@ pub fn stops(name: &str, moving: &str) -> String {
     )
 }
 
-/// A number without the digits that say nothing, and with the minus of a style sheet.
+/// A number without trailing zeros, and with the minus of a style sheet.
 pub fn short(value: f64, digits: usize) -> String {
     style::short(value, digits).replace('\u{2212}', "-")
 }

@@ -156,7 +156,7 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
 mod tests {
     use super::*;
 
-    /// Where L goes, the torque of a weight on a lever sends it, and neither its height nor its length changes.
+    /// L changes as the torque of a weight on a lever requires, and neither its height nor its length changes.
     #[test]
     fn the_weight_moves_l_as_the_lever_says() {
         for tilt in [30.0_f64, 60.0, 90.0, 120.0] {

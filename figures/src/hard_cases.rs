@@ -11,14 +11,14 @@ pub const FIGURES: &[Entry] = &[
     of("hard-cases-bodies", &[], bodies),
 ];
 
-/// Whose error.
+/// The error shown: the textbook's or ours.
 const TEXTBOOK: Role = Muted;
 const OURS: Role = Ink;
 
-/// Errors shown: no less than a tenth of a rounding, and all above one as one: nothing is right then.
+/// The range of errors shown, from a tenth of a rounding to 1, at which nothing is right.
 const SHOWN: [f64; 2] = [1e-17, 1.0];
 
-/// The picture that opens the chapter is taken this close.
+/// The nearness at which the chapter's first picture is taken.
 const CLOSE: f64 = 1e-6;
 
 /// Twelve formulas a millionth away from trouble.
@@ -61,7 +61,7 @@ pub fn overview(_: &Values) -> Result<Figure> {
     }))
 }
 
-/// Tops: the walk to the separatrix, the axis, the sphere, and so on.
+/// The families of tops: towards the separatrix, the axis, the sphere, and so on.
 pub fn tops(_: &Values) -> Result<Figure> {
     let words = words!(
         "The textbook walks uphill, the library on a floor.",
@@ -84,7 +84,7 @@ pub fn tops(_: &Values) -> Result<Figure> {
     )
 }
 
-/// The rest.
+/// The other families.
 pub fn bodies(_: &Values) -> Result<Figure> {
     let words = words!(
         "It is not only tops.",
@@ -116,7 +116,7 @@ fn panels(name: &'static str, words: Words, names: [&str; 6]) -> Result<Figure> 
         }
     }
     Ok(figure(name, 786.0, words, |pen| {
-        // In the order of the places; the walks come in that of the families.
+        // In the order of the panels; the comparisons come in that of the families.
         walks.sort_by_key(|walk| walk.0);
         let mut frames = Vec::new();
         for (place, title, steps) in &walks {
@@ -151,7 +151,7 @@ fn panel(pen: &mut Pen, corner: Point, title: &[String], steps: &[Comparison]) -
 
 const POWERS: [(f64, &str); 3] = [(1.0, "1"), (1e-8, "10^{−8}"), (1e-16, "10^{−16}")];
 
-/// Of all steps the one that is nearest to this nearness, in the ratio.
+/// The step whose nearness is closest to this one, by ratio.
 fn closest(family: &Family, nearness: f64) -> Result<Comparison> {
     let steps = family.comparisons()?;
     let off = |step: &Comparison| (step.nearness / nearness).ln().abs();
@@ -161,7 +161,7 @@ fn closest(family: &Family, nearness: f64) -> Result<Comparison> {
     })
 }
 
-/// An error as it is drawn; no answer is as wrong as can be.
+/// An error as it is drawn; no answer counts as the greatest error.
 fn shown(error: f64) -> f64 {
     match error.is_nan() {
         true => SHOWN[1],

@@ -1,4 +1,4 @@
-//! Kovalevskaya's scribble, her circle, and the two bands of her polynomial (tutorial 8.2).
+//! The path of w = Ω₁ + iΩ₂, the circle of Kovalevskaya's constant, and the two bands of her polynomial (tutorial 8.2).
 
 use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, TopState};
 use spinning_bodies::frame::BodyVector;
@@ -45,7 +45,7 @@ fn traced(state: &TopState) -> [Point; 2] {
     [[x, y], [x * x - y * y - z.x(), 2.0 * x * y - z.y()]]
 }
 
-/// Hers from the start.
+/// Kovalevskaya's top from the start.
 fn launched(start: &TopState) -> Result<KovalevskayaTop> {
     KovalevskayaTop::with_up([2.0, 2.0, 1.0], LEVER, start.omega, start.up)
 }

@@ -46,7 +46,7 @@ pub use compare::compare;
 pub use finish::{Look, Theme};
 pub use parameter::{Parameter, Spacing, Values};
 
-/// What every figure draws with: a figure names only what it takes from the library.
+/// The drawing tools of all figures: a figure then imports only what it takes from the library.
 mod prelude {
     pub(crate) use crate::plot::*;
     pub(crate) use crate::solid::*;
@@ -78,7 +78,7 @@ pub struct Figure {
 /// Numbers that were drawn, as a table.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Data {
-    /// What stands in a row, with its unit: `time (s)`.
+    /// The columns of a row, with their units: `time (s)`.
     pub columns: Vec<&'static str>,
     /// The name of the curve or body that a row belongs to, and the row.
     pub rows: Vec<(String, Vec<f64>)>,
@@ -121,7 +121,7 @@ impl Figure {
         finish::plain(&self.svg(), look)
     }
 
-    /// What the pen left, in its order, canvas units.
+    /// The marks of the pen, in their order, canvas units.
     pub fn marks(&self) -> impl Iterator<Item = &Mark> {
         self.marks.iter().map(|(mark, _)| mark)
     }
@@ -168,7 +168,7 @@ pub struct Entry {
     pub name: &'static str,
     /// Chapter that shows it: the name of its Markdown file without the ending.
     pub chapter: &'static str,
-    /// What may be chosen, in the order of the sliders; nothing for most drawings of a table.
+    /// The parameters, in the order of the sliders; none for most drawings of a table.
     pub parameters: &'static [Parameter],
     draw: fn(&Values) -> Result<Figure>,
 }
@@ -185,7 +185,7 @@ impl Entry {
     /// The parameter of a name.
     ///
     /// # Errors
-    /// Which names there are, on one line.
+    /// The names that exist, on one line.
     pub fn parameter(&self, key: &str) -> core::result::Result<&'static Parameter, String> {
         let found = self.parameters.iter().find(|known| known.key == key);
         found.ok_or_else(|| {
@@ -199,7 +199,7 @@ impl Entry {
     }
 }
 
-/// The figure of this name, drawn of the values of these parameters.
+/// The figure of this name, drawn from the values of these parameters.
 const fn of(
     name: &'static str,
     parameters: &'static [Parameter],

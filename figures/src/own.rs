@@ -7,19 +7,19 @@ use crate::style::*;
 /// The values of a quantity along a motion.
 #[derive(Debug, Clone)]
 pub struct Quantity {
-    /// As a scene calls it: `tilt`, `omega1`, …
+    /// Its name in scenes: `tilt`, `omega1`, …
     pub name: String,
-    /// Its unit; `1` for a pure number, nothing where it is not known.
+    /// Its unit; `1` for a pure number, empty if it is not known.
     pub unit: &'static str,
-    /// Whether it is an angle told between −π and π: a line that goes once round is broken there.
+    /// Whether it is an angle given between −π and π, so that a line is broken where it goes round.
     pub goes_round: bool,
-    /// Whether it goes up by equal ratios.
+    /// Whether its axis is logarithmic.
     pub logarithmic: bool,
-    /// The values, one a row; what is no number is not drawn.
+    /// The values, one a row; NaN is not drawn.
     pub values: Vec<f64>,
 }
 
-/// A quantity as it is drawn: less its first value if it hardly changes, in units of a power of ten.
+/// A quantity as it is drawn: relative to its first value if it hardly changes, in units of a power of ten.
 struct Drawn {
     label: String,
     values: Vec<f64>,
@@ -95,7 +95,7 @@ impl Quantity {
     }
 }
 
-/// A diagram of what `title` says: in each panel a quantity to the right and one upward, with as many values as each other.
+/// A diagram with this title: in each panel one quantity to the right and one upward, with equally many values.
 pub fn diagram(title: &str, panels: &[[Quantity; 2]]) -> Figure {
     let named = |[x, y]: &[Quantity; 2]| format!("{} against {}", y.name, x.name);
     let names: Vec<String> = panels.iter().map(named).collect();
@@ -169,10 +169,10 @@ pub fn diagram(title: &str, panels: &[[Quantity; 2]]) -> Figure {
     })
 }
 
-/// So many points of a varied number have a disc each.
+/// Up to this number, points of a varied number are drawn as discs.
 const FEW: usize = 60;
 
-/// A map of what `title` says: a number in steps of ink over two that are varied, the second running fastest in its values.
+/// A map with this title: a quantity in steps of ink over two varied numbers, the second of which runs fastest in its values.
 pub fn map(title: &str, [x, y]: &[Quantity; 2], told: &Quantity) -> Figure {
     let drawn = told.drawn();
     let there = || drawn.values.iter().copied().filter(|value| !value.is_nan());
@@ -255,10 +255,10 @@ pub fn map(title: &str, [x, y]: &[Quantity; 2], told: &Quantity) -> Figure {
 /// Steps of ink.
 const STEPS: u32 = 8;
 
-/// What a method pays, and the error that is left.
+/// The cost of a method, and the error that is left.
 pub type Curve = (String, Vec<Point>);
 
-/// The diagram of a motion: what each method pays to be how exact, each named at its end.
+/// The diagram of a motion: the cost of each method against its error, with its name at the end of its line.
 pub fn prices(title: &str, [price, error]: [&str; 2], curves: &[Curve]) -> Figure {
     let curves: Vec<Curve> = curves
         .iter()
@@ -354,7 +354,7 @@ fn cross([one, other]: [[Point; 2]; 2]) -> bool {
     splits(one, other) && splits(other, one)
 }
 
-/// The corners of a staircase: those that no cheaper one is as exact as. What has no error has the rounding of one.
+/// The corners of a staircase: the points that no cheaper one matches in accuracy. An error of zero is drawn as one rounding.
 pub(crate) fn corners(points: &[Point]) -> Vec<Point> {
     let drawn = points
         .iter()
@@ -371,7 +371,7 @@ pub(crate) fn corners(points: &[Point]) -> Vec<Point> {
     points
 }
 
-/// Round numbers along an axis and their texts, so far apart; powers of ten along one that has several.
+/// Round numbers along an axis and their texts, at this distance; powers of ten along an axis that has several.
 fn ticks(axis: &Axis, apart: f64) -> Vec<(f64, String)> {
     let [low, high] = axis.shown.map(f64::log10);
     if axis.scale == Scale::Linear || high - low < 2.0 {

@@ -1,10 +1,10 @@
-//! What a figure depends on: numbers that its reader may choose.
+//! The parameters of a figure: numbers that its reader may choose.
 
 use core::fmt;
 
 use crate::style::Point;
 
-/// How the values between both ends of a range follow each other.
+/// The spacing of the values in a range.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Spacing {
     /// By equal differences.
@@ -15,7 +15,7 @@ pub enum Spacing {
     Whole,
 }
 
-/// In one word.
+/// The spacing in one word.
 impl fmt::Display for Spacing {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
@@ -26,29 +26,29 @@ impl fmt::Display for Spacing {
     }
 }
 
-/// A number of a figure: its name on the command line, what it means, and what it may be.
+/// A parameter of a figure: its name on the command line, its meaning, and its range.
 #[derive(Debug, Clone, Copy)]
 pub struct Parameter {
     /// Its name on the command line, in `snake_case`.
     pub key: &'static str,
     /// Its letter, as LaTeX.
     pub symbol: &'static str,
-    /// What it is, without the unit.
+    /// Its meaning, without the unit.
     pub meaning: &'static str,
     /// Its unit; empty for a ratio or a count.
     pub unit: &'static str,
     /// Least and greatest value.
     pub range: [f64; 2],
-    /// Between them.
+    /// The spacing between them.
     pub spacing: Spacing,
-    /// What the book shows.
+    /// The value in the book.
     pub default: f64,
-    /// Where the point of the picture stands that a hand can take, if there is one; units of the design.
+    /// The position of the point in the picture that can be dragged, if there is one; units of the design.
     pub handle: Option<fn(&Values) -> Point>,
 }
 
 impl Parameter {
-    /// A number of this meaning, in this unit, by equal differences unless said otherwise; its range is to be told.
+    /// A parameter with this meaning and unit, spaced by equal differences unless said otherwise; its range is still to be set.
     pub const fn new(
         key: &'static str,
         symbol: &'static str,
@@ -67,14 +67,14 @@ impl Parameter {
         }
     }
 
-    /// The same from `range[0]` to `range[1]`, `default` in the book; again for figures that share a meaning.
+    /// The same with values from `range[0]` to `range[1]`, `default` in the book; it may be used again by figures that share a meaning.
     pub const fn between(mut self, range: [f64; 2], default: f64) -> Self {
         self.range = range;
         self.default = default;
         self
     }
 
-    /// The same by equal ratios.
+    /// The same, spaced by equal ratios.
     pub const fn logarithmic(mut self) -> Self {
         self.spacing = Spacing::Logarithmic;
         self
@@ -86,13 +86,13 @@ impl Parameter {
         self
     }
 
-    /// The same with a point of the picture to drag, which stands there.
+    /// The same with a point of the picture to drag, whose position `at` gives.
     pub const fn dragged(mut self, place: fn(&Values) -> Point) -> Self {
         self.handle = Some(place);
         self
     }
 
-    /// The value for which the point to be dragged stands nearest to a place; `None` if there is no such point.
+    /// The value for which the point to be dragged is nearest to a given place; `None` if there is no such point.
     pub fn dragged_to(&self, [x, y]: Point, values: &Values) -> Option<f64> {
         const FEW: u32 = 32;
         let place = self.handle?;
@@ -116,12 +116,12 @@ impl Parameter {
             }
         }
         let between = 0.5 * (low + high);
-        // The section comes close to an end, but not there.
+        // The golden section comes close to an end but does not reach it.
         let kept = away(near) <= away(between);
         Some(self.at(if kept { near } else { between }))
     }
 
-    /// The value a share of 0 to 1 of the way through the range.
+    /// The value at a fraction from 0 to 1 of the range.
     pub fn at(&self, share: f64) -> f64 {
         let [low, high] = self.range;
         let value = match self.spacing {
@@ -139,7 +139,7 @@ impl Parameter {
     }
 }
 
-/// Parameters as a table, one a row: its key, letter, unit and meaning, its range and what the book shows; then how it is spaced or dragged.
+/// Parameters as a table, one a row: key, letter, unit and meaning, range and the book's value; then how it is spaced, and whether it can be dragged.
 macro_rules! parameters {
     ($(
         $(#[$doc:meta])* $visible:vis $name:ident: $key:literal, $symbol:literal, $unit:literal, $meaning:literal, $range:expr, $default:expr

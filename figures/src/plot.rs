@@ -2,7 +2,7 @@
 
 use crate::style::*;
 
-/// How numbers become places.
+/// The map from numbers to places.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scale {
     /// In proportion.
@@ -11,7 +11,7 @@ pub enum Scale {
     Log,
 }
 
-/// One axis: the numbers at its ends and where they are, units.
+/// One axis: the numbers at its ends and their places, units.
 #[derive(Debug, Clone, Copy)]
 pub struct Axis {
     /// Numbers at both ends.
@@ -205,7 +205,7 @@ impl Frame {
         Self { x, y }
     }
 
-    /// What a column of small panels shows, below the last of them and so far above the first, where its name leaves room.
+    /// The legend of a column of small panels, below the last of them and, where its name leaves room, above the first.
     pub fn panel_names(&self, pen: &mut Pen, last: &Self, above: f64, [x_name, y_name]: [&str; 2]) {
         let ([left, right], [_, top]) = (self.x.ends, self.y.ends);
         let bottom = last.y.ends[0];

@@ -1,4 +1,4 @@
-//! Bodies in the plane of the paper: orthographic projection, and what hides what.
+//! Solid bodies on paper: orthographic projection and hidden lines.
 
 use nalgebra::Vector3;
 use spinning_bodies::frame::{Attitude, BodyVector};
@@ -64,7 +64,7 @@ impl View {
         Self::new(azimuth, elevation, center, scale)
     }
 
-    /// The same with this point of space in this place of the paper.
+    /// The same view with this point of space at this place on the paper.
     pub fn centered_on(mut self, point: &Vector, place: Point) -> Self {
         let [x, y] = self.project(point);
         self.center[0] += place[0] - x;
@@ -72,7 +72,7 @@ impl View {
         self
     }
 
-    /// Units of the design to one.
+    /// Units of the design per unit of length.
     pub fn scale(&self) -> f64 {
         self.scale
     }
@@ -88,7 +88,7 @@ impl View {
         points.iter().map(|p| self.project(p)).collect()
     }
 
-    /// The curve cut where it goes into hiding: visible pieces, then hidden ones.
+    /// The curve cut where it becomes hidden: visible pieces, then hidden ones.
     pub fn split(
         &self,
         points: &[Vector],
@@ -127,7 +127,7 @@ impl View {
     }
 }
 
-/// Leaves of a straight piece only its ends.
+/// Reduces straight pieces to their ends.
 fn straighten(piece: &mut Vec<Point>) {
     let [a, .., b] = piece[..] else {
         return;
@@ -151,7 +151,7 @@ pub fn ellipse(center: Vector, u: Vector, v: Vector, steps: u32) -> Vec<Vector> 
     round.map(|(s, c)| center + u * c + v * s).collect()
 }
 
-/// A place in a body, in space.
+/// The position in space of a point of a body.
 pub fn turned(attitude: &Attitude, place: Vector) -> Vector {
     let place = BodyVector::from_components(place);
     attitude.to_space(place).components()
@@ -162,13 +162,13 @@ pub fn axes(attitude: &Attitude) -> [Vector; 3] {
     [Vector::x(), Vector::y(), Vector::z()].map(|axis| turned(attitude, axis))
 }
 
-/// A level circle so high about the vertical through the origin.
+/// A level circle about the vertical through the origin, at this height.
 pub fn latitude(height: f64, radius: f64, steps: u32) -> Vec<Vector> {
     let [x, y, z] = [Vector::x(), Vector::y(), Vector::z()];
     ellipse(z * height, x * radius, y * radius, steps)
 }
 
-/// Where an ellipsoid of these half axes, its own, is seen edge on.
+/// The outline of an ellipsoid with these half axes, the curve on which it is seen edge on.
 pub fn rim(semi: &Vector, toward: &Vector, steps: u32) -> Vec<Vector> {
     let n = toward.component_div(semi).normalize();
     let u = n.cross(&Vector::z()).normalize();
@@ -218,8 +218,8 @@ pub fn hull(points: &[Point]) -> Vec<Point> {
     hull
 }
 
-/// A body with flat faces, the numbers of their corners anticlockwise as seen from outside, and where each corner is: faces towards the eye are shaded by
-/// their slope.
+/// Draws a body with flat faces, given by the numbers of their corners, anticlockwise as seen from outside, and the corners' positions: faces towards the eye
+/// are shaded by their slope.
 pub fn polyhedron(pen: &mut Pen, view: &View, faces: &[&[u32]], corner: impl Fn(u32) -> Vector) {
     let light = Vector::new(0.25, -0.55, 0.8);
     for face in faces {

@@ -25,7 +25,7 @@ pub const SMALL: f64 = 15.0;
 pub const LEAST: f64 = 15.0;
 /// Stroke of the data.
 pub const DATA: f64 = 2.0;
-/// Stroke of what is secondary.
+/// Stroke of secondary lines.
 pub const SECONDARY: f64 = 1.2;
 /// Stroke of axes.
 pub const AXIS: f64 = 0.8;
@@ -35,7 +35,7 @@ pub const HAIR: f64 = 0.5;
 /// A point of the design, units.
 pub type Point = [f64; 2];
 
-/// How a line is broken.
+/// The dashes of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dash {
     /// Not at all.
@@ -143,7 +143,7 @@ impl Lettering {
     }
 }
 
-/// The words that belong to a picture.
+/// The words of a picture.
 #[derive(Debug, Clone)]
 pub struct Words {
     /// First sentence of the caption.
@@ -188,13 +188,13 @@ pub fn figure(
     }
 }
 
-/// Leaves marks, and for each of them the attributes that a backend lacks.
+/// Leaves marks, and with each of them the attributes for which a backend has no place.
 #[derive(Debug, Default)]
 pub struct Pen {
     marks: Vec<(Mark, String)>,
 }
 
-/// Design units to canvas units. What is no number comes to stand far outside, where the tests find it.
+/// Design units to canvas units. NaN is placed far outside, where the tests find it.
 fn canvas(point: Point) -> BackendCoord {
     let [x, y] = point.map(|units| match units.is_nan() {
         true => i32::MIN,
@@ -225,7 +225,7 @@ impl Pen {
     fn filled(&mut self, mark: impl FnOnce(Paint) -> Mark, role: Role, alpha: f64) {
         let paint = Paint {
             role,
-            // No eye tells more digits apart, and the last ones are another machine's.
+            // More digits would not be seen, and the last ones differ between machines.
             alpha: (1e3 * alpha).round() / 1e3,
             width: 1,
         };
@@ -259,7 +259,7 @@ impl Pen {
         self.filled(|paint| Mark::Polygon(trace(points), paint), role, alpha);
     }
 
-    /// A polygon that hides what is behind it, with its outline.
+    /// A polygon with an outline that hides what is behind it.
     pub fn sheet(&mut self, points: &[Point], outline: Stroke) {
         self.fill(points, Role::Paper, 1.0);
         if let Some((_, extra)) = self.marks.last_mut() {
@@ -384,7 +384,7 @@ impl Pen {
             .push((text, format!(" font-size=\"{size:.0}\"{weight}")));
     }
 
-    /// A name where it has room: at the first of the places for its middle that is well clear of all lines, discs and words so far.
+    /// A name where there is room for it: at the first of the places for its middle that is well clear of all lines, discs and words drawn so far.
     pub fn name(
         &mut self,
         places: impl IntoIterator<Item = Point>,
@@ -397,7 +397,7 @@ impl Pen {
         self.text(line, Anchor::Middle, text, lettering);
     }
 
-    /// Points all over what a name must not touch. Circles and what is faint go below a name without harm.
+    /// Points all over the marks that a name must not touch. Circles and faint marks may lie under a name.
     fn taken(&self) -> Vec<Point> {
         let units = |&(x, y): &BackendCoord| [f64::from(x) / SCALE, f64::from(y) / SCALE];
         let strong = |paint: &Paint| paint.alpha >= 0.4;
@@ -441,7 +441,7 @@ impl Pen {
         taken
     }
 
-    /// A stacked fraction with its bar centred on the point: what stands before it, over the bar, under it, and after it.
+    /// A stacked fraction with its bar centred on the point; the texts are those before it, over the bar, under it, and after it.
     pub fn fraction(
         &mut self,
         at: Point,
@@ -465,7 +465,7 @@ impl Pen {
     }
 }
 
-/// How far the middle of letters is above their base line, in their size.
+/// Height of the middle of letters above their base line, as a fraction of their size.
 const LOWER: f64 = 0.3;
 
 /// Half width and half height of a text of this size, near enough.
@@ -485,12 +485,12 @@ pub fn between(a: Point, b: Point, t: f64) -> Point {
     [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]
 }
 
-/// A point so far from another, to the right and down.
+/// A point displaced from another, to the right and down.
 pub fn shifted([x, y]: Point, [right, down]: Point) -> Point {
     [x + right, y + down]
 }
 
-/// Where a place of a plan, y upward, comes to stand whose origin is drawn here, so many units to one.
+/// The point on the page of a place in a plan, y upward, given where its origin is drawn and its scale.
 pub fn planned(origin: Point, unit: f64, [x, y]: Point) -> Point {
     [origin[0] + unit * x, origin[1] - unit * y]
 }
@@ -530,7 +530,7 @@ pub fn nearest(to: Point, points: impl IntoIterator<Item = Point>) -> Option<Poi
     points.min_by(|a, b| off(a).total_cmp(&off(b)))
 }
 
-/// Places as near to these as may be, in their order and no nearer to each other than `apart`.
+/// Places as near to these as possible, in their order and no nearer to each other than `apart`.
 pub fn spread<const N: usize>(places: [f64; N], apart: f64) -> [f64; N] {
     let mut order: [usize; N] = core::array::from_fn(|k| k);
     order.sort_by(|&a, &b| places[a].total_cmp(&places[b]));
@@ -559,7 +559,7 @@ pub fn spaced([from, to]: [f64; 2], count: u32) -> impl Iterator<Item = f64> + C
     (0..=count).map(move |k| from + (to - from) * f64::from(k) / f64::from(count))
 }
 
-/// What is made of each, as far as nothing is refused.
+/// The results for all items, or the first error.
 pub fn tried<A, T>(
     each: impl IntoIterator<Item = A>,
     make: impl FnMut(A) -> Result<T>,
@@ -567,7 +567,7 @@ pub fn tried<A, T>(
     each.into_iter().map(make).collect()
 }
 
-/// A number as a slider leaves it: four figures, no last zeros.
+/// A number as a slider gives it: four figures, no trailing zeros.
 pub fn brief(value: f64) -> String {
     let digits = (3.0 - value.abs().max(1e-9).log10().floor()).max(0.0) as usize;
     short(value, digits)
@@ -582,7 +582,7 @@ pub fn short(value: f64, digits: usize) -> String {
     }
 }
 
-/// Several numbers with so many decimals each.
+/// Several numbers with this number of decimals each.
 pub fn numbers<const N: usize>(values: [f64; N], digits: usize) -> [String; N] {
     values.map(|value| number(value, digits))
 }
@@ -601,7 +601,7 @@ pub fn scientific(value: f64, digits: usize) -> String {
     }
 }
 
-/// A text in lines of at most so many letters.
+/// A text in lines of at most this many letters.
 pub fn wrapped(text: &str, letters: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split(' ') {
@@ -633,7 +633,7 @@ pub fn area([x, y]: Point, half: [f64; 2]) -> Vec<Point> {
     rows.into_iter().flat_map(across).collect()
 }
 
-/// Where a label of these half sides has room: the first of the places for its middle that is well clear of everything taken, or the clearest.
+/// The place for a label of these half sides: the first of the places for its middle that is well clear of everything taken, or the clearest.
 pub fn roomiest(places: impl IntoIterator<Item = Point>, half: [f64; 2], taken: &[Point]) -> Point {
     let mut best = ([0.0; 2], f64::MIN);
     for place in places {

@@ -9,13 +9,13 @@ use Hardness::{StepsATurn, Tolerance};
 
 use crate::prelude::*;
 
-/// How hard a method works.
+/// The effort of a method.
 enum Hardness {
     StepsATurn(f64),
     Tolerance(f64),
 }
 
-/// A method, how hard it works, for how many powers of ten turns, its line, and where its name stands beside its last point.
+/// A method, its effort, the powers of ten turns that it is followed for, its line, and the place of its name beside its last point.
 type Line = (&'static str, Hardness, i32, Stroke, Point);
 
 const RK4: Stroke = muted(DATA).dotted();

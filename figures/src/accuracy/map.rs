@@ -1,4 +1,4 @@
-//! Which method gets there first: digits asked by turns followed.
+//! The quickest method for each accuracy and length: digits asked by turns followed.
 
 use lab::accuracy::measured::{EXACT, MOTIONS, SWEEP, TARGETS, crossover, ranking, rows};
 
@@ -6,7 +6,7 @@ use crate::prelude::*;
 
 /// A field, units.
 const FIELD: Point = [86.0, 38.0];
-/// The accuracy at which the crossovers are told.
+/// The accuracy for which the crossovers are given.
 const NINE: f64 = 1e-9;
 
 /// Eight maps of twelve fields, the winner's name in each.

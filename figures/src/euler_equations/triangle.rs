@@ -11,7 +11,7 @@ parameters! {
     WIDTH: "width", "b", "mm", "width of the brick", [20.0, 400.0], 115.0;
     HEIGHT: "height", "c", "mm", "height of the brick", [5.0, 400.0], 71.0;
 }
-/// What may be chosen: the edges of the brick.
+/// The parameters: the edges of the brick.
 pub const TRIANGLE: &[Parameter] = &[LENGTH, WIDTH, HEIGHT];
 
 /// The big triangle: its right angle, the disc, is at `CORNER`; it is `WIDE` wide and `WIDE`/√3 high.

@@ -1,4 +1,4 @@
-//! The racket's flip, moving (tutorial 6.3): one drawing of the flat racket, and a matrix for every picture.
+//! The racket's flip as an animation (tutorial 6.3): one drawing of the flat racket, and a matrix for every picture.
 //!
 //! An orthographic view of a flat body is an affine map, six numbers a picture. A reader who asks for less motion, a printer,
 //! and a program without CSS show one telling picture.
@@ -104,7 +104,7 @@ fn moving(attitudes: &[Attitude], dots: &[Point]) -> String {
     let mut frames = |name: &str, property: &str, values: &[String]| {
         let _ = write!(svg, "@keyframes fig-{NAME}-{name}{{");
         for (k, value) in values.iter().enumerate() {
-            // What does not change need not be said again.
+            // Unchanged pictures are left out.
             if k == 0 || values[k - 1] != *value {
                 let percent = 100.0 * k as f64 / values.len() as f64;
                 let _ = write!(svg, "{}%{{{property}:{value}}}", short(percent, 3));

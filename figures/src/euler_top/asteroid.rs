@@ -1,4 +1,4 @@
-//! Toutatis on its sky (tutorial 6.8): a motion of two periods that never repeats.
+//! The axes of Toutatis on the sky (tutorial 6.8): a motion with two periods that never repeats.
 
 use nalgebra::Rotation3;
 use spinning_bodies::euler_top::toutatis;
@@ -18,7 +18,7 @@ parameters! {
     DAYS: "days", "t", "days", "how long it is followed", [10.0, 150.0], 60.0, whole;
     ROLL: "roll", r"\Omega_{\text{long}}", "° a day", "angular velocity about the long axis on 9 November 1992", [30.0, 200.0], 98.709;
 }
-/// What may be chosen; the other two components of Ω and the moments are those of Toutatis.
+/// The parameters; the other two components of Ω and the moments are those of Toutatis.
 pub const TOUTATIS: &[Parameter] = &[DAYS, ROLL];
 
 /// How far the arrow of L reaches beyond the sphere.

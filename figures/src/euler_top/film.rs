@@ -17,7 +17,7 @@ parameters! {
     SPIN: "turns", r"\Omega_2", "turns/s", "spin about the middle axis at the throw", [0.3, 3.0], TURNS;
     OFF: "off", r"\varepsilon", "°", "angle between L and the middle axis at the throw", [0.05, 20.0], 0.916, logarithmic;
 }
-/// What may be chosen.
+/// The parameters.
 pub const FILM: &[Parameter] = &[HANDLE, SPIN, OFF];
 
 /// Two throws, a degree apart.

@@ -5,12 +5,12 @@ use spinning_bodies::frame::{Attitude, BodyVector};
 use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, top_of, triple};
 use crate::prelude::*;
 
-/// What well-known libraries answer: measured, with the scripts, in the folder of the table.
+/// The answers of well-known libraries, measured with the scripts beside the table.
 const PEERS: &str = include_str!("../../../tests/reference/peers/flip_time.csv");
-/// A flip time wrong by more than this is no flip time.
+/// Relative error above which a flip time counts as wrong.
 const GIVEN_UP: f64 = 1e-3;
 
-/// A library from its last good answer on.
+/// The answers of a library, from its last good one on.
 #[derive(Debug, Clone, PartialEq)]
 struct Peer {
     name: &'static str,
@@ -70,7 +70,7 @@ parameters! {
         Err(_) => [FRAME[0], FRAME[2]],
     });
 }
-/// What may be chosen; the handle is the ring on the line.
+/// The parameters; the handle is the ring on the line.
 pub const FLIP_TIME: &[Parameter] = &[SMALLEST, MIDDLE, LARGEST, SPIN, DISTANCE];
 
 /// Times of the flip, each with the decades that the throw is below 1.

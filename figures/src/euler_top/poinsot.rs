@@ -11,7 +11,7 @@ parameters! {
     SECOND: "second", r"\Omega_2", "rad/s", "angular velocity about the middle axis", [0.1, 2.0], 0.5;
     THIRD: "third", r"\Omega_3", "rad/s", "angular velocity about the axis of the largest moment", [0.1, 2.0], 0.5;
 }
-/// What may be chosen: the moments, and the angular velocity at time zero along the body's axes.
+/// The parameters: the moments, and the angular velocity at time zero along the body's axes.
 pub const POINSOT: &[Parameter] = &[SMALLEST, MIDDLE, LARGEST, FIRST, SECOND, THIRD];
 
 /// When the picture is taken, in periods of the polhode.

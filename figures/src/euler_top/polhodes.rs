@@ -1,4 +1,4 @@
-//! The polhodes, with the pace the picture does not tell (tutorial 6.3).
+//! The polhodes, with dots at equal times that show the pace (tutorial 6.3).
 
 use spinning_bodies::euler_top::{EulerTop, Poinsot, Sector};
 use spinning_bodies::frame::{Attitude, BodyVector};
@@ -24,7 +24,7 @@ parameters! {
         view.project(&(arms[0] * cos + arms[2] * sin))
     });
 }
-/// What may be chosen; the handle stands on the thick polhode.
+/// The parameters; the handle stands on the thick polhode.
 pub const POLHODES: &[Parameter] = &[SMALLEST, MIDDLE, LARGEST, CROSSING];
 
 /// The half axes of the ellipsoid, how it is seen, and its axes.

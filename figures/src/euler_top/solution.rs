@@ -10,7 +10,7 @@ parameters! {
     FIRST: "first", r"\Omega_1(0)", "rad/s", "angular velocity about the axis of the smallest moment at the start", [1e-4, 2.0], 0.01, logarithmic;
     THIRD: "third", r"\Omega_3(0)", "rad/s", "angular velocity about the axis of the largest moment at the start", [1e-4, 2.0], 0.01, logarithmic;
 }
-/// What may be chosen; about the middle axis the start has 1 rad/s.
+/// The parameters; about the middle axis the start has 1 rad/s.
 pub const SOLUTION: &[Parameter] = &[SMALLEST, MIDDLE, LARGEST, FIRST, THIRD];
 
 const STEPS: usize = 480;

@@ -13,7 +13,7 @@ parameters! {
     RIGID: "rigid", r"T_0", "days", "period of the wobble of a rigid body of these moments, I₁/(I₃ − I₁) of its days", [100.0, 600.0], 300.0, whole;
     OBSERVED: "observed", "T", "days", "period of the wobble that is observed", [100.0, 600.0], 440.0, whole;
 }
-/// What may be chosen in the race of the poles.
+/// The parameters of the race of the poles.
 pub const CIRCLES: &[Parameter] = &[RIGID, OBSERVED];
 
 /// One pole: how far it goes in a day, and how it is drawn. Angles from the start.
@@ -167,7 +167,7 @@ parameters! {
     LONG: "long", "I_3/I_1", "", "moment about the axis over that across it, right body", [0.05, 1.0], 0.5;
     LEAN: "lean", r"\Omega_\perp/\Omega_3", "", "angular velocity across the axis over that about it", [0.1, 1.2], 0.56;
 }
-/// What may be chosen in the rolling cones.
+/// The parameters of the rolling cones.
 pub const CONES: &[Parameter] = &[FLAT, LONG, LEAN];
 
 /// Where the two bodies are drawn: left, top, right, bottom.

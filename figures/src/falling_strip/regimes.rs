@@ -1,4 +1,4 @@
-//! What falls how: the phase line.
+//! Which strips flutter and which tumble: the regimes along the axis of the mass ratio.
 
 use core::f64::consts::FRAC_PI_4;
 

@@ -9,7 +9,7 @@ use crate::prelude::*;
 parameters! {
     DIRECTION: "direction", r"\varphi", "°", "direction of Ω, from the long edge to the short one", [0.0, 90.0], 20.0, dragged(|values| polar(CENTER, OMEGA, values.of(&DIRECTION).to_radians()));
 }
-/// What may be chosen; the tip of Ω is the handle of its direction.
+/// The parameters; the tip of Ω is the handle of its direction.
 pub const LEANING: [Parameter; 4] = [
     DIRECTION,
     LONG.between([6.0, 12.0], 10.0),

@@ -11,7 +11,7 @@ parameters! {
     MIDDLE: "middle", "L_3", "", "axial momentum of the top in the middle", [1.0, 20.0], 5.0;
     LOWER: "lower", "L_3", "", "axial momentum of the lower top", [1.0, 20.0], 10.0;
 }
-/// What may be chosen.
+/// The parameters.
 pub const CYCLOIDS: &[Parameter] = &[TILT, UPPER, MIDDLE, LOWER];
 
 /// Where the arches begin and how far they may go, and what stands between two rows, units.

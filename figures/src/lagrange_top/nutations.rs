@@ -19,7 +19,7 @@ parameters! {
     VERTICAL: "vertical", r"L_{\text{vert}}", "", "vertical angular momentum of your top", [-2.9, 5.3], -0.5, dragged(|values| yours(values).center());
     AXIAL: "axial", "L_3", "", "axial angular momentum of your top", [0.0, 4.1], 1.5, dragged(|values| yours(values).center());
 }
-/// What may be chosen: the ring on the map is the handle of both.
+/// The parameters: the ring on the map is the handle of both.
 pub const NUTATIONS: &[Parameter] = &[VERTICAL, AXIAL];
 
 /// The sphere of the top whose momenta are chosen: its centre and radius.

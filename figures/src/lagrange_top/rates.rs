@@ -12,7 +12,7 @@ parameters! {
     MIDDLE: "middle", "L_3", "", "axial momentum of the middle curve", [0.4, 3.3], 2.0, dragged(|values| hanging(values.of(&MIDDLE)));
     THICK: "thick", "L_3", "", "axial momentum of the thick curve", [0.4, 3.3], 3.0, dragged(|values| hanging(values.of(&THICK)));
 }
-/// What may be chosen.
+/// The parameters.
 pub const RATES: &[Parameter] = &[THIN, MIDDLE, THICK];
 
 /// Left, right, bottom, top of the frame, and the rates there.

@@ -10,7 +10,7 @@ parameters! {
     BELOW: "below", "L_3", "", "axial momentum of the slowest top", [1.2, 1.95], 1.7, dragged(|values| Shown::of(values).place(loner(values.of(&BELOW)), 0.0));
     KICK: "kick", r"\Omega_\perp", "", "angular velocity across the axis after a kick, in units of the square root of Mgℓ/I₁", [1e-4, 0.1], 0.01, logarithmic;
 }
-/// What may be chosen; the handle is the root of the slowest top.
+/// The parameters; the handle is the root of the slowest top.
 pub const CHOSEN: &[Parameter] = &[ABOVE, BELOW, KICK];
 
 /// L₃ at the threshold.
@@ -21,7 +21,7 @@ const FRAME: [f64; 3] = [44.0, 556.0, 140.0];
 const CREST: f64 = 44.0;
 const CUT: [f64; 2] = [-163.0, 110.0];
 
-/// The root that is not the double one of a top that spins upright (7.5): h = L₃²/2I₁Mgl − 1.
+/// The root, for a top that spins upright, other than the double one (7.5): h = L₃²/2I₁Mgl − 1.
 fn loner(axial: f64) -> f64 {
     0.5 * axial * axial - 1.0
 }

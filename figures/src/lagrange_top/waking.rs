@@ -22,7 +22,7 @@ parameters! {
     TILT: "tilt", r"\theta", "rad", "tilt at the start", [1e-4, 0.02], 0.001, logarithmic;
     TORQUE: "torque", "N", "N m", "torque of the friction at the tip", [3e-5, 3e-4], 6.54e-5, logarithmic;
 }
-/// What may be chosen.
+/// The parameters.
 pub const WAKING: &[Parameter] = &[TILT, TORQUE];
 
 /// The tilt that gravity allows opens at the threshold; the top notices late.

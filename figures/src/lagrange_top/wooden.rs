@@ -23,7 +23,7 @@ parameters! {
     });
     TURNS: "turns", "n", "turns/s", "spin of the top", [20.0, 60.0], 30.0;
 }
-/// What may be chosen; the nose is the handle of the tilt.
+/// The parameters; the nose is the handle of the tilt.
 pub const WOODEN: &[Parameter] = &[TILT, TURNS];
 
 fn view() -> View {

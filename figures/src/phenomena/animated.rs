@@ -1,4 +1,4 @@
-//! The falling cat, moving (tutorial 1.1): pictures that follow one another, each drawn whole, because its shape changes.
+//! The falling cat as an animation (tutorial 1.1): a sequence of complete pictures, because its shape changes.
 
 use core::fmt::Write as _;
 

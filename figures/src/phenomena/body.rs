@@ -1,4 +1,4 @@
-//! A cat of round pieces: two halves, head, legs, tail; nearer pieces hide what is behind them.
+//! A cat of round pieces: two halves, head, legs, tail; nearer pieces hide those behind them.
 
 use spinning_bodies::frame::Attitude;
 use spinning_bodies::phenomena::{Cat, EqualHalves, Half};

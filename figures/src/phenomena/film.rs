@@ -10,7 +10,7 @@ parameters! {
     MOST: "most", r"\gamma", "°", "greatest bend forward", [75.0, 135.0], 120.0;
 }
 
-/// What may be chosen of the bends.
+/// The parameters of the bends.
 pub const BACK_BEND: &[Parameter] = &[HALVES, MOST];
 
 const FRAMES: usize = 8;

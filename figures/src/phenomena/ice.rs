@@ -14,7 +14,7 @@ parameters! {
     TRUNK: "trunk", "m", "kg", "mass of the trunk", [10.0, 80.0], 36.0;
 }
 
-/// What may be chosen of the person on ice.
+/// The parameters of the person on ice.
 pub const ICE: &[Parameter] = &[LEAN, TRUNK];
 
 parameters! {
@@ -24,7 +24,7 @@ parameters! {
     PULL: "pull", "t_2", "s", "duration of the pull", [0.1, 1.0], 0.15;
 }
 
-/// What may be chosen of the crawler.
+/// The parameters of the crawler.
 pub const CRAWLER: &[Parameter] = &[GRIP, REAR, PUSH, PULL];
 
 /// A person: feet, knees, hip, shoulders, head, hand and hand, from the feet, m.

@@ -1,4 +1,4 @@
-//! Turning as an area of the shape plane: the swivel's and the cat's (tutorial 1.1).
+//! The turn as an area in the shape plane, for the swivel and the cat (tutorial 1.1).
 
 use spinning_bodies::phenomena::{EqualHalves, Hub, ShapePlane, Step, Swivel, Waist, turn_within};
 
@@ -10,7 +10,7 @@ parameters! {
     BEND: "forward", r"\gamma", "°", "bend of the cat forward", [70.0, 115.0], 90.0, dragged(|values| cat_at(values.of(&BEND).to_radians(), 0.0));
 }
 
-/// What may be chosen of the two loops; the handle is the far end of the cat's.
+/// The parameters of the two loops; the handle is the far end of the cat's.
 pub const SHAPE_LOOPS: &[Parameter] = &[OUT, IN, LOWER, BEND];
 
 /// The swivel's plane: ψ to the right, A upward.

@@ -16,9 +16,9 @@ parameters! {
     SHY: "error", r"\varepsilon", "°", "angle by which it is not upside down when it is let go", [1.0, 60.0], 10.0, logarithmic;
 }
 
-/// What may be chosen of the paper cat.
+/// The parameters of the paper cat.
 pub const PAPER_CAT: &[Parameter] = &[SHY, LEVER, MASS, THICK];
-/// What may be chosen of its fall.
+/// The parameters of its fall.
 pub const FALL: &[Parameter] = &[LEVER, MASS, THICK];
 
 const GRAVITY: f64 = 9.81;

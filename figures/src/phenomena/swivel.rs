@@ -13,7 +13,7 @@ parameters! {
     pub TWIST: "twist", r"\Psi", "°", "twist at the waist", [20.0, 110.0], 90.0;
 }
 
-/// What may be chosen of the swivel.
+/// The parameters of the swivel.
 pub const SWIVEL: &[Parameter] = &[OUT, IN, LOWER, TWIST];
 
 fn change(values: &Values) -> FourPhases {

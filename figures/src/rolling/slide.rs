@@ -11,7 +11,7 @@ parameters! {
     TOP: "top", "H/R", "", "height of the highest stroke over the radius", [1.6, 2.0], 1.8;
 }
 
-/// What may be chosen.
+/// The parameters.
 pub const LINES: &[Parameter] = &[FRICTION, SPEED, TOP, KAPPA];
 
 const LEFT: f64 = 62.0;

@@ -17,7 +17,7 @@ parameters! {
     BOUNCES: "bounces", "n", "", "bounces that are drawn", [1.0, 9.0], 3.0, whole;
 }
 
-/// What may be chosen of the reflections.
+/// The parameters of the reflections.
 pub const MIRRORS: &[Parameter] = &[KAPPA, BOUNCES];
 
 const CENTER: Point = [300.0, 184.0];
@@ -106,7 +106,7 @@ parameters! {
     HOLLOW: "hollow", r"\kappa_3", "", "moment of inertia of the hollow ball over MR²", [0.43, 2.0 / 3.0], 2.0 / 3.0, dragged(|values| apex(values.of(&HOLLOW)));
 }
 
-/// What may be chosen of three balls; their handles are the places where they meet the table.
+/// The parameters of three balls; their handles are the places where they meet the table.
 pub const BALLS: &[Parameter] = &[DENSE, HOLLOW];
 
 const FLOOR: f64 = 244.0;

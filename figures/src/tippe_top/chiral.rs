@@ -8,7 +8,7 @@ use crate::prelude::*;
 parameters! {
     RELEASE: "tilt", r"\theta_0", "°", "tilt at the release", [1.0, 30.0], 3.0;
 }
-/// What may be chosen.
+/// The parameters.
 pub const BOTH_SPINS: [Parameter; 3] = [
     SPIN.between([60.0, 200.0], super::CHIRAL_SPIN),
     RELEASE,

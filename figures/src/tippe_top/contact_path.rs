@@ -5,7 +5,7 @@ use spinning_bodies::scene::contact::Support;
 use super::{ALPHA, FRICTION, SPIN, degrees, run, toy_scene};
 use crate::prelude::*;
 
-/// What may be chosen; in the book slow enough to be followed with the eye.
+/// The parameters; in the book slow enough to be followed with the eye.
 pub const PATH: [Parameter; 3] = [
     SPIN.between([100.0, 400.0], 200.0),
     ALPHA.between([0.05, 0.4], 0.2),

@@ -11,7 +11,7 @@ const WIDEST: f64 = 112.0;
 
 const CHOSEN: Parameter = SPIN.between([10.0, 98.0], 70.0).dragged(release);
 const OFFSET: Parameter = ALPHA.between([0.1, 0.6], 0.3);
-/// What may be chosen; the start of the run in the middle is dragged.
+/// The parameters; the start of the run in the middle is dragged.
 pub const DIAGRAM: &[Parameter] = &[CHOSEN, OFFSET, GAMMA];
 
 /// Energy of a top at this tilt with the Jellett integral of an upright one of this spin, mJ.
@@ -35,7 +35,7 @@ fn release(values: &Values) -> Point {
     })
 }
 
-/// Down the plumb line to the branch of steady states.
+/// Straight down to the branch of steady states.
 pub fn energies(values: &Values) -> Result<Figure> {
     let top = chosen(values)?;
     let unit = top.jellett_of_spin(1.0, 0.0);

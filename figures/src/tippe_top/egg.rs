@@ -8,7 +8,7 @@ use crate::prelude::*;
 
 /// Half length and half thickness in the film, units.
 const HALF: [f64; 2] = [51.0, 34.0];
-/// What may be chosen in the film.
+/// The parameters of the film.
 pub const FILM: [Parameter; 2] = [
     TURNS.between([8.0, 30.0], 20.0),
     FRICTION.between([0.05, 0.3], 0.1),

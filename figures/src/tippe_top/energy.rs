@@ -5,7 +5,7 @@ use spinning_bodies::scene::contact::{State, passage};
 use super::{ALPHA, GAMMA, SPIN, VISCOUS, degrees, run, tippe, tippe_scene};
 use crate::prelude::*;
 
-/// What may be chosen.
+/// The parameters.
 pub const ENERGY: [Parameter; 3] = [SPIN, VISCOUS, ALPHA.between([0.1, 0.5], 0.3)];
 
 /// How long it is followed, s.

@@ -10,7 +10,7 @@ parameters! {
     RATE_OF_SPIN: "spin", r"\Omega\sqrt{R/g}", "", "spin in units of the natural rate", [4.0, 12.0], 6.0;
     SKEW: "skew", "s", "", "skewness of the inertia matrix, over that of the book's top", [0.0, 1.5], 1.0;
 }
-/// What may be chosen.
+/// The parameters.
 pub const GROWTH: [Parameter; 3] = [RATE_OF_SPIN, SKEW, ALPHA.between([0.15, 0.25], 0.19)];
 
 /// Friction and rates shown.

@@ -11,7 +11,7 @@ parameters! {
     LOW: "low", r"\theta_1", "°", "tilt with the clay below the horizontal", [15.0, 80.0], 42.0, dragged(|values| clay(0, values));
     HIGH: "high", r"\theta_2", "°", "tilt with the clay above the horizontal", [100.0, 165.0], 128.0, dragged(|values| clay(1, values));
 }
-/// What may be chosen; the clay is dragged.
+/// The parameters; the clay is dragged.
 pub const HOOP: &[Parameter] = &[OFFSET, LOW, HIGH, TURNS.between([1.0, 100.0], 50.0)];
 
 /// Radius of the hoop, units.

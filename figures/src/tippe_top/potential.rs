@@ -9,7 +9,7 @@ use crate::prelude::*;
 const SPINS: [f64; 4] = [20.0, 40.0, 50.0, 90.0];
 
 const CHOSEN: Parameter = SPIN.between([SPINS[0], SPINS[3]], 65.0).dragged(head);
-/// What may be chosen; the end of the heavy curve is dragged.
+/// The parameters; the end of the heavy curve is dragged.
 pub const POTENTIAL: &[Parameter] = &[CHOSEN, ALPHA, GAMMA];
 
 /// M g R of the top, J.

@@ -9,7 +9,7 @@ use crate::prelude::*;
 parameters! {
     OFF_LEVEL: "tilt", r"\theta_0", "°", "angle off level at the release", [0.1, 5.0], 0.5, logarithmic;
 }
-/// What may be chosen.
+/// The parameters.
 pub const REVERSALS: [Parameter; 2] = [SPIN.between([1.0, 8.0], 5.0), OFF_LEVEL];
 
 /// How long the stones are followed, s.

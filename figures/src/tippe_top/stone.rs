@@ -11,7 +11,7 @@ use crate::prelude::*;
 parameters! {
     PRODUCT: "product", "I_{12}/M", "cm²", "product of inertia over the mass", [-2.0, 2.0], -0.2;
 }
-/// What may be chosen.
+/// The parameters.
 pub const STONE: [Parameter; 2] = [PRODUCT, SPIN.between([1.0, 8.0], 5.0)];
 
 /// Half axes of the belly, m; its middle on the page, units to a metre.

@@ -9,7 +9,7 @@ use crate::prelude::*;
 parameters! {
     STEP: "step", r"\Delta t", "s", "time between two pictures", [0.1, 0.5], 0.3;
 }
-/// What may be chosen: the release of the figure before, and the time between two pictures.
+/// The parameters: the release of the figure before, and the time between two pictures.
 pub const STROBED: &[Parameter] = &[BOTH_SPINS[0], BOTH_SPINS[1], BOTH_SPINS[2], STEP];
 
 /// Pictures of a row.

@@ -9,7 +9,7 @@ parameters! {
     LIGHT: "light", r"\alpha_1", "", "offset of the centre of mass over the radius, lighter clay", [0.02, 0.08], 0.05;
     HEAVY: "heavy", r"\alpha_2", "", "offset of the centre of mass over the radius, heavier clay", [0.09, 0.3], 0.1;
 }
-/// What may be chosen.
+/// The parameters.
 pub const TIP_OVER: &[Parameter] = &[LIGHT, HEAVY, TURNS.between([15.0, 80.0], 50.0), FRICTION];
 
 /// Tilt at the release, rad.

@@ -100,7 +100,7 @@ pub fn animated(_: &Values) -> Result<Figure> {
     Ok(still.moving(&moving(&pictures, duration, [&depth, &spin])))
 }
 
-/// How far round the string's end the axle has gone shows in where its centre is: left of the string on the way down, right of it on the way up.
+/// The position of the centre shows how far the axle has gone round the string's end: left of the string on the way down, right of it on the way up.
 fn aside(state: &YoYoState, after: bool) -> f64 {
     let below = ((state.depth - LENGTH) / AXLE).clamp(0.0, 1.0);
     let away = (1.0 - below * below).sqrt();

@@ -1,4 +1,4 @@
-//! One way to ask every method for the motion of a body: geometric ones, general ones, closed forms.
+//! A common trait by which every method, geometric, general or closed form, is asked for the motion of a body.
 
 use core::fmt::Debug;
 
@@ -19,12 +19,12 @@ pub trait Follow: Debug {
     /// Phases at `times` (s, either side of 0, in any order) of the motion that starts with `start` at time 0.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::NotPositive`] for times and effort; [`Error::Integration`], [`Error::Accuracy`] where the method cannot;
+    /// [`Error::NotFinite`], [`Error::NotPositive`] for times and effort; [`Error::Integration`], [`Error::Accuracy`] where the method fails;
     /// [`Error::Solver`] for a tolerance where a method has steps of one length.
     fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Solution<Phase>>;
 }
 
-/// Between two samples steps of one length, not above the one given.
+/// Between two samples it takes steps of equal length, not above the one given.
 impl<I: Integrator + Debug> Follow for I {
     fn name(&self) -> String {
         Integrator::name(self)
@@ -51,7 +51,7 @@ impl<I: Integrator + Debug> Follow for I {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DormandPrince8<N> {
     inverse: [f64; 3],
-    /// (I₂ − I₃)/(I₂I₃) and so on: L₁′ is this times L₂L₃, nearly equal moments lose nothing.
+    /// (I₂ − I₃)/(I₂I₃) and cyclic: L₁′ is this times L₂L₃, so that nearly equal moments lose nothing.
     difference: [f64; 3],
     torque: N,
 }

@@ -1,14 +1,14 @@
-//! Where methods are judged, and where clocks run: the laboratory of the book *Spinning Bodies*.
+//! The laboratory of the book *Spinning Bodies*: methods are judged here, and times measured.
 //!
 //! | module | what it holds |
 //! |---|---|
 //! | [`accuracy`] | every method on every kind of top: error against cost |
-//! | [`follow`] | one way to ask any method for the motion of a body, and order 8 written for one |
-//! | [`general`] | methods for any equations, and the same asked for the motion of a body; with `accuracy` behind the feature `general`, a default |
-//! | [`hard_cases`] | textbook formulas beside the library's, where digits go |
+//! | [`follow`] | a common trait for methods that follow the motion of a body, and order 8 written for one |
+//! | [`general`] | methods for any equations, also applied to a body; like `accuracy` behind the feature `general`, a default |
+//! | [`hard_cases`] | textbook formulas beside the library's, where digits are lost |
 //! | [`stopwatch`] | the least time of repeated calls |
 //!
-//! The benches print tables of time and error, ours and the peers' in one run: `cargo bench -p lab`, with those beside other libraries
+//! The benches print tables of time and error: `cargo bench -p lab`, or with other libraries measured in the same run
 //! `cargo bench -p lab --features peers`.
 //!
 //! | `--bench …` | what | beside |
@@ -19,7 +19,7 @@
 //! | `euler_top` | one state of a free top | GSL and Boost.Math on request |
 //! | `hard_cases` | the library's formulas | the textbook's |
 //! | `inertia` | mesh integrals, principal axes | parry3d (`peers`), nalgebra |
-//! | `integrators` | one step of each geometric method, and 10⁷ of them | Runge–Kutta, DOP853 |
+//! | `integrators` | one step of each geometric method, and 10⁷ steps | Runge–Kutta, DOP853 |
 //! | `kovalevskaya_top` | one state of Kovalevskaya's top | Runge–Kutta, DOP853 |
 //! | `lagrange_top` | one state of Lagrange's top | Runge–Kutta, DOP853, rapier3d (`peers`) |
 //! | `scenes` | a scene with an effect | the same without |
@@ -36,7 +36,7 @@ mod table;
 use spinning_bodies::Error;
 pub use spinning_bodies::Result;
 
-/// What is no number is refused.
+/// The value, if it is finite.
 const fn finite(quantity: &'static str, value: f64) -> Result<f64> {
     if value.is_finite() {
         Ok(value)

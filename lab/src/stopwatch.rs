@@ -1,11 +1,11 @@
-//! How long something takes: the least time of repeated calls, which other work on the machine disturbs least.
+//! Timing: the least time of repeated calls, which other work on the machine disturbs least.
 
 use std::time::Instant;
 
 /// Calls go on at least this long, s, and not much longer than [`LONG`].
 const SHORT: f64 = 0.02;
 const LONG: f64 = 0.1;
-/// A look at the clock costs some 30 ns: calls are bundled into lots of this length, s.
+/// Reading the clock costs some 30 ns, so calls are bundled into lots of this length, s.
 const LOT: f64 = 2e-5;
 const FEWEST: u32 = 5;
 
@@ -30,7 +30,7 @@ pub fn least(mut work: impl FnMut()) -> f64 {
     }
 }
 
-/// The same for several, in five rounds by turns: all of them see the same machine.
+/// The same for several functions, alternating in five rounds, so that all of them meet the same conditions.
 pub fn in_turn<const N: usize>(mut works: [&mut dyn FnMut(); N]) -> [f64; N] {
     let mut best = [f64::INFINITY; N];
     for _ in 0..5 {

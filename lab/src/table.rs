@@ -1,13 +1,13 @@
-//! Reads the committed tables of reference: a heading, then rows of cells; doubles in C's hexadecimal notation, truths as decimals.
+//! Reads the committed reference tables: a heading, then rows of cells; doubles in C's hexadecimal notation, true values as decimals.
 
 use spinning_bodies::{Error, Result};
 
 use crate::finite;
 
-/// The rows whose first cell is `wanted`, each turned into what `of` makes of its cells.
+/// The rows whose first cell is `wanted`, each converted by `of`.
 ///
 /// # Errors
-/// [`Error::AtPlace`] with the number of the line below the heading, for one that has more or fewer cells than N, and for what `of` refuses.
+/// [`Error::AtPlace`] with the number of the line below the heading, for one that has more or fewer cells than N, and for one that `of` refuses.
 pub(crate) fn rows<const N: usize, T>(
     table: &'static str,
     wanted: impl Fn(&str) -> bool,

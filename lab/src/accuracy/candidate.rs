@@ -1,4 +1,4 @@
-//! Which methods can run a problem, and how hard each is asked to work.
+//! The methods that can run a problem, and the efforts at which each is run.
 
 use spinning_bodies::Result;
 use spinning_bodies::integrators::geometric::{
@@ -21,7 +21,7 @@ pub struct Candidate {
     pub name: String,
     /// The method.
     pub method: Box<dyn Follow>,
-    /// How hard it is asked to work, from coarse to fine.
+    /// The efforts at which it is run, from coarse to fine.
     pub efforts: Vec<Effort>,
 }
 
@@ -127,7 +127,7 @@ impl Found<'_> {
     }
 }
 
-/// How hard a solver of scenes may be asked to work on a motion that ends after so many seconds and about so many turns.
+/// The efforts at which a solver of scenes is run on a motion of this length (s) and about this number of turns.
 pub(super) fn efforts(solver: Solver, end: f64, turns: f64) -> Vec<Effort> {
     match solver {
         Solver::Exact | Solver::Events => vec![Effort::Tolerance(0.0)],
@@ -152,8 +152,8 @@ fn tolerances() -> Vec<Effort> {
         .collect()
 }
 
-/// From about two steps a turn up: the run in 2ᵏ parts, and in as many times the `multiples`. With 1.5 these are 3·2ᵏ, which for the listed
-/// problems are exact doubles, too: steps add up to the run without a rounding of time.
+/// Steps from about two a turn upward: the run in 2ᵏ parts, times each of the `multiples`. With 1.5 these are 3·2ᵏ parts, whose steps for the listed
+/// problems are exact doubles too: they add up to the run without rounding of time.
 fn steps(end: f64, turns: f64, multiples: &[f64]) -> Vec<Effort> {
     const MOST: f64 = 1e9;
     const MOST_A_TURN: f64 = 131_072.0;

@@ -1,4 +1,4 @@
-//! The closed forms, asked like a method.
+//! The closed forms, in the form of a method.
 
 use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, Integrability};
 use spinning_bodies::euler_top::EulerTop;
@@ -97,7 +97,7 @@ impl Follow for ClosedForm {
             }
             Kind::Kovalevskaya => {
                 let top = KovalevskayaTop::new(self.moments, self.lever, omega, attitude)?;
-                // Where they have to be walked to, each from the one before.
+                // Where power series are needed, each time goes on from the one before.
                 for state in top.states(times.iter().copied()) {
                     let state = state?;
                     phases.push(self.phase(state.omega, &state.attitude));

@@ -1,4 +1,4 @@
-//! The eight motions, from an ordinary one to those that are hard on a method.
+//! The eight motions, from an ordinary one to those that are hard for a method.
 
 use spinning_bodies::integrators::geometric::Phase;
 use spinning_bodies::{Error, Result};
@@ -16,13 +16,13 @@ const TRUTH: &str = include_str!("../../../tests/reference/accuracy.csv");
 /// | name | what makes it hard |
 /// |---|---|
 /// | `free-top` | nothing: the body of Hairer and Vilmart (2006) |
-/// | `near-separatrix` | the period hangs on the logarithm of 6e-8, and what goes wrong at one flip is there at all that follow |
+/// | `near-separatrix` | the period depends on the logarithm of 6e-8, and an error at one flip persists through all that follow |
 /// | `cusped-top` | the axis comes to rest at every cusp |
-/// | `near-sleeping` | upright but for a thousandth, it falls and rises again: near the pole, and near the waking separatrix |
-/// | `kovalevskaya` | no axis of symmetry; axis 3 upright at the start, so that two roots of her polynomial are one |
+/// | `near-sleeping` | within a thousandth of upright, it falls and rises again: near the pole, and near the separatrix |
+/// | `kovalevskaya` | no axis of symmetry; axis 3 upright at the start, so that two roots of Kovalevskaya's polynomial coincide |
 /// | `kovalevskaya-level` | no axis of symmetry; an ordinary start, axis 3 level |
 /// | `heavy-body` | no closed form. Regular: starts 1e-9 apart are 3e-8 apart after 300 turns, in proportion to the time, as on a torus |
-/// | `tippe-top` | friction: nothing is kept; a tilt grows until the top stands on its head |
+/// | `tippe-top` | friction: neither energy nor L is conserved; a tilt grows until the top stands inverted |
 pub const NAMES: [&str; 8] = [
     "free-top",
     "near-separatrix",
@@ -106,12 +106,12 @@ const FAMILIES: [Family; 8] = [
 /// All problems, each over all its lengths, 28 runs in all.
 ///
 /// # Errors
-/// None for these bodies: those of the table of the truth, if a line of it were broken.
+/// None for these bodies; those of the reference table, if a line of it were broken.
 pub fn problems() -> Result<Vec<Problem>> {
     read(|_| true)
 }
 
-/// The problems of this name: `free-top` for all its lengths, `free-top/1000` for one; none if there is no such name.
+/// The problems of this name: `free-top` for all its lengths, `free-top/1000` for one; an empty list if there is no such name.
 ///
 /// # Errors
 /// As for [`problems`].

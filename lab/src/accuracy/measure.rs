@@ -1,4 +1,4 @@
-//! How wrong a method is, and what that has cost.
+//! The error of a method, and its cost.
 
 use spinning_bodies::integrators::geometric::Phase;
 use spinning_bodies::integrators::{Cost, Effort, Solution};
@@ -9,12 +9,12 @@ use super::problem::Problem;
 use super::sample::Apart;
 use crate::stopwatch;
 
-/// What became of a run.
+/// The outcome of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
     /// An error that more effort would make smaller.
     Ok,
-    /// Rounding: more effort than a coarser run, and no gain; or as near as the truth is known. Only [`Trial::sweep`] can tell.
+    /// Rounding: more effort than a coarser run without gain, or an error no greater than that of the truth. Only [`Trial::sweep`] can tell.
     Floor,
     /// The attitude is off by more than a radian, Ω by more than itself, or either not finite.
     Diverged,
@@ -43,24 +43,24 @@ pub struct Measurement {
     pub method: String,
     /// Step (s) or tolerance; 0 for the closed form, which has neither.
     pub parameter: f64,
-    /// Angle between the attitudes at the end, rad; infinite where the run failed, not a number where there is no attitude.
+    /// Angle between the attitudes at the end, rad; infinite if the run failed, NaN if there is no attitude.
     pub error_attitude: f64,
-    /// |ΔΩ|/|Ω| at the end; of other motions than tops what [`Apart`] says; infinite likewise.
+    /// |ΔΩ|/|Ω| at the end, or for motions other than tops as [`Apart`] defines it; infinite if the run failed.
     pub error_omega: f64,
-    /// Evaluations of the right-hand side, or of what the method lives by.
+    /// Evaluations of the right-hand side, or of what the method evaluates instead.
     pub evaluations: u64,
     /// Steps.
     pub steps: u64,
-    /// Time, s, if it was taken.
+    /// Time, s, if it was measured.
     pub seconds: Option<f64>,
-    /// What became of it.
+    /// The outcome.
     pub status: Status,
-    /// Why it failed.
+    /// The error, if it failed.
     pub failure: Option<Error>,
 }
 
 impl Measurement {
-    /// The angle, or where there is no attitude the other error.
+    /// The error of the attitude, or if there is none that of the rates.
     pub const fn error(&self) -> f64 {
         if self.error_attitude.is_nan() {
             self.error_omega
@@ -70,19 +70,19 @@ impl Measurement {
     }
 }
 
-/// One method on one motion, whatever they are: how it runs, and who judges.
+/// One method on one motion, of any kind: how it is run, and how its error is found.
 pub struct Trial<'a, E> {
     /// The names of motion and method.
     pub names: [&'a str; 2],
-    /// How hard the method may be asked to work, from coarse to fine.
+    /// The efforts at which the method is run, from coarse to fine.
     pub efforts: &'a [Effort],
-    /// An error up to this is known to be no more than this.
+    /// Errors below this cannot be distinguished from the error of the truth.
     pub floor: f64,
     /// The errors of a run that failed.
     pub lost: Apart,
     /// The end of the motion at one effort, and its cost.
     pub run: Box<dyn Fn(Effort) -> Result<(E, Cost)> + 'a>,
-    /// How far such an end is from the truth.
+    /// The distance of such an end from the truth.
     pub apart: Box<dyn Fn(&E) -> Apart + 'a>,
 }
 
@@ -95,7 +95,7 @@ impl<E> core::fmt::Debug for Trial<'_, E> {
 }
 
 impl<'a> Trial<'a, Solution<Phase>> {
-    /// This method on this problem.
+    /// The trial of this method on this problem.
     pub fn of(problem: &'a Problem, candidate: &'a Candidate) -> Self {
         Self {
             names: [problem.name(), &candidate.name],
@@ -138,7 +138,7 @@ impl<E> Trial<'_, E> {
                 let Apart { attitude, omega } = (self.apart)(&end);
                 (found.error_attitude, found.error_omega) = (attitude, omega);
                 (found.evaluations, found.steps) = (cost.evaluations, cost.steps);
-                // A radian off is no answer, nor is all of the angular velocity.
+                // An error of a radian, or of the whole angular velocity, is no answer.
                 found.status = if attitude > 1.0 || omega > 1.0 {
                     Status::Diverged
                 } else {
@@ -150,11 +150,11 @@ impl<E> Trial<'_, E> {
         found
     }
 
-    /// [`measure`](Self::measure), and the least time of repeated runs; one that fails has none.
+    /// As [`measure`](Self::measure), with the least time of repeated runs, unless the run fails.
     pub fn timed(&self, effort: Effort) -> Measurement {
         let mut found = self.measure(effort);
         if found.status != Status::Failed {
-            // What it returns has been judged.
+            // Its result has been judged above.
             found.seconds = Some(stopwatch::least(|| drop((self.run)(effort))));
         }
         found
@@ -162,8 +162,8 @@ impl<E> Trial<'_, E> {
 
     /// The method from coarse to fine, until rounding stops it or `run` has enough.
     ///
-    /// `run` sees what has been measured so far and the next effort, and measures it, or gives nothing and ends the sweep. Runs that gained nothing
-    /// on a coarser one, or are no further from the truth than the truth may be, are marked as [`Status::Floor`].
+    /// `run` gets the measurements so far and the next effort, and measures it, or returns `None` to end the sweep. Runs that gained nothing
+    /// over a coarser one, or whose error is no greater than that of the truth, are marked as [`Status::Floor`].
     pub fn sweep(
         &self,
         mut run: impl FnMut(&[Measurement], Effort) -> Option<Measurement>,
@@ -189,10 +189,11 @@ impl<E> Trial<'_, E> {
         rows
     }
 
-    /// Whether the run at `place` is not better than all coarser ones by a fifth, one of which is within the reach of rounding, or as good as can be told.
+    /// Whether the run at `place` is at the floor: its error is not distinguishable from that of the truth, or not better by a fifth than all coarser ones, one of
+    /// which is within the reach of rounding.
     ///
-    /// A finer effort is one by a quarter at least, so that the error of a method of order 2 falls to 0.57 of what it was: less gain than that
-    /// to 0.8 is none. Errors above 1e-6, or far above the floor, may be those of steps too long for the method to be of any order, and happen to be small.
+    /// Each effort is finer by at least a quarter, so that the error of a method of order 2 falls to 0.57: a fall that does not reach 0.8 is no gain.
+    /// Errors above 1e-6, or far above the floor, may belong to steps too long for the order to show, and be small by chance.
     fn no_gain(&self, rows: &[Measurement], place: usize) -> bool {
         let errors = rows[..place].iter().map(Measurement::error);
         let best = errors.fold(f64::INFINITY, f64::min);
@@ -205,7 +206,7 @@ impl<E> Trial<'_, E> {
     }
 }
 
-/// Rounding may reach so far, and so many times the floor.
+/// Rounding may cause errors up to this, and up to this multiple of the floor.
 const REACH: f64 = 1e-6;
 const FAR: f64 = 1e5;
 
@@ -214,7 +215,7 @@ pub fn measure(problem: &Problem, candidate: &Candidate, effort: Effort) -> Meas
     Trial::of(problem, candidate).measure(effort)
 }
 
-/// The largest errors at all samples of a run that is asked for them all.
+/// The largest errors over all samples of a run that returns them all.
 ///
 /// # Errors
 /// Those of the method.
@@ -236,7 +237,7 @@ pub fn along_the_run(problem: &Problem, candidate: &Candidate, effort: Effort) -
     }))
 }
 
-/// How many runs without a gain in a row end a sweep: a short run may take the same few steps for tolerances two decades apart.
+/// Number of successive runs without a gain that ends a sweep: a short run may take the same few steps for tolerances two decades apart.
 const fn vain_runs(effort: Effort) -> usize {
     match effort {
         Effort::Step(_) => 2,

@@ -1,10 +1,10 @@
-//! The committed measurements of the command `accuracy --csv`, read again: who is cheapest, and where a closed form begins to pay.
+//! The committed measurements of the command `accuracy --csv`: which method is cheapest, and from which length a closed form pays.
 
-/// What the command wrote, under a line that names machine and compiler.
+/// The output of the command, under a line that names machine and compiler.
 pub const SWEEP: &str = include_str!("../../../book/src/tables/accuracy.csv");
-/// In turns.
+/// Lengths in turns.
 const LENGTHS: [u32; 3] = [1, 10, 1000];
-/// Each motion, what it is called on a page, and the lengths in turns to which all methods followed it.
+/// Each motion, its name on a page, and the lengths in turns for which all methods followed it.
 pub const MOTIONS: [(&str, &str, [u32; 3]); 8] = [
     ("free-top", "free body", LENGTHS),
     ("near-separatrix", "beside the separatrix", LENGTHS),
@@ -25,15 +25,15 @@ pub const EXACT: &str = "exact";
 pub struct Row<'a> {
     /// The name of the motion and its length.
     pub problem: &'a str,
-    /// That of the method.
+    /// The name of the method.
     pub method: &'a str,
-    /// The angle, or where there is no attitude the error of the rates.
+    /// The error of the attitude, or if there is none that of the rates.
     pub error: f64,
-    /// Seconds, or whatever is to be saved.
+    /// Seconds, or another cost.
     pub price: f64,
 }
 
-/// The measurements of the command's CSV file that kept to the motion.
+/// The measurements in the command's CSV file of runs that neither failed nor diverged.
 pub fn rows(csv: &str) -> Vec<Row<'_>> {
     let lines = csv.lines().filter(|line| !line.starts_with('#')).skip(1);
     let rows = lines.filter_map(|line| {
@@ -71,7 +71,7 @@ pub fn ranking<'a>(rows: &[Row<'a>], problem: &str, target: f64) -> Vec<(&'a str
 }
 
 /// The number of turns from which the closed form is cheaper than every method that steps, if there is one between two lengths that were measured;
-/// between them the logarithm of a price goes in proportion to that of the length.
+/// between them the logarithm of the price is interpolated linearly in that of the length.
 pub fn crossover(rows: &[Row<'_>], motion: &str, lengths: &[u32], target: f64) -> Option<f64> {
     // The logarithm of the stepper's price over that of the closed form.
     let gain = |turns: f64| {

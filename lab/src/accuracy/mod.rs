@@ -3,10 +3,10 @@
 //! | question | answer |
 //! |---|---|
 //! | which motions? | [`problems`]: eight, each over several lengths, with [`Sample`]s of the truth |
-//! | which methods can run one, how hard? | [`candidates`]: closed form, geometric and general methods, each from coarse to the rounding floor |
-//! | how wrong was that, and what did it cost? | [`measure`] one, [`Trial::sweep`] a method: [`Measurement`]s |
-//! | who was cheapest, when it was measured? | [`measured`]: the committed sweep |
-//! | and of a scene of any kind? | [`JudgedScene`]: two methods of different families judge the others |
+//! | which methods can run one, at which efforts? | [`candidates`]: closed form, geometric and general methods, each from coarse to the rounding floor |
+//! | what is the error, and the cost? | [`measure`] one run, [`Trial::sweep`] a method: [`Measurement`]s |
+//! | which method was cheapest when measured? | [`measured`]: the committed sweep |
+//! | and for a scene of any kind? | [`JudgedScene`]: two methods of different families judge the others |
 //!
 //! Every method is asked through [`Follow`](crate::follow::Follow). The truth is never the same code with a finer step: it is
 //! the committed table `tests/reference/accuracy.csv`, by two independent routes of 45 and more digits that agree to 30.

@@ -1,4 +1,4 @@
-//! A motion to be computed, and what is known of it.
+//! A motion to be computed, and the reference values for it.
 
 use spinning_bodies::integrators::geometric::Phase;
 use spinning_bodies::{Error, Result};
@@ -8,7 +8,7 @@ use crate::finite;
 use super::sample::Sample;
 use super::table_top::SlidingBall;
 
-/// What moves.
+/// The moving system.
 #[derive(Debug, Clone, Copy)]
 pub enum Model {
     /// A body with a fixed point, under its weight or none.
@@ -75,7 +75,7 @@ impl Problem {
         })
     }
 
-    /// The same with a line on what it is.
+    /// The same with a one-line description.
     pub(super) const fn described(mut self, description: &'static str) -> Self {
         self.description = description;
         self
@@ -86,7 +86,7 @@ impl Problem {
         &self.name
     }
 
-    /// What it is, in a line; nothing for one of one's own.
+    /// Its description in one line; empty for a problem of one's own.
     pub const fn description(&self) -> &'static str {
         self.description
     }
@@ -114,7 +114,7 @@ impl Problem {
         self.turns
     }
 
-    /// What is true, at ascending times.
+    /// The samples of the truth, at ascending times.
     pub fn truth(&self) -> &[Sample] {
         &self.truth
     }
@@ -129,7 +129,7 @@ impl Problem {
         &self.truth[self.truth.len() - 1]
     }
 
-    /// How long it lasts, s.
+    /// Its duration, s.
     pub fn end(&self) -> f64 {
         self.last().time()
     }

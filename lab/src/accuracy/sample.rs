@@ -1,4 +1,4 @@
-//! A state known to 32 digits, and how far a computed one is from it.
+//! A state known to 32 digits, and the error of a computed one.
 
 use spinning_bodies::integrators::geometric::{DoubleDouble, Phase, Real};
 
@@ -10,12 +10,12 @@ pub struct Sample {
     attitude: [DoubleDouble; 4],
 }
 
-/// How far a computed state is from the true one.
+/// The error of a computed state.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Apart {
-    /// Angle of the rotation between the two attitudes, rad; infinite for one that is not finite, not a number for a scene without an attitude.
+    /// Angle of the rotation between the two attitudes, rad; infinite if one is not finite, NaN for a scene without an attitude.
     pub attitude: f64,
-    /// |ΔΩ|/|Ω|; infinite likewise. Of a scene the size of what its rates are off by over the greatest that they have, not a number if it has none.
+    /// |ΔΩ|/|Ω|; infinite if that is not finite. For a scene the norm of the error of its rates over the greatest norm of the rates, NaN if it has none.
     pub omega: f64,
 }
 
@@ -42,9 +42,9 @@ impl Sample {
         (self.omega, self.attitude)
     }
 
-    /// How far `phase`, of a body with these moments, is from the truth.
+    /// The error of `phase`, of a body with these moments.
     ///
-    /// Differences are formed in two words: errors are right to rounding themselves, down to 1e-30, in whatever numbers the state is given.
+    /// Differences are formed in two words, so that errors down to 1e-30 are themselves right, in whatever kind of numbers the state is given.
     /// The quaternion may have any length.
     pub fn apart<T: Real>(&self, phase: &Phase<T>, moments: [f64; 3]) -> Apart {
         let [a, b, c, d] = self.attitude;
@@ -70,7 +70,7 @@ impl Sample {
     }
 }
 
-/// An error that is not a number is no small one.
+/// The error, infinite if it is NaN.
 pub(super) const fn known(error: f64) -> f64 {
     if error.is_nan() { f64::INFINITY } else { error }
 }

@@ -1,4 +1,4 @@
-//! A scene of any kind as a motion to be measured: two methods of different families judge.
+//! A scene of any kind as a motion on which methods are measured: two methods of different families provide the truth.
 
 use core::f64::consts::TAU;
 
@@ -12,25 +12,25 @@ use super::measure::Trial;
 use super::sample::{Apart, known};
 use crate::general::DifferentialEquations;
 
-/// Who may judge: a closed form, or those from event to event; order 8; Verner's pair of order 9(8), which is of another family and by another hand.
+/// The possible judges: a closed form, whole or from event to event; order 8; Verner's pair of order 9(8), which is of another family and another implementation.
 const JUDGES: [Solver; 4] = [
     Solver::Exact,
     Solver::Events,
     Solver::Geometric(Geometric::DormandPrince8),
     Solver::General(Method::Verner98),
 ];
-/// The tolerance of those that step.
+/// The tolerance of judges that step.
 const TIGHTEST: Effort = Effort::Tolerance(1e-15);
-/// They are compared at so many times, the last being the end.
+/// Number of times at which they are compared, the last being the end.
 const SAMPLES: u32 = 16;
-/// Those that disagree by more have nothing to tell: the coarsest of the accuracies shown.
+/// Judges that disagree by more are of no use: the coarsest of the accuracies shown.
 const COARSEST: f64 = 1e-3;
-/// What is below so many times their disagreement cannot be told from it.
+/// Errors below this multiple of their disagreement cannot be distinguished from it.
 const TOLD: f64 = 10.0;
 
-/// A scene from its start to its end, and what the first two judges that can run it know of the end.
+/// A scene from its start to its end, with the end state by the first two judges that can run it.
 ///
-/// A closed form tells its own error as well, and is taken at its word, no better; where nothing steps it has no other judge.
+/// A closed form also states its own error, which is believed but not improved on; where no method steps, it is the only judge.
 #[derive(Debug)]
 pub struct JudgedScene {
     scene: AnyScene,
@@ -45,8 +45,8 @@ pub struct JudgedScene {
 }
 
 impl JudgedScene {
-    /// The scene from time 0 to this one, s. Of the numbers that it usually tells the attitude's quaternion counts, and the rates: all in rad/s, or
-    /// where there are none all in m/s.
+    /// The scene from time 0 to this one, s. Of its usual columns the attitude's quaternion is compared, and the rates: all those in rad/s, or
+    /// if there are none all those in m/s.
     ///
     /// # Errors
     /// [`Error::Condition`] for a motion on which its judges disagree by more than 1e-3; that of the scene if none can run it.
@@ -115,12 +115,12 @@ impl JudgedScene {
         })
     }
 
-    /// Who judges, the one that is believed first.
+    /// The judges, the more reliable one first.
     pub fn judges(&self) -> &[Solver] {
         &self.judges
     }
 
-    /// What cannot be told from the truth: ten times the disagreement of the judges.
+    /// The error that cannot be distinguished from the truth: ten times the disagreement of the judges.
     pub const fn floor(&self) -> f64 {
         self.floor
     }
@@ -130,17 +130,17 @@ impl JudgedScene {
         self.asked.times()[0]
     }
 
-    /// Whether errors are told of an attitude; if not, of rates alone.
+    /// Whether there is an attitude whose error is measured; if not, only rates are.
     pub const fn has_attitude(&self) -> bool {
         self.ruler.rates > 0
     }
 
-    /// How hard a solver may be asked to work on it, from coarse to fine.
+    /// The efforts at which a solver is run on it, from coarse to fine.
     pub fn efforts(&self, solver: Solver) -> Vec<Effort> {
         efforts(solver, self.end(), self.turns)
     }
 
-    /// This solver on the scene, which has this name. A run that would take more evaluations fails.
+    /// The trial of this solver on the scene, under this name. A run that would take more evaluations fails.
     pub fn trial<'a>(
         &'a self,
         name: &'a str,
@@ -163,7 +163,7 @@ impl JudgedScene {
             }),
             apart: Box::new(|table| {
                 let Apart { attitude, omega } = self.ruler.apart(&self.truth, &table.row(0).1);
-                // What there is not is no error of a closed form either.
+                // An error that does not exist (NaN) stays so for a closed form.
                 let told = |error: f64| match table.error_estimate {
                     own if own.is_finite() && own > error => own,
                     _ => error,
@@ -177,7 +177,7 @@ impl JudgedScene {
     }
 }
 
-/// No judge has said why.
+/// The error if no judge has given another.
 const NONE: Error = Error::Empty {
     quantity: "the list of methods that can judge a scene",
 };
@@ -190,9 +190,9 @@ fn by(request: &Request, solver: Solver) -> Request {
 /// How two rows are compared.
 #[derive(Debug)]
 struct Ruler {
-    /// Where rates begin: behind a quaternion, if there is one.
+    /// Index at which the rates begin: after the quaternion, if there is one.
     rates: usize,
-    /// The greatest size that they have.
+    /// The greatest norm of the rates.
     fastest: f64,
 }
 
@@ -220,7 +220,7 @@ impl Ruler {
     }
 }
 
-/// Of the first four numbers.
+/// The attitude from the first four numbers.
 fn attitude(row: &[f64]) -> Option<Attitude> {
     let &[w, x, y, z, ..] = row else { return None };
     Attitude::from_quaternion(w, x, y, z).ok()

@@ -1,4 +1,4 @@
-//! The tippe top as a problem: a ball that slides on a table, C off its centre.
+//! The tippe top as a problem: a ball sliding on a table, with C off its centre.
 
 use spinning_bodies::Result;
 use spinning_bodies::integrators::geometric::Phase;
@@ -10,7 +10,7 @@ use crate::general::Run;
 /// The quaternion, Ω along the body's axes, level velocity of C, its level place, work done against friction.
 type Numbers = [f64; 12];
 
-/// A ball with I₁ = I₂ on a table with viscous friction, C on its third axis off the centre; what its rates need, divided out beforehand.
+/// A ball with I₁ = I₂ on a table with viscous friction, C on its third axis off the centre; quotients that its rates need are precomputed.
 #[derive(Debug, Clone, Copy)]
 pub struct SlidingBall {
     mass: f64,
@@ -18,7 +18,7 @@ pub struct SlidingBall {
     inverse_mass: f64,
     /// 1/I₁ and 1/I₃.
     inverse: [f64; 2],
-    /// I₃/I₁, and what it is above 1.
+    /// I₃/I₁, and I₃/I₁ − 1.
     oblateness: [f64; 2],
     radius: f64,
     offset: f64,
@@ -79,8 +79,8 @@ impl System<12> for SlidingBall {
     /// that of the problem.
     ///
     /// In the notation of the general equations the arm ρ from C to the contact is (0, 0, a) − Ru. With it the vertical acceleration of C is
-    /// that of a u₃: what turns about u alone falls out. An evaluation waits for its longest chain of operations rather than for
-    /// their number, so the slip is put together along the body's axes, where it needs no second rotation, and factors are applied as late as they can be.
+    /// that of a u₃: the rotation about u drops out. The time of an evaluation is that of its longest chain of operations, not of
+    /// their number, so the slip is formed along the body's axes, where it needs no second rotation, and factors are applied as late as possible.
     #[inline]
     fn rate(&self, _: f64, y: &Numbers) -> Numbers {
         let [w, x, y2, z, o1, o2, o3, v1, v2, ..] = *y;
@@ -101,7 +101,7 @@ impl System<12> for SlidingBall {
         let (a1, a2, a3) = ((ww + xx) - (yy + zz), xy - wz, xz + wy);
         let (b1, b2, b3) = (xy + wz, (ww + yy) - (xx + zz), yz - wx);
         let (n1, n2, n3) = (xz - wy, yz + wx, (ww + zz) - (xx + yy));
-        // 1/|q|² but for the square of what |q|² is off: without it the drift of |q| costs a general method a factor of fifty in its error.
+        // 1/|q|² to first order in |q|² − 1: without this the drift of |q| costs a general method a factor of fifty in its error.
         let unit = 2.0 - ((ww + zz) + (xx + yy));
         let (u1, u2, u3) = (unit * n1, unit * n2, unit * n3);
         // Slip: V + Ω∧ρ without its vertical part. Of that, Ru∧Ω is level.
@@ -148,7 +148,7 @@ impl System<12> for SlidingBall {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sliding {
     pub(super) ball: SlidingBall,
-    /// None: ours.
+    /// `None` for ours.
     pub(super) general: Option<Method>,
 }
 

@@ -1,4 +1,4 @@
-//! Methods for any equations, asked for the motion of a body.
+//! General methods applied to the motion of a body.
 
 use spinning_bodies::Result;
 use spinning_bodies::euler_equations::{AxisMoments, quaternion_rate};
@@ -9,7 +9,7 @@ use spinning_bodies::integrators::{Effort, Method, Solution, System};
 use super::Run;
 use crate::follow::Follow;
 
-/// A body under a torque by a method that knows nothing of bodies: seven numbers like any others.
+/// A body under a torque, followed by a general method as a system of seven numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GeneralMethod<N> {
     moments: [f64; 3],
@@ -31,7 +31,7 @@ impl<N> GeneralMethod<N> {
     }
 }
 
-/// The order of a method with steps of one length; where a tolerance chooses the steps there is none to be seen.
+/// The order of a method with steps of one length; `None` where a tolerance chooses the steps, since then it does not show.
 pub const fn order(method: Method) -> Option<u32> {
     match method {
         Method::Rk4 => Some(4),

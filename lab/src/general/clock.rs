@@ -1,4 +1,4 @@
-//! The equations in times from 0 to 1.
+//! The equations with time rescaled to 0 … 1.
 
 use differential_equations::ode::ODE;
 
@@ -39,7 +39,7 @@ impl<const N: usize> ODE<f64, [f64; N]> for Timed<'_, N> {
     }
 }
 
-/// The state a very short while later, by one Euler step.
+/// The state a very short time later, by one Euler step.
 pub(super) fn carried<const N: usize>(
     timed: &Timed<'_, N>,
     (phase, state): (f64, [f64; N]),

@@ -1,11 +1,11 @@
-//! Where between two steps a quantity falls through zero.
+//! The location, between two steps, at which a quantity falls through zero.
 
 use spinning_bodies::Result;
 use spinning_bodies::integrators::Event;
 
 use super::clock::{Clock, Timed, carried};
 
-/// A quantity that may fall through zero, asked in phase.
+/// A quantity that may fall through zero, as a function of phase.
 pub(super) struct Falling<'a, const N: usize> {
     pub event: &'a dyn Event<N>,
     pub clock: Clock,
@@ -26,10 +26,10 @@ impl<const N: usize> Falling<'_, N> {
 /// Step of the difference that tells whether a quantity rises from zero, in phase.
 const PROBE: f64 = 1e-8;
 
-/// Where the event's quantity is zero, between the two ends of a step of which the second is past it.
+/// The zero of the event's quantity between the two ends of a step, of which the second is past it.
 ///
-/// Secants, with the value at an end that stays twice halved (the Illinois rule), and halving whenever three trials have not made the
-/// enclosure eight times smaller: that also finds the way out of a start at zero, whose secant leads nowhere.
+/// By secants, with the value at an end that has stayed twice halved (the Illinois rule), and by bisection whenever three trials have not made the
+/// enclosure eight times smaller, which also copes with a start at zero, whose secant is of no use.
 pub(super) fn falling<const N: usize>(
     crossing: &Falling<'_, N>,
     before: (f64, [f64; N]),
@@ -41,7 +41,7 @@ pub(super) fn falling<const N: usize>(
         crossing.value(low.0, &low.1),
         crossing.value(high.0, &high.1),
     );
-    // The ordinates of the secant: the values, or a part of them.
+    // The ordinates of the secant: the values, or fractions of them.
     let (mut left, mut right, mut moved) = (above, below, None);
     let (mut width, mut trials) = (high.0 - low.0, 0);
     for _ in 0..MOST_TRIALS {

@@ -1,14 +1,14 @@
 //! Methods for any equations, those of the crate `differential-equations`: systems of N numbers, samples at given times, events.
 //!
-//! The library itself has order 8 and the methods for bodies; these judge it, and come to a scene with its request as
+//! The library itself has only order 8 and the methods for bodies; the general methods judge it, and are passed to a scene in its request as
 //! [`DifferentialEquations`].
 //!
-//! * this file: what is asked and what is answered;
+//! * this file: the interface to scenes;
 //! * `run`: the crate's loop with one of its methods, and the short steps to samples and events;
-//! * `clock`: the equations in times from 0 to 1;
-//! * `track`: what a run leaves behind;
-//! * `falling`: where between two steps a quantity falls through zero;
-//! * `scaled`: the same equations with every number near 1;
+//! * `clock`: the equations with time rescaled to 0 … 1;
+//! * `track`: the record of a run;
+//! * `falling`: the location of an event between two steps;
+//! * `scaled`: the equations scaled so that every number is near 1;
 //! * `body`: the motion of a body by such a method.
 
 mod body;
@@ -53,7 +53,7 @@ impl GeneralMethods for DifferentialEquations {
     }
 }
 
-/// The same for a number of numbers that the compiler knows.
+/// The same for a number of components known at compile time.
 fn sized<const N: usize>(
     method: Method,
     leg: &AnyLeg<'_>,

@@ -1,4 +1,4 @@
-//! The crate's loop with one of its methods, and the short steps to samples and events.
+//! The crate's integration loop with one of its methods, and the short steps to samples and events.
 
 use differential_equations::error::Error as Refusal;
 use differential_equations::interpolate::Interpolation;
@@ -19,7 +19,7 @@ use super::track::Track;
 /// Most steps of one run; more than a minute of computing.
 const MOST_STEPS: usize = 20_000_000;
 
-/// One of the crate's methods on some equations, and how hard it is asked to work.
+/// One of the crate's methods applied to some equations at some effort.
 #[derive(Clone, Copy)]
 pub struct Run<'a, const N: usize> {
     system: &'a dyn System<N>,
@@ -57,7 +57,7 @@ impl<'a, const N: usize> Run<'a, N> {
     ///
     /// # Errors
     /// [`Error::NotFinite`] for times and start; [`Error::NotPositive`] for the effort;
-    /// [`Error::Integration`] where the method gives up.
+    /// [`Error::Integration`] if the method gives up.
     pub fn solve(
         &self,
         start_time: f64,
@@ -92,14 +92,14 @@ impl<'a, const N: usize> Run<'a, N> {
     /// From `start` at `start_time` towards `end_time`, with states at `times` (ordered, all between the two), until the event's quantity
     /// falls through zero.
     ///
-    /// It is asked for at the end of every step, and at seven places within it. Where it has fallen, the moment is enclosed between states that
-    /// the method itself reaches, by secants kept within the enclosure and by halving, down to rounding: corners (the least of several
-    /// quantities) are no worse than smooth ones, and dense output has no part in it. Observed error: that of the run. Cost: one step of the
+    /// The quantity is evaluated at the end of every step and at seven places within it. Once it has fallen, the event is enclosed between states that
+    /// the method itself reaches, by secants kept within the enclosure and by bisection, down to rounding. Dense output is not used, and quantities with
+    /// corners (the least of several) are no worse than smooth ones. Observed error: that of the run. Cost: one step of the
     /// method for each of some ten trials.
     ///
-    /// What counts: a quantity that is zero at the start falls only after it has risen, and one that is negative at the start only after a
-    /// step has ended with it positive. What is missed: a quantity that falls and rises again within an eighth of a step, and one that touches zero
-    /// without going through; give such a one a quantity that changes its sign.
+    /// A quantity that is zero at the start can fall only after it has risen, and one that is negative at the start only after a
+    /// step has ended with it positive. Missed are a quantity that falls and rises again within an eighth of a step, and one that touches zero
+    /// without passing through; use one that changes sign instead.
     ///
     /// # Errors
     /// As for [`solve`](Self::solve).
@@ -151,7 +151,7 @@ impl<'a, const N: usize> Run<'a, N> {
                     let count = (length / step).ceil().max(1.0);
                     held(ImplicitRungeKutta::gauss_legendre_6(), length / count)
                 };
-                // Newton's method stops at one size for all components: they are made alike.
+                // Newton's method has one tolerance for all components, so they are scaled to similar magnitude.
                 let scaled = Scaled::new(self.system, event, self.scales);
                 let run = Run::new(&scaled, &[1.0; N], self.method, self.effort);
                 let start = scaled.to_units(start);
@@ -192,7 +192,7 @@ impl<'a, const N: usize> Run<'a, N> {
             system: self.system,
             clock,
         };
-        // The crate makes its first step ever smaller, twenty million times.
+        // With a rate that is not finite the crate would reduce its first step twenty million times.
         for rate in timed.system.rate(clock.start, start) {
             finite("a rate at the start", rate)?;
         }
@@ -219,7 +219,7 @@ impl<'a, const N: usize> Run<'a, N> {
         } else {
             (Stop::AtTheEnd, (1.0, carried(&timed, track.last, 1.0)))
         };
-        // Where the steps were the samples take their place: of millions there should not be two lists.
+        // The samples replace the steps in the list, because for millions there should not be two lists.
         let mut states = track.states;
         let passed = times.partition_point(|&time| clock.phase(time) <= end.0);
         states.resize(passed, track.last.1);
@@ -244,10 +244,10 @@ impl<'a, const N: usize> Run<'a, N> {
     }
 }
 
-/// Phases nearer than this are one step of Euler's method apart: the crate's loop ends within 2e-15 of its end.
+/// Phases nearer than this are bridged by one Euler step: the crate's loop ends within 2e-15 of its end.
 const NO_TIME: f64 = 1e-14;
 
-/// An implicit method with steps of one length: no error is too large, and no step may grow.
+/// An implicit method held to steps of one length: no error is too large, and no step may grow.
 fn held<E, F, const N: usize, const O: usize, const S: usize, const I: usize>(
     method: ImplicitRungeKutta<E, F, f64, [f64; N], O, S, I>,
     step: f64,
@@ -256,7 +256,7 @@ fn held<E, F, const N: usize, const O: usize, const S: usize, const I: usize>(
     method.atol(f64::MAX).newton_tol(NEWTON)
 }
 
-/// What may be left of the stage equations, in units of the scales: a few roundings.
+/// Residual allowed in the stage equations, in units of the scales: a few roundings.
 const NEWTON: f64 = 4.0 * f64::EPSILON;
 
 /// The first step: chosen by the method for the whole run, a single one for what is left of a step.
@@ -265,7 +265,7 @@ fn first_step(length: f64) -> f64 {
 }
 
 fn spent<const N: usize>(run: &Finished<f64, [f64; N]>) -> Cost {
-    // An implicit method differentiates by differences: one evaluation a component, and one between them.
+    // An implicit method differentiates by differences: one evaluation for each component, and one in common.
     let differences = run.evals.jacobian * (N + 1);
     Cost {
         evaluations: (run.evals.function + differences) as u64,

@@ -1,4 +1,4 @@
-//! The same equations with every component near 1.
+//! The equations scaled so that every component is near 1.
 
 use spinning_bodies::Result;
 use spinning_bodies::integrators::{Event, Passage, System};

@@ -1,4 +1,4 @@
-//! What a run leaves behind, in times from 0 to 1.
+//! The record of a run, in times from 0 to 1.
 
 use differential_equations::interpolate::Interpolation;
 use differential_equations::prelude::ControlFlag;
@@ -10,22 +10,22 @@ use spinning_bodies::Result;
 use super::clock::Timed;
 use super::falling::Falling;
 
-/// What a run leaves behind: for each sample the last step before it, and the last two steps. Ends the run when the event is past.
+/// The record of a run: for each sample the last step before it, and the last two steps. It ends the run when the event is past.
 pub(super) struct Track<'a, const N: usize> {
     timed: &'a Timed<'a, N>,
-    /// Those of the samples: they are looked at one by one, for there may be millions, and an event before the second of them.
+    /// The times of the samples. They are read one by one, because there may be millions and an event before the second of them.
     times: &'a [f64],
     crossing: Option<&'a Falling<'a, N>>,
-    /// Of the last steps before the samples: when, and the states.
+    /// Times and states of the last steps before the samples.
     pub phases: Vec<f64>,
     pub states: Vec<[f64; N]>,
     pub last: (f64, [f64; N]),
     pub before: (f64, [f64; N]),
-    /// The quantity has been positive.
+    /// Whether the quantity has been positive.
     pub armed: bool,
-    /// And is no longer.
+    /// Whether it has fallen since.
     pub fallen: bool,
-    /// What the system has said to a step.
+    /// The system's answer to the last step: an error ends the run.
     pub went_on: Result<()>,
 }
 
@@ -51,7 +51,7 @@ impl<'a, const N: usize> Track<'a, N> {
     }
 }
 
-/// Into so many parts a step is cut, to see whether something dips within it.
+/// Number of parts into which a step is cut, to see whether the quantity dips below zero within it.
 const PARTS: u32 = 8;
 
 impl<const N: usize> Solout<f64, [f64; N]> for Track<'_, N> {

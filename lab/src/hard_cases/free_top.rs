@@ -50,7 +50,7 @@ pub(super) const LONG_TIME: Family = Family {
     ours: exact,
 };
 
-/// Ω(t) by the displayed formulas, for a start with Ω₂ = 0, Ω₁, Ω₃ > 0 and L² > 2EI₂. Inputs: moments, L, t.
+/// Ω(t) by the formulas as printed, for a start with Ω₂ = 0, Ω₁, Ω₃ > 0 and L² > 2EI₂. Inputs: moments, L, t.
 fn printed(inputs: &[f64]) -> Result<Vec<f64>> {
     let [a, b, c, l1, _, l3, t] = numbers(inputs)?;
     let square = l1 * l1 + l3 * l3;

@@ -38,7 +38,7 @@ pub(super) const FAST_TOP: Family = Family {
         let [i1, weight, l3, tilt] = numbers(inputs)?;
         let height = tilt.cos();
         let square = l3 * l3 / (2.0 * i1 * weight);
-        // Of 1 − h² = l(h₀ − h) the root below h₀.
+        // The root below h₀ of 1 − h² = l(h₀ − h).
         let low = (square - (square * square - 4.0 * (square * height - 1.0)).sqrt()) / 2.0;
         Ok(vec![low.acos() - tilt])
     },

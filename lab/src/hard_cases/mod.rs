@@ -1,8 +1,8 @@
-//! Hard cases: what textbook formulas lose, and what is left when the cancellation is taken out by algebra.
+//! Hard cases: the digits that textbook formulas lose, and the accuracy reached once cancellation is removed by algebra.
 //!
-//! Twelve families of cases, each walking towards a place where a formula that is right on paper loses its digits in doubles: the separatrix, an axis,
-//! the sphere, a long time, a top almost upright. At each step both are computed from the same doubles and held against a
-//! committed table of 36 digits, made by two routes (`tests/reference/hard_cases.csv` and `.py`): the formula as the tutorial prints it, and the library's way.
+//! Twelve families of cases, each approaching a place where a formula that is right on paper loses its digits in doubles: the separatrix, an axis,
+//! the sphere, a long time, a top almost upright. At each step the formula as the tutorial prints it and the library's way are computed from the same doubles and compared
+//! with a committed table of 36 digits, made by two routes (`tests/reference/hard_cases.csv` and `.py`).
 //!
 //! | family | the textbook | the library |
 //! |---|---|---|
@@ -44,7 +44,7 @@ struct Step {
 /// A way of computing the results of a step from its inputs.
 pub type Formula = fn(&[f64]) -> Result<Vec<f64>>;
 
-/// Cases that come closer and closer to where a formula loses its digits.
+/// Cases that come closer and closer to a place where a formula loses its digits.
 #[derive(Debug, Clone, Copy)]
 pub struct Family {
     /// The name by which [`named`] finds it.
@@ -55,9 +55,9 @@ pub struct Family {
     pub quantity: &'static str,
     /// Where the textbook's digits go.
     pub lost: &'static str,
-    /// Where it happens in the formula as printed, in the language of KaTeX.
+    /// The part of the printed formula where it happens, in LaTeX for KaTeX.
     pub printed: &'static str,
-    /// What stands there in the library, likewise.
+    /// The expression that the library uses there, likewise.
     pub cure: &'static str,
     /// As printed, each operation rounded.
     pub textbook: Formula,
@@ -68,11 +68,11 @@ pub struct Family {
 /// Both ways at one step. An error is |found − true|/|true| of the vector of results.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Comparison {
-    /// How close to the hard place, 0 being there; what it measures is the family's: see the [list](families).
+    /// The distance from the hard place, which is 0; its meaning depends on the family: see the [list](families).
     pub nearness: f64,
-    /// The relative error of the textbook's formula; not a number where it has no answer.
+    /// The relative error of the textbook's formula; NaN where it has no answer.
     pub textbook: f64,
-    /// That of the library.
+    /// The relative error of the library.
     pub ours: f64,
 }
 
@@ -96,7 +96,7 @@ impl Family {
     /// Both ways at every step, the easiest first.
     ///
     /// # Errors
-    /// Those of the library's way, which has none on these cases; of the table of the truth, if a line of it were broken.
+    /// Those of the library, which has none on these cases, and those of the reference table, if a line of it were broken.
     pub fn comparisons(&self) -> Result<Vec<Comparison>> {
         let compared = |step: &Step| {
             Ok(Comparison {
@@ -109,7 +109,7 @@ impl Family {
         self.steps()?.iter().map(compared).collect()
     }
 
-    /// What goes into both ways at each step.
+    /// The inputs of both ways at each step.
     ///
     /// # Errors
     /// Those of the table.
@@ -119,14 +119,14 @@ impl Family {
 }
 
 impl Step {
-    /// |found − true|/|true|, the differences exact to 32 digits; not a number for another count of numbers.
+    /// |found − true|/|true|, with differences exact to 32 digits; NaN if the number of results differs.
     fn error(&self, found: &[f64]) -> f64 {
         if found.len() != self.results.len() {
             return f64::NAN;
         }
         let square = |x: f64| x * x;
         let pairs = || found.iter().zip(&self.results);
-        // Scaled: the numbers may be as small as their squares are nothing.
+        // Scaled, because the squares of very small numbers would underflow.
         let greatest = self.results.iter().fold(0.0_f64, |m, r| m.max(r[0].abs()));
         let off: f64 = pairs()
             .map(|(x, [high, low])| square(((x - high) - low) / greatest))

@@ -6,7 +6,7 @@
 use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::lagrange_top::{LagrangeTop, State};
-use support::{greatest, observed, refused, vector};
+use support::{greatest, near, observed, refused, vector};
 
 use support::double_double::Dd;
 use support::table::{Cells, angle, apart, lines};
@@ -74,13 +74,8 @@ fn height_and_its_complements_agree() -> Result<()> {
     for cells in lines(TABLE) {
         let state = state(&cells)?;
         let half = 0.5 * (state.one_more - state.one_less);
-        observed!(
-            (state.height - half).abs(),
-            0.0..=5e-16,
-            "{}",
-            cells.text(0)
-        );
-        observed!((state.one_more + state.one_less - 2.0).abs(), 3e-16..=1e-15);
+        near!(state.height, half, 0.0..=5e-16, "{}", cells.text(0));
+        near!(state.one_more + state.one_less, 2.0, 3e-16..=1e-15);
     }
     Ok(())
 }

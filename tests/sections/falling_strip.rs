@@ -56,7 +56,7 @@ fn s4_10_how_far_it_swings() {
     let path = fall.path(Start::TILTED, &times).unwrap();
     let angles = || path.iter().map(|state| state[2]);
     let half = 0.5 * (angles().fold(f64::MIN, f64::max) - angles().fold(f64::MAX, f64::min));
-    observed!((run.swing.unwrap() - half).abs(), 1e-9..=3e-8);
+    near!(run.swing.unwrap(), half, 1e-9..=3e-8);
     assert_eq!(long_run(1.4, Coefficients::PUBLISHED).swing, None);
 }
 
@@ -184,10 +184,10 @@ fn chaos_has_averages() {
         .map(|start| fall.long_run(start, 100.0, 2000.0).unwrap())
         .collect();
     let mean = runs.iter().map(|run| run.descent).sum::<f64>() / runs.len() as f64;
-    observed!((mean - 0.58).abs(), 5e-3..=0.015, "{mean}");
+    near!(mean, 0.58, 5e-3..=0.015, "{mean}");
     for run in &runs {
         assert_eq!((run.regime, run.period), (Regime::Mixed, None));
-        observed!((run.descent - mean).abs(), 0.02..=0.06, "{}", run.descent);
+        near!(run.descent, mean, 0.02..=0.06, "{}", run.descent);
         assert!(run.drift.abs() < 0.15, "{}", run.drift);
     }
 }

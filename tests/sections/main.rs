@@ -36,7 +36,7 @@ use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
 use spinning_bodies::inertia::{InertiaMatrix, MassProperties, PrincipalMoments, shapes};
 use spinning_bodies::integrators::{Effort, Kept, Leg, Method, order_eight};
 use spinning_bodies::rolling::Moment;
-use spinning_bodies::scene::{Choice, Request, Scene, Solver};
+use spinning_bodies::scene::{Choice, Geometric, Request, Scene, Solver};
 use spinning_bodies::{Error, Result};
 use std::f64::consts::{
     FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6, FRAC_PI_8, PI, SQRT_2, TAU,
@@ -49,10 +49,24 @@ use support::{
     vector, whole, within, wrapped,
 };
 
+/// These times, to this accuracy.
+fn asking(times: impl Into<Vec<f64>>, accuracy: f64) -> Request {
+    let request = Request::at(times).unwrap();
+    request.to_accuracy(accuracy).unwrap()
+}
+
+/// Order 8 of the library itself.
+const OURS: Solver = Solver::Geometric(Geometric::DormandPrince8);
+
+/// The same asked of this solver.
+fn using(request: &Request, solver: Solver) -> Request {
+    let request = request.clone().with_methods(&DifferentialEquations);
+    request.by(Choice::Use(solver))
+}
+
 /// The same asked of one of the general methods.
 fn by_general(request: Request, method: Method) -> Request {
-    let general = request.by(Choice::Use(Solver::General(method)));
-    general.with_methods(&DifferentialEquations)
+    using(&request, Solver::General(method))
 }
 
 /// A number as it is printed, with so many digits after the point.

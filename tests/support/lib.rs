@@ -45,17 +45,23 @@ macro_rules! observed {
     }};
 }
 
-/// Two numbers, or arrays of them, as close as this in proportion to their size; zero is close to zero alone.
+/// Two numbers, or arrays of them, as close as this in proportion to their size; zero is close to zero alone. Of two numbers a range, as in [`observed!`].
 #[macro_export]
 macro_rules! close {
+    ($found:expr, $exact:expr, $least:literal..=$most:literal $($told:tt)*) => {
+        $crate::observed!($crate::relative($found, $exact), $least..=$most $($told)*)
+    };
     ($found:expr, $exact:expr, $most:expr) => {
         approx::assert_relative_eq!($found, $exact, max_relative = $most, epsilon = 0.0)
     };
 }
 
-/// Two numbers, or arrays of them, no further apart than this.
+/// Two numbers, or arrays of them, no further apart than this. Of two numbers a range, as in [`observed!`].
 #[macro_export]
 macro_rules! near {
+    ($found:expr, $exact:expr, $least:literal..=$most:literal $($told:tt)*) => {
+        $crate::observed!(($found - $exact).abs(), $least..=$most $($told)*)
+    };
     ($found:expr, $exact:expr, $most:expr) => {
         approx::assert_relative_eq!($found, $exact, max_relative = 0.0, epsilon = $most)
     };

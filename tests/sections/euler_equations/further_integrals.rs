@@ -99,9 +99,9 @@ fn s5_3_the_integrals_along_the_motion() {
         let scale = of(&START).value.abs();
         let drift = (of(&s).value - of(&START).value).abs() / scale;
         observed!(drift, 7e-14..=1e-12, "{kind:?} {drift:e}");
-        observed!((top.energy(&s) - top.energy(&START)).abs(), 2e-14..=1e-12);
+        near!(top.energy(&s), top.energy(&START), 2e-14..=1e-12);
         let vertical = |s| top.vertical_angular_momentum(s);
-        observed!((vertical(&s) - vertical(&START)).abs(), 9e-14..=1e-12);
+        near!(vertical(&s), vertical(&START), 9e-14..=1e-12);
     }
     let next = 2.0_f64.next_up();
     for (moments, leaning) in [
@@ -152,7 +152,7 @@ fn s5_3_goryachev_and_chaplygin_on_one_level() {
     let h = 1e-3;
     let ahead = |k: f64| of(&top.step(&START, k * h)).value;
     let differenced = (8.0 * (ahead(1.0) - ahead(-1.0)) - (ahead(2.0) - ahead(-2.0))) / (12.0 * h);
-    observed!(relative(of(&START).rate, differenced), 9e-13..=3e-11);
+    close!(of(&START).rate, differenced, 9e-13..=3e-11);
 }
 
 // claim: C5.3-4

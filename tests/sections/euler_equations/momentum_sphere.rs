@@ -16,20 +16,18 @@ fn s5_1_the_flow_on_the_momentum_sphere() {
     let (c, s) = (Nature::Center, Nature::Saddle);
     assert_eq!(natures, [c, c, s, s, c, c]);
     // 6.7: (I₃−I₂)(I₂−I₁)/(I₂²I₁I₃) = 1/12 at the saddle, for |L| = 1.
-    let off = relative(equilibria(&body)[2].growth_squared, 1.0 / 12.0);
-    observed!(off, 0.0..=3e-16);
+    close!(equilibria(&body)[2].growth_squared, 1.0 / 12.0, 0.0..=3e-16);
     let round = equilibria(&moments([2.0; 3]));
     assert!(round.iter().all(|e| e.nature == Nature::Degenerate));
     // The separatrix is a great circle that the flow keeps, and it ends in the saddle.
     let sorted = PrincipalMoments::new(1.0, 2.0, 3.0).unwrap();
     let slope = separatrix_slope(&sorted);
-    observed!(relative(slope, 3.0_f64.sqrt()), 0.0..=3e-16);
+    close!(slope, 3.0_f64.sqrt(), 0.0..=3e-16);
     let start = vector([1.0, 0.0, slope]) / 2.0;
     let path = streamline(&body, start, 0.01, 4000).unwrap();
     for p in &path[..1500] {
         // Observed 2e-11: a disturbance of the first step's error grows by e^(t/√12).
-        let off = (p.z() - slope * p.x()).abs();
-        observed!(off, 2e-14..=6e-13);
+        near!(p.z(), slope * p.x(), 2e-14..=6e-13);
     }
     assert!(path[1500].y() > 0.999, "{:?}", path[1500]);
     // The fastest place, by search.
@@ -42,6 +40,6 @@ fn s5_1_the_flow_on_the_momentum_sphere() {
         }
     }
     let bound = fastest_flow(&sorted);
-    observed!(relative(bound, 1.0 / 3.0), 0.0..=3e-16);
+    close!(bound, 1.0 / 3.0, 0.0..=3e-16);
     assert!(fastest <= bound && fastest > 0.9999 * bound);
 }

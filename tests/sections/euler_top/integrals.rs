@@ -74,8 +74,7 @@ fn s6_6_the_way_to_the_separatrix() {
             let mc = (greatest - least).abs() * d / ((greatest - i2).abs() * over);
             let rate = ((greatest - i2).abs() * over / (i1 * i2 * i3)).sqrt();
             let quarter = Modulus::new(Parameter::from_complement(mc).unwrap()).quarter_period();
-            let off = (top.period() * rate / (4.0 * quarter) - 1.0).abs();
-            observed!(off, 0.0..=1e-15);
+            close!(top.period() * rate, 4.0 * quarter, 0.0..=1e-15);
         }
     }
 }

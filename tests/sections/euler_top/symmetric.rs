@@ -29,9 +29,8 @@ fn azimuth(omega: BodyVector) -> f64 {
 fn s6_5_symmetric_top() {
     let oblate = SymmetricTop::new(1.0, 1.5).unwrap();
     let later = oblate.omega_at(OMEGA0, 1.7);
-    let off = relative(later.x(), -0.435_319_272_469_644_85);
-    observed!(off, 0.0..=2.3e-16);
-    observed!(relative(later.y(), 0.245_961_645_417_530_73), 0.0..=4.5e-16);
+    close!(later.x(), -0.435_319_272_469_644_85, 0.0..=2.3e-16);
+    close!(later.y(), 0.245_961_645_417_530_73, 0.0..=4.5e-16);
     for (i3, shape) in [
         (1.5, Shape::Oblate),
         (1.0, Shape::Spherical),
@@ -74,7 +73,7 @@ fn s6_5_period_does_not_depend_on_the_tilt() {
     // With the length of Ω fixed instead, Ω₃ shrinks with the tilt and the period grows.
     let length = 2.0_f64;
     let tilted = top.wobble_period(length * 0.5_f64.cos());
-    observed!(relative(tilted, period / 0.5_f64.cos()), 0.0..=4.5e-16);
+    close!(tilted, period / 0.5_f64.cos(), 0.0..=4.5e-16);
     assert!(tilted > 1.1 * period);
 }
 
@@ -83,7 +82,7 @@ fn s6_5_period_does_not_depend_on_the_tilt() {
 fn s6_5_precession_seen_from_space() {
     let top = SymmetricTop::new(1.0, 1.5).unwrap();
     let rate = top.axis_rate_in_space(OMEGA0);
-    observed!(relative(rate, 3.041_381_265_149_11), 0.0..=2.3e-16);
+    close!(rate, 3.041_381_265_149_11, 0.0..=2.3e-16);
     let axis = vector([0.0, 0.0, 1.0]);
     // L at t = 0, when body and space axes coincide: also its components in space, for ever.
     let l = vector([0.3, 0.4, 3.0]);
@@ -101,7 +100,7 @@ fn s6_5_precession_seen_from_space() {
     // Nearly round, small tilt: the axis circles once while the body turns once.
     let round = SymmetricTop::new(1.0, 301.0 / 300.0).unwrap();
     let ratio = round.axis_rate_in_space(vector([1e-9, 0.0, 3.0])) / 3.0;
-    observed!(relative(ratio, 301.0 / 300.0), 0.0..=4.5e-16);
+    close!(ratio, 301.0 / 300.0, 0.0..=4.5e-16);
 }
 
 // claim: C6.5-4
@@ -109,15 +108,14 @@ fn s6_5_precession_seen_from_space() {
 fn s6_5_earth() {
     let tutorial = SymmetricTop::new(300.0, 301.0).unwrap();
     // One turn a day: the period in days.
-    let off = relative(tutorial.wobble_period(TAU), 300.0);
-    observed!(off, 0.0..=4.5e-16);
+    close!(tutorial.wobble_period(TAU), 300.0, 0.0..=4.5e-16);
     let sidereal = earth::rigid_period(earth::DYNAMICAL_ELLIPTICITY).unwrap();
     let solar = sidereal * earth::SIDEREAL_DAY;
-    observed!(relative(sidereal, 304.456), 0.0..=4.5e-16);
-    observed!(relative(solar, 303.624_703), 2e-11..=8e-10);
+    close!(sidereal, 304.456, 0.0..=4.5e-16);
+    close!(solar, 303.624_703, 2e-11..=8e-10);
     // A whole Earth that yields: too long by 13 days, ocean and core left out.
     let secular = earth::secular_love_number();
-    observed!((secular - 0.938).abs(), 1e-4..=1e-3, "{secular}");
+    near!(secular, 0.938, 1e-4..=1e-3, "{secular}");
     let elastic = earth::elastic_period(solar, 0.30, 0.94).unwrap();
     assert!((elastic - 445.95).abs() < 0.01, "{elastic}");
 }
@@ -136,8 +134,8 @@ fn s6_5_cones() {
     for i3 in [1.5, 0.5] {
         let top = SymmetricTop::new(1.0, i3).unwrap();
         let cones = top.cones(OMEGA0).unwrap();
-        observed!(relative(cones.body.tan(), 0.25), 0.0..=4.5e-16);
-        observed!(relative(cones.nutation.tan(), 0.25 / i3), 0.0..=4.5e-16);
+        close!(cones.body.tan(), 0.25, 0.0..=4.5e-16);
+        close!(cones.nutation.tan(), 0.25 / i3, 0.0..=4.5e-16);
         // Oblate: the body cone surrounds the space cone. Prolate: they touch from outside.
         near!(cones.space, (cones.body - cones.nutation).abs(), 1e-16);
         assert_eq!(cones.body > cones.nutation, i3 > 1.0);
@@ -145,7 +143,7 @@ fn s6_5_cones() {
             let t = 0.7 * f64::from(i);
             let omega = top.omega_at(OMEGA0, t);
             // A circle of radius √(Ω₁² + Ω₂²) in the body.
-            observed!(relative(omega.x().hypot(omega.y()), 0.5), 0.0..=4.5e-16);
+            close!(omega.x().hypot(omega.y()), 0.5, 0.0..=4.5e-16);
             // In space Ω stays at the angle of the space cone from L: by the integrated attitude.
             let (omega, attitude) = integrated(1.0, i3, OMEGA0, t, 10_000);
             let l = vector([0.3, 0.4, 2.0 * i3]).components();
@@ -156,7 +154,7 @@ fn s6_5_cones() {
     // A body one unit in the last place from round still has its space cone, in full accuracy.
     let top = SymmetricTop::new(1.0, 1.0f64.next_up()).unwrap();
     let space = top.cones(vector([1.0, 0.0, 1.0])).unwrap().space;
-    observed!(relative(space, f64::EPSILON / 2.0), 0.0..=1e-15);
+    close!(space, f64::EPSILON / 2.0, 0.0..=1e-15);
 }
 
 // claim: C6.5-1
@@ -168,8 +166,8 @@ fn s6_5_long_times() {
     for exponent in 0..13 {
         let t = 1.234_567 * 10f64.powi(exponent);
         let omega = top.omega_at(start, t);
-        observed!((omega.x() - t.cos()).abs(), 0.0..=3e-16, "t = {t}");
-        observed!((omega.y() - t.sin()).abs(), 0.0..=3e-16, "t = {t}");
+        near!(omega.x(), t.cos(), 0.0..=3e-16, "t = {t}");
+        near!(omega.y(), t.sin(), 0.0..=3e-16, "t = {t}");
     }
     // Where the rate is not a double: cos and sin of (1/3 of the double 0.7) · 1e12 by 60-digit arithmetic.
     let top = SymmetricTop::new(3.0, 4.0).unwrap();

@@ -146,9 +146,9 @@ fn s2_2_l_is_not_parallel_to_omega() -> Result<()> {
     // A body that is all but round: sin 2φ δ/2 at the angle φ from the axis, to all digits.
     let round = InertiaMatrix::diagonal(1.0, 1.0 + 8.0 * EPS, 1.0)?;
     let angle = round.angle_between_l_and_omega(vector([0.6, 0.8, 0.0]))?;
-    observed!(relative(angle, 0.48 * 8.0 * EPS), 0.0..=2e-15);
+    close!(angle, 0.48 * 8.0 * EPS, 0.0..=2e-15);
     // Nearly equal moments: the arccosine would give 0 or 1.5e-8 here; the angle is (I3−I1)/(I1+I3) to first order.
     let close = PrincipalMoments::new(1.0, 1.0, 1.0 + 8.0 * EPS)?.greatest_angle();
-    observed!(relative(close, 4.0 * EPS), 3e-16..=1e-14);
+    close!(close, 4.0 * EPS, 3e-16..=1e-14);
     Ok(())
 }

@@ -92,7 +92,7 @@ fn s2_6_two_axes_make_a_ball() -> Result<()> {
         defects.push((inertia.matrix() - mean).norm());
     }
     let rate = ((3.0 * u.cos().powi(2) - 1.0) / 2.0).powi(2);
-    observed!(relative(defects[3] / defects[2], rate), 3e-10..=1e-9);
+    close!(defects[3] / defects[2], rate, 3e-10..=1e-9);
     assert!(defects[39] <= 16.0 * EPS);
     Ok(())
 }

@@ -80,25 +80,23 @@ fn s7_4_the_dip_is_that_of_the_motion() {
         let (tilt, l3) = (0.01 + 3.1 * numbers.next(), 6.0 * numbers.signed());
         let found = dip(1.0, 1.0, l3, tilt).unwrap();
         let [h1, ..] = roots(&spun(tilt, 0.0, 0.0, l3));
-        observed!((found.lowest_height - h1).abs(), 0.0..=5e-16);
-        let off = (found.lowest_tilt - tilt - found.depth).abs();
-        observed!(off, 2e-16..=9e-16);
-        observed!((found.lowest_tilt.cos() - h1).abs(), 1e-16..=9e-16);
+        near!(found.lowest_height, h1, 0.0..=5e-16);
+        near!(found.lowest_tilt - tilt, found.depth, 2e-16..=9e-16);
+        near!(found.lowest_tilt.cos(), h1, 1e-16..=9e-16);
     }
     // A dip far below the rounding of the tilt: 2a with a = sin θ₀/L₃².
     for l3 in [1e9, 1e100] {
         let found = dip(1.0, 1.0, l3, 1.0).unwrap();
-        let off = (found.depth / (2.0 * found.cycloid.radius) - 1.0).abs();
-        observed!(off, 0.0..=3e-16);
-        let off = (found.cycloid.radius * l3 * l3 / 1_f64.sin() - 1.0).abs();
-        observed!(off, 0.0..=5e-16);
+        close!(found.depth, 2.0 * found.cycloid.radius, 0.0..=3e-16);
+        close!(found.cycloid.radius * l3 * l3, 1_f64.sin(), 0.0..=5e-16);
     }
     assert_eq!(dip(1.0, 1.0, 0.0, 1.0).unwrap().lowest_tilt, PI);
     // Without spin it falls through the bottom, from next to the top and from next to the bottom; π is 1.2e-16 more than its double.
     for tilt in [1e-10, 0.01, 2.0, PI - 1e-10] {
         let fallen = dip(1.0, 1.0, 0.0, tilt).unwrap().depth;
-        observed!(
-            relative(fallen, PI - tilt + 1.2246467991473532e-16),
+        close!(
+            fallen,
+            PI - tilt + 1.2246467991473532e-16,
             0.0..=4e-16,
             "{tilt}"
         );
@@ -115,7 +113,7 @@ fn s7_4_the_wheel_keeps_its_digits_at_the_cusp() {
         let off = (sunk / (0.5 * wheel.radius * square) - (1.0 - square / 12.0)).abs();
         observed!(off, 9e-16..=3e-14);
         let arc = turned * wheel.sine / wheel.radius / (u * square / 6.0);
-        observed!((arc - (1.0 - square / 20.0)).abs(), 4e-16..=2e-14);
+        near!(arc, 1.0 - square / 20.0, 4e-16..=2e-14);
     }
     // Both formulas agree where they meet.
     let below = wheel.at(1.0)[1];
@@ -145,7 +143,7 @@ fn s7_5_threshold_and_kick() {
     }
     // Weightless: L leans by atan(ε/l), and the axis goes round it on the other side.
     let free = tilt_after_kick(1.0, 0.0, 2.0, 1.0).unwrap();
-    observed!((free - 2.0 * 0.5_f64.atan()).abs(), 0.0..=3e-16);
+    near!(free, 2.0 * 0.5_f64.atan(), 0.0..=3e-16);
     assert_eq!(tilt_after_kick(1.0, 1.0, 1.0, 0.0).unwrap(), 0.0);
     assert_eq!(tilt_after_kick(1.0, 0.0, 0.0, 1.0).unwrap(), PI);
     assert!(tilt_after_kick(1.0, -1.0, 1.0, 1.0).is_err());

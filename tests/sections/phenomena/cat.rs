@@ -24,7 +24,7 @@ fn s1_1_the_cat_in_closed_form() -> Result<()> {
     let close = |value: f64, truth: f64| close!(value, truth, 6e-16);
     let stout = EqualHalves::new(1.0, 2.63)?;
     let bend = stout.half_turn_bend();
-    observed!((bend.to_degrees() - 74.29).abs(), 1e-3..=5e-3, "{bend}");
+    near!(bend.to_degrees(), 74.29, 1e-3..=5e-3, "{bend}");
     close(stout.turn_per_swing(bend)?, PI);
     // A small bend: π/2 (2I/J − 1) a², to the next order, without cancellation.
     let small = EqualHalves::new(1.0, 3.0)?.turn_per_swing(2e-9)?;
@@ -39,7 +39,7 @@ fn s1_1_the_curvature_of_the_cat_is_the_slope_of_its_turn() {
         let cat = EqualHalves::new(1.0, ratio).unwrap();
         for bend in [0.1, 1.0, 2.0, 3.0] {
             let sum = integral(|x| cat.curvature(x), 0.0, bend);
-            observed!(relative(sum, cat.turn_back(bend)), 0.0..=3e-15);
+            close!(sum, cat.turn_back(bend), 0.0..=3e-15);
             assert!(cat.curvature(bend) > 0.0);
         }
         // Kane and Scher's loop, by its length and by its area.
@@ -49,9 +49,9 @@ fn s1_1_the_curvature_of_the_cat_is_the_slope_of_its_turn() {
         };
         let along = turn_along(&cat, path).unwrap();
         let within = turn_within(&cat, path, Hub::Pole).unwrap();
-        observed!(relative(along, within), 0.0..=3e-15);
+        close!(along, within, 0.0..=3e-15);
         let uneven = cat.turn_of_uneven_swing(1.5, 0.7).unwrap();
-        observed!(relative(-along, uneven), 0.0..=1e-15);
+        close!(-along, uneven, 0.0..=1e-15);
     }
 }
 
@@ -65,7 +65,7 @@ fn turned_over(cat: Cat, forward: f64, back: f64, duration: f64) -> (f64, BodyVe
     };
     let cat = shape::Cat::new(cat, Attitude::identity());
     let scene = cat.with(turnover).unwrap();
-    let request = Request::at([duration]).unwrap().to_accuracy(1e-11).unwrap();
+    let request = asking([duration], 1e-11);
     let general = by_general(request.clone(), Method::Dop853);
     let [exact, followed] = [request, general].map(|r| scene.simulate(&r).unwrap().rows[0].1);
     // Closed form, and L = 0 solved and integrated without any symmetry. Observed: 9e-13 rad, 1e-11 asked.
@@ -86,7 +86,7 @@ fn s1_1_the_reconstructed_cat_turns_over() {
         for duration in [0.2, 3.0] {
             let (turn, axis) = turned_over(equal(4.0, to_joint), bend, bend, duration);
             // Observed: 9e-13.
-            observed!((turn - PI).abs(), 5e-16..=4e-12, "{turn}");
+            near!(turn, PI, 5e-16..=4e-12, "{turn}");
             // From straight to straight about the spine.
             observed!((axis.x().abs() - 1.0).abs(), 0.0..=1e-12, "{axis:?}");
         }
@@ -101,22 +101,22 @@ fn s1_1_the_reconstructed_cat_turns_over() {
     ] {
         let forward = f64::to_radians(forward);
         let found = closed.back_bend_for_half_turn(forward).unwrap().unwrap();
-        observed!((found.to_degrees() - back).abs(), 1e-3..=5e-3);
+        near!(found.to_degrees(), back, 1e-3..=5e-3);
         let (turn, _) = turned_over(equal(4.0, 0.12), forward, found, 0.5);
-        observed!((turn - PI).abs(), 0.0..=4e-12, "{turn}");
+        near!(turn, PI, 0.0..=4e-12, "{turn}");
     }
     for (forward, back, degrees) in [(90.0, 45.0, 161.0), (120.0, 30.0, 154.7)] {
         let [forward, back] = [forward, back].map(f64::to_radians);
         let (turn, _) = turned_over(equal(4.0, 0.12), forward, back, 0.5);
-        observed!((turn.to_degrees() - degrees).abs(), 7e-3..=0.05);
+        near!(turn.to_degrees(), degrees, 7e-3..=0.05);
         // The cat went past half a turn.
         let whole = closed.turn_of_uneven_swing(forward, back).unwrap();
-        observed!(relative(TAU - whole, turn), 0.0..=1e-12);
+        close!(TAU - whole, turn, 0.0..=1e-12);
     }
     // A cat like a needle bends by 2√(J/I) (1 + J/6I + …).
     let needle = EqualHalves::new(1e-12, 1.0).unwrap();
     let bend = 2e-6 * (1.0 + 1e-12 / 6.0);
-    observed!(relative(needle.half_turn_bend(), bend), 0.0..=5e-16);
+    close!(needle.half_turn_bend(), bend, 0.0..=5e-16);
     let reachable = closed.turn_of_uneven_swing(0.5, PI).unwrap() > PI;
     let bend = closed.back_bend_for_half_turn(0.5).unwrap();
     assert_eq!(bend.is_some(), reachable);
@@ -144,9 +144,9 @@ fn s1_1_a_bent_loop_turns_the_cat_about_its_mean_spine() {
     let run = order_eight(&system, Kept::Nothing, &start, &[1.0; 4], &[TAU], effort);
     let [w, x, y, z] = run.unwrap().states[0];
     let turn = 2.0 * x.hypot(y).hypot(z).atan2(w.abs());
-    observed!((turn.to_degrees() - 161.007).abs(), 8e-5..=1e-3);
+    near!(turn.to_degrees(), 161.007, 8e-5..=1e-3);
     let tilt = y.atan2(x).rem_euclid(PI);
-    observed!((tilt - 0.5 * forward).abs(), 3e-16..=4e-14, "{tilt} {z:e}");
+    near!(tilt, 0.5 * forward, 3e-16..=4e-14, "{tilt} {z:e}");
     observed!(z.abs(), 0.0..=1e-12, "{tilt} {z:e}");
 }
 

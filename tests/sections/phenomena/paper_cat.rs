@@ -10,7 +10,7 @@ fn s1_1_the_paper_cat_needs_air() -> Result<()> {
     let cat = PaperCat::POSTCARD;
     let g = Gravity::new(9.81)?;
     let air = Air::new(1.2)?;
-    observed!((cat.terminal_speed(1.2, 9.81) - 2.022).abs(), 8e-5..=5e-4);
+    near!(cat.terminal_speed(1.2, 9.81), 2.022, 8e-5..=5e-4);
     // The torque of the air points to upright from every tilt, and is zero at the two ends.
     for k in 1..180 {
         let tilt = f64::from(k).to_radians();
@@ -29,13 +29,12 @@ fn s1_1_the_paper_cat_needs_air() -> Result<()> {
         let scene = shape::PaperCat::new(cat, tilt)?.with(g)?;
         let airy = scene.with(air)?;
         let righted = airy.rights_itself(10.0)?.unwrap();
-        observed!((righted.fall - fall).abs(), 1e-7..=1e-6, "{degrees}");
+        near!(righted.fall, fall, 1e-7..=1e-6, "{degrees}");
         // In a vacuum it lands as it was let go.
         assert_eq!(scene.rights_itself(10.0)?, None);
         let motion = scene.simulate(&Request::at([0.5])?)?;
         assert_eq!(motion.rows[0].1.tilt, tilt);
-        let off = relative(motion.rows[0].1.fall, 0.5 * 9.81 * 0.25);
-        observed!(off, 0.0..=1e-15);
+        close!(motion.rows[0].1.fall, 0.5 * 9.81 * 0.25, 0.0..=1e-15);
     }
     // Upright is the only rest that lasts: it gets there and stays.
     let scene = shape::PaperCat::new(cat, 3.0)?.with(air)?.with(g)?;
@@ -45,8 +44,8 @@ fn s1_1_the_paper_cat_needs_air() -> Result<()> {
     let speed = cat.terminal_speed(1.2, 9.81);
     let x: f64 = 9.81 * 30.0 / speed;
     let [velocity, fall] = [speed * x.tanh(), speed * speed / 9.81 * x.cosh().ln()];
-    observed!(relative(motion.rows[0].1.velocity, velocity), 0.0..=1e-10);
-    observed!(relative(motion.rows[0].1.fall, fall), 0.0..=1e-10);
+    close!(motion.rows[0].1.velocity, velocity, 0.0..=1e-10);
+    close!(motion.rows[0].1.fall, fall, 0.0..=1e-10);
     Ok(())
 }
 
@@ -65,6 +64,6 @@ fn s1_1_upside_down_is_an_equilibrium_and_costs_a_logarithm() {
         let grown = fall(10f64.powi(-exponent - 1)) - fall(10f64.powi(-exponent));
         // The errors are small enough to be linear and the speed is terminal: the closed rate. Observed: 2e-5, 2e-7, 2e-9 and less, the
         // last by the rounding of π − error.
-        observed!(relative(grown, decade), 5e-6..=1e-3);
+        close!(grown, decade, 5e-6..=1e-3);
     }
 }

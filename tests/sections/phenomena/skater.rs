@@ -15,37 +15,36 @@ fn s1_1_the_skater_and_the_work_of_the_arms() {
         pace: Pace::Late,
     });
     let scene = scene.unwrap();
-    let request = Request::at([0.9, 1.2, 2.0]).unwrap();
-    let request = request.to_accuracy(1e-12).unwrap();
+    let request = asking([0.9, 1.2, 2.0], 1e-12);
     let exact = scene.simulate(&request).unwrap();
     let end = exact.rows[2].1;
-    observed!(relative(end.spin, 25.0 / 3.0), 0.0..=3e-16);
-    observed!(relative(end.work, 10.5), 0.0..=5e-16);
+    close!(end.spin, 25.0 / 3.0, 0.0..=3e-16);
+    close!(end.work, 10.5, 0.0..=5e-16);
     // Coriolis' force and the pull against the centrifugal force, integrated.
     let followed = scene.simulate(&by_general(request, Method::Dop853));
     let followed = followed.unwrap();
     for ((_, a), (_, b)) in exact.rows.iter().zip(&followed.rows) {
         // Observed: 2e-14.
-        observed!(relative(a.spin, b.spin), 0.0..=1e-12);
-        observed!(relative(a.work, b.work), 3e-15..=1e-12);
-        observed!(relative(b.work, b.energy - 27.0), 9e-15..=1e-12);
+        close!(a.spin, b.spin, 0.0..=1e-12);
+        close!(a.work, b.work, 3e-15..=1e-12);
+        close!(b.work, b.energy - 27.0, 9e-15..=1e-12);
     }
     // The arms alone: ∫ 2mΩ²r dr.
     let l = 9.0;
     let pull = |r: f64| -2.0 * 0.25 * body.spin(l, r).powi(2) * r;
     let work = integral(pull, 1.0, 0.4);
-    observed!(relative(work, 10.5), 0.0..=1e-14);
+    close!(work, 10.5, 0.0..=1e-14);
 
     // A grown skater: 3.5 to 1 kg m², from two turns a second.
     let body = Skater::new(0.8, 2.5).unwrap();
     let [out, close] = [3.5, 1.0].map(|moment| body.reach(moment).unwrap());
     let l = 3.5 * 2.0 * TAU;
-    observed!(relative(body.spin(l, close) / TAU, 7.0), 0.0..=5e-16);
+    close!(body.spin(l, close) / TAU, 7.0, 0.0..=5e-16);
     let before = body.energy(body.spin(l, out), out, 0.0);
     let after = body.energy(body.spin(l, close), close, 0.0);
-    observed!((before - 276.3).abs(), 1e-2..=0.05, "{before} {after}");
-    observed!((after - 967.2).abs(), 7e-3..=0.05, "{before} {after}");
+    near!(before, 276.3, 1e-2..=0.05, "{before} {after}");
+    near!(after, 967.2, 7e-3..=0.05, "{before} {after}");
     let off = relative(after - before, body.work(l, out, close).unwrap());
     observed!(off, 0.0..=1e-15);
-    observed!(relative(after / before, 3.5), 0.0..=1e-15);
+    close!(after / before, 3.5, 0.0..=1e-15);
 }

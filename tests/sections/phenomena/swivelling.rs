@@ -35,12 +35,12 @@ fn s1_1_the_swivel_turns_further_than_it_turns_back() {
         (body.phases(FRAC_PI_2).unwrap()[1], FRAC_PI_4),
     ];
     for (value, truth) in exact {
-        observed!(relative(value, truth), 0.0..=4e-16);
+        close!(value, truth, 0.0..=4e-16);
     }
     let turn = DEFAULT.swivel_angle(FRAC_PI_2).unwrap().to_degrees();
     observed!((turn + 20.769).abs(), 7e-5..=5e-4, "{turn}");
     // Exactly −90 · 0.6 · 1.3 / (2.6 · 1.3) = −270/13 degrees.
-    observed!(relative(turn, -270.0 / 13.0), 0.0..=5e-16);
+    close!(turn, -270.0 / 13.0, 0.0..=5e-16);
     // A/(A + B) grows with A.
     let plane = Swivel { lower: 0.6 };
     let shares = (1..100).map(|k| plane.turn_back(0.1 * f64::from(k)));
@@ -79,11 +79,10 @@ fn s1_1_the_sense_of_the_swivel() -> Result<()> {
 fn s1_1_the_best_lower_moment() {
     let body = waist(3.0, 1.0, 1.0);
     let best = body.best_lower().unwrap();
-    observed!(relative(best, 3.0_f64.sqrt()), 0.0..=3e-16);
+    close!(best, 3.0_f64.sqrt(), 0.0..=3e-16);
     let turn = |lower: f64| Waist { lower, ..body }.swivel_angle(FRAC_PI_2).unwrap();
-    let off = relative(turn(best), -FRAC_PI_2 * (2.0 - 3.0_f64.sqrt()));
-    observed!(off, 0.0..=5e-16);
-    observed!(relative(turn(best), -0.420_893_607_238_466_46), 0.0..=3e-16);
+    close!(turn(best), -FRAC_PI_2 * (2.0 - 3.0_f64.sqrt()), 0.0..=5e-16);
+    close!(turn(best), -0.420_893_607_238_466_46, 0.0..=3e-16);
     for k in -40..=40 {
         let other = best * 1.1_f64.powi(k);
         assert!(k == 0 || turn(other) > turn(best));
@@ -111,7 +110,7 @@ fn s1_1_the_turn_is_an_area_and_the_pace_does_not_matter() -> Result<()> {
     let aside = turn_within(&plane, ellipse, Hub::Point([1.4, 0.3]))?;
     // Observed: 1.5e-16, 3e-16, 6e-16.
     for value in [along, within, aside] {
-        observed!(relative(value, truth), 0.0..=2e-15);
+        close!(value, truth, 0.0..=2e-15);
     }
     // Two other ways of going round it in time.
     let late = |s: f64| {
@@ -122,7 +121,7 @@ fn s1_1_the_turn_is_an_area_and_the_pace_does_not_matter() -> Result<()> {
             ..step
         }
     };
-    observed!(relative(turn_along(&plane, late)?, truth), 0.0..=2e-15);
+    close!(turn_along(&plane, late)?, truth, 0.0..=2e-15);
     for duration in [0.3, 60.0] {
         for pace in [Pace::Even, Pace::Late] {
             let scene = shape::Swivel::new(0.6, 2.0)?.with(phases(duration, pace))?;
@@ -139,7 +138,7 @@ fn s1_1_the_turn_is_an_area_and_the_pace_does_not_matter() -> Result<()> {
             ..step
         }
     };
-    observed!(relative(turn_along(&plane, back)?, -truth), 0.0..=2e-15);
+    close!(turn_along(&plane, back)?, -truth, 0.0..=2e-15);
     let line = |s: f64| Step {
         shape: [2.0 + s.sin(), s.sin()],
         rate: [s.cos(), s.cos()],
@@ -152,7 +151,7 @@ fn s1_1_the_turn_is_an_area_and_the_pace_does_not_matter() -> Result<()> {
             rate: [-0.5 * waves * (waves * s).sin(), 1.0],
         };
         let truth = -TAU * (1.0 - 1.0 / 8.75_f64.sqrt());
-        observed!(relative(turn_along(&plane, rim)?, truth), 0.0..=2e-15);
+        close!(turn_along(&plane, rim)?, truth, 0.0..=2e-15);
     }
     Ok(())
 }
@@ -176,7 +175,7 @@ fn s1_1_picture_b_the_four_frames() {
     ];
     for ((_, state), [lower, upper]) in motion.rows.iter().zip(expected) {
         // Observed: 4e-16.
-        observed!((state.lower - lower).abs(), 0.0..=2e-15, "{state:?}");
-        observed!((state.upper - upper).abs(), 0.0..=2e-15, "{state:?}");
+        near!(state.lower, lower, 0.0..=2e-15, "{state:?}");
+        near!(state.upper, upper, 0.0..=2e-15, "{state:?}");
     }
 }

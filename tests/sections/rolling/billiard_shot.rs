@@ -60,16 +60,15 @@ fn s4_3_impulse_of_a_finite_pulse() {
         }
         // 5/2 (H−R)/R V' with V' = 2 m/s, up to the friction impulse, which is μMg times the duration.
         let shot = ball().strike(height, 2.0).unwrap();
-        observed!(relative(shot.rim_speed, 2.5 * 0.2 * 2.0), 0.0..=1e-15);
+        close!(shot.rim_speed, 2.5 * 0.2 * 2.0, 0.0..=1e-15);
         let bound = FRICTION * GRAVITY * duration;
-        let off = relative(state.friction_impulse.abs() / MASS, bound);
-        observed!(off, 1e-15..=1e-12);
+        close!(state.friction_impulse.abs() / MASS, bound, 1e-15..=1e-12);
         errors.push((RADIUS * state.omega - shot.rim_speed).abs());
         assert!((state.velocity - shot.velocity).abs() <= bound * (1.0 + 1e-9));
     }
     // Ten times shorter, ten times nearer to the tutorial's impulse equations.
     for pair in errors.windows(2) {
-        observed!(relative(pair[0] / pair[1], 10.0), 7e-13..=8e-11);
+        close!(pair[0] / pair[1], 10.0, 7e-13..=8e-11);
     }
 }
 
@@ -78,8 +77,7 @@ fn s4_3_impulse_of_a_finite_pulse() {
 fn s4_3_speed_of_the_contact_point() {
     for (height, slip) in HEIGHTS.into_iter().zip([2.25, 1.0, 0.5, 0.0, -1.0]) {
         // Observed: at most one unit in the last place.
-        let off = relative(ball().cue_slip(height).unwrap(), slip);
-        observed!(off, 0.0..=4.5e-16);
+        close!(ball().cue_slip(height).unwrap(), slip, 0.0..=4.5e-16);
         let printed = (7.0 - 5.0 * height) / 2.0;
         near!(printed, slip, 4.5e-16);
         // The same from the two speeds themselves.
@@ -124,12 +122,12 @@ fn s4_3_general_inertia() {
     for (kappa, expected) in [(0.4, 1.4), (2.0 / 3.0, 5.0 / 3.0), (0.5, 1.5), (1.0, 2.0)] {
         let body = RoundBody::new(MASS, RADIUS, kappa).unwrap();
         let height = body.pure_rolling_height();
-        observed!(relative(height, expected), 0.0..=2.3e-16);
+        close!(height, expected, 0.0..=2.3e-16);
         assert_eq!(body.cue_slip(height), Ok(0.0));
         // By forces: a short pulse at that height and no friction leaves the contact point at rest.
         let (impulse, arm) = (MASS * 2.0, (height - 1.0) * RADIUS);
         let rim_speed = RADIUS * impulse * arm / (kappa * MASS * RADIUS * RADIUS);
-        observed!(relative(rim_speed, impulse / MASS), 0.0..=1e-15);
+        close!(rim_speed, impulse / MASS, 0.0..=1e-15);
     }
     // The hoop has to be struck at its very top, and nothing with κ ≤ 1 higher.
     let hoop = RoundBody::new(1.0, 1.0, 1.0).unwrap();
@@ -150,7 +148,7 @@ fn s4_3_eventual_rolling_speed() {
             let shot = body.strike(height, 2.0).unwrap();
             let slide = shot.slide(FRICTION, GRAVITY).unwrap();
             let expected = body.eventual_speed(height).unwrap() * 2.0;
-            observed!(relative(slide.speed, expected), 0.0..=1e-15);
+            close!(slide.speed, expected, 0.0..=1e-15);
         }
     }
 }
@@ -164,11 +162,11 @@ fn s4_3_where_and_when_rolling_sets_in() -> Result<()> {
     let slide = RoundBody::new(1.0, 1.0, 0.4)?.slide_to_roll(v, w, FRICTION, GRAVITY)?;
     let off = relative(slide.time, 2.0 * 7.5 / (7.0 * FRICTION * GRAVITY));
     observed!(off, 0.0..=4.5e-16);
-    observed!(relative(1.4 * slide.speed, v + 0.4 * w), 0.0..=4e-15);
+    close!(1.4 * slide.speed, v + 0.4 * w, 0.0..=4e-15);
     assert!(slide.speed < 0.0, "enough backspin turns the ball round");
     let energy = |v: f64, w: f64| 0.5 * (v * v + 0.4 * w * w);
     let lost = energy(v, w) - energy(slide.speed, slide.speed);
-    observed!(relative(slide.heat, lost), 0.0..=4.5e-16);
+    close!(slide.heat, lost, 0.0..=4.5e-16);
     Ok(())
 }
 
@@ -178,13 +176,12 @@ fn s4_3_near_pure_rolling_nothing_cancels() {
     let height = ball().pure_rolling_height() - 2f64.powi(-40);
     let shot = ball().strike(height, 1.0 / 3.0).unwrap();
     let exact = 2f64.powi(-40) / 0.4 / 3.0;
-    observed!(relative(shot.slip, exact), 0.0..=2.3e-16);
+    close!(shot.slip, exact, 0.0..=2.3e-16);
     // The difference of the two speeds has lost a dozen digits; it is what `slide` must not use.
     let naive = shot.velocity - shot.rim_speed;
     assert!(relative(naive, exact) > 1e-6, "{naive:e} {exact:e}");
     let time = shot.slide(FRICTION, GRAVITY).unwrap().time;
-    let off = relative(time, 2.0 / 7.0 * exact / (FRICTION * GRAVITY));
-    observed!(off, 0.0..=1e-15);
+    close!(time, 2.0 / 7.0 * exact / (FRICTION * GRAVITY), 0.0..=1e-15);
 }
 
 /// V = RΩ to the last place of the product, not to the last of the numbers; the times by exact fractions of the doubles given.
@@ -200,7 +197,7 @@ fn s4_3_next_to_rolling_the_spin_says_how_near() -> Result<()> {
     for (v, radius, omega, time) in known {
         let ball = RoundBody::new(MASS, radius, 0.4)?;
         let slide = ball.slide_of_spin(v, omega, FRICTION, GRAVITY)?;
-        observed!(relative(slide.time, time), 0.0..=7e-16);
+        close!(slide.time, time, 0.0..=7e-16);
         let rounded = ball.slide_to_roll(v, radius * omega, FRICTION, GRAVITY)?;
         assert_eq!(rounded.time, 0.0);
     }

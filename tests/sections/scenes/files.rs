@@ -1,6 +1,7 @@
 //! Scene files: what is wrong is told at once, each mistake with its line and key.
 
 use spinning_bodies::scene::files::{keys, kinds, numbers, parse, set};
+use support::near;
 
 const RACKET: &str = "[body]\nmoments = [1.0, 2.0, 3.0]\n[initial]\nomega = [0.01, 1.0, 0.01]\n[run]\ntimes = [0.0, 5.0]\n";
 
@@ -9,6 +10,13 @@ pub(super) fn mistakes(text: &str) -> Vec<String> {
         Ok(_) => Vec::new(),
         Err(mistakes) => mistakes.to_string().lines().map(str::to_owned).collect(),
     }
+}
+
+/// The only mistake.
+pub(super) fn one_mistake(text: &str) -> String {
+    let told = mistakes(text);
+    assert_eq!(told.len(), 1, "{told:?}\n{text}");
+    told[0].clone()
 }
 
 /// The numbers of these names at the last of the times.
@@ -24,14 +32,11 @@ fn every_mistake_is_told_at_once_each_in_its_line() {
     let text = "titel = \"x\"\n[body]\nmomnts = [1, 2, 3]\nmass = \"heavy\"\n[initial]\nomega = [0, 1]\nattitude = [1, 1, 0, 0]\n\
                 [effects]\ngravity = nan\n[run]\nuntil = 1\nsamples = 1.5\nsolver = \"dop835\"\n";
     let told = mistakes(text);
+    let heavy = "must be a mass in kg, positive, got the string \"heavy\"";
     let expected = [
         (1, "titel", "did you mean `title`?"),
         (3, "momnts", "did you mean `moments`?"),
-        (
-            4,
-            "mass",
-            "must be a mass in kg, positive, got the string \"heavy\"",
-        ),
+        (4, "mass", heavy),
         (6, "omega", "a list of 3 numbers, got 2"),
         (7, "attitude", "got one of length 1.414"),
         (9, "gravity", "finite, got NaN"),
@@ -40,31 +45,22 @@ fn every_mistake_is_told_at_once_each_in_its_line() {
     ];
     assert_eq!(told.len(), expected.len(), "{told:#?}");
     for ((line, key, words), told) in expected.into_iter().zip(&told) {
-        assert!(
-            told.starts_with(&format!("mine.toml:{line}: key `{key}`")),
-            "{told}"
-        );
-        assert!(told.contains(words), "{told}");
+        let place = format!("mine.toml:{line}: key `{key}`");
+        assert!(told.starts_with(&place) && told.contains(words), "{told}");
     }
+    let columns = "columns = [\"l\", \"lx\", \"l\"]";
     for (more, told) in [
-        ("times = [1]", "key `times` stands twice"),
-        ("[body]", "key `body` stands twice"),
-        (
-            "columns = [\"l\", \"lx\", \"l\"]",
-            "key `columns` in [run] is asked for column `l` twice",
-        ),
+        ("times = [1]", "`times` stands twice"),
+        ("[body]", "`body` stands twice"),
+        (columns, "`columns` in [run] is asked for column `l` twice"),
     ] {
-        assert_eq!(
-            mistakes(&format!("{RACKET}{more}")),
-            [format!("mine.toml:7: {told}")]
-        );
+        let told = format!("mine.toml:7: key {told}");
+        assert_eq!(one_mistake(&format!("{RACKET}{more}")), told);
     }
     // Each of them in the member of the list that is wrong.
     let told = mistakes(&RACKET.replace("[0.01, 1.0, 0.01]", "[\n\"a\",\n1.0,\ninf]"));
-    assert!(
-        told[0].starts_with("mine.toml:5: ") && told[1].starts_with("mine.toml:7: "),
-        "{told:?}"
-    );
+    assert!(told[0].starts_with("mine.toml:5: "), "{told:?}");
+    assert!(told[1].starts_with("mine.toml:7: "), "{told:?}");
 }
 
 /// What is wrong, and the key that is to blame, with the line.
@@ -79,71 +75,55 @@ fn the_key_that_is_to_blame_is_named_first() {
         (roller, "gravity = 9", "gravity = 0", 9, "gravity"),
         (roller, "n = 0.3", "n = 0.1", 11, "static_friction"),
         (roller, "friction = 0.2\n", "", 10, "static_friction"),
-        (
-            roller,
-            "radius = 1",
-            "radius = 1\nshape = \"bal\"",
-            5,
-            "shape",
-        ),
+        (roller, "us = 1", "us = 1\nshape = 'bal'", 5, "shape"),
         (RACKET, "2.0, 3.0]", "2.0, 4.0]", 2, "moments"),
     ] {
         let changed = text.replacen(right, wrong, 1);
         assert_ne!(changed, text, "{right}");
-        let told = mistakes(&changed);
+        let told = one_mistake(&changed);
         let place = format!("mine.toml:{line}: key `{key}`");
-        assert!(told.len() == 1 && told[0].starts_with(&place), "{told:?}");
+        assert!(told.starts_with(&place), "{told}");
     }
 }
 
-/// Nothing that somebody may type brings the reader down, and what it tells is one line each.
 /// A slip of the pen is one mistake, not a strange key and a missing one.
 #[test]
 fn what_is_wrong_is_told_once() {
     let roller = "kind = \"roller\"\n[body]\nmass = 1\nradus = 0.1\n[effects]\ngravity = 9.81\n[run]\nuntil = 1\n";
     let table_top = "kind = \"table-top\"\n[body]\nmass = 1\nshape = \"ball\"\nradius = 0.1\n\
                      [initial]\ntilt = 0.1\nomega = [1, 2, 3]\n[run]\nuntil = 1\n";
+    let angles = "goes with `attitude`, not with `tilt`";
+    let (timeless, blind) = (
+        RACKET.replace("[0.0, 5.0]", "[]"),
+        format!("{RACKET}columns = []\n"),
+    );
     for (text, line, words) in [
-        (roller.to_owned(), 4, "did you mean `radius`?"),
-        (
-            table_top.to_owned(),
-            8,
-            "goes with `attitude`, not with `tilt`",
-        ),
-        (RACKET.replace("[0.0, 5.0]", "[]"), 6, "1 to "),
-        (
-            format!("{RACKET}columns = []\n"),
-            7,
-            "must name one number at least",
-        ),
+        (roller, 4, "did you mean `radius`?"),
+        (table_top, 8, angles),
+        (&timeless, 6, "1 to "),
+        (&blind, 7, "must name one number at least"),
     ] {
-        let told = mistakes(&text);
-        let expected = format!("mine.toml:{line}: ");
-        assert!(
-            told.len() == 1 && told[0].starts_with(&expected) && told[0].contains(words),
-            "{told:?}"
-        );
+        let told = one_mistake(text);
+        let place = format!("mine.toml:{line}: ");
+        assert!(told.starts_with(&place) && told.contains(words), "{told}");
     }
 }
 
 #[test]
 fn the_last_of_the_times_is_the_one_asked_for() {
     for (until, samples) in [(52.0, 521), (1e308, 101), (-1e308, 11), (0.1, 2)] {
-        let text = RACKET.replace(
-            "times = [0.0, 5.0]",
-            &format!("until = {until:e}\nsamples = {samples}"),
-        );
+        let run = format!("until = {until:e}\nsamples = {samples}");
+        let text = RACKET.replace("times = [0.0, 5.0]", &run);
         let (_, request) = parse("mine.toml", &text).unwrap();
         let times = request.times();
-        assert_eq!(
-            (times.len(), times[0], times[samples - 1]),
-            (samples, 0.0, until)
-        );
+        assert_eq!(times.len(), samples);
+        assert_eq!([times[0], times[samples - 1]], [0.0, until]);
         let step = until / (samples - 1) as f64;
         assert!((times[1] / step - 1.0).abs() < 1e-15);
     }
 }
 
+/// Nothing that somebody may type brings the reader down, and what it tells is one line each.
 #[test]
 fn strange_texts_are_refused_and_nothing_panics() {
     let values = r#"nan|-inf|1e999|99999999999999999999|0x7f|-0.0|true|""|''|[]|[[]]|[1, "a"]|{}|{ a = 1 }|1979-05-27|[nan, 0, 0]|[{}]|"\u0000\n"|5e-324"#;
@@ -161,10 +141,8 @@ fn strange_texts_are_refused_and_nothing_panics() {
                     format!("kind = \"{kind}\"\n{path} = {value}"),
                 ] {
                     for line in mistakes(&text) {
-                        assert!(
-                            line.starts_with("mine.toml") && line.lines().count() == 1,
-                            "{line}"
-                        );
+                        let one = line.lines().count() == 1;
+                        assert!(one && line.starts_with("mine.toml"), "{line}");
                     }
                 }
             }
@@ -172,28 +150,15 @@ fn strange_texts_are_refused_and_nothing_panics() {
         // Every key alone, and every key a table.
         for row in keys(kind).unwrap() {
             for value in values() {
-                let text = format!(
-                    "kind = \"{kind}\"\n[{}]\n{} = {value}\n[run]\nuntil = 1",
-                    row.section, row.key
-                );
+                let key = format!("[{}]\n{} = {value}", row.section, row.key);
+                let text = format!("kind = \"{kind}\"\n{key}\n[run]\nuntil = 1");
                 assert!(mistakes(&text).iter().all(|line| line.lines().count() == 1));
             }
         }
     }
-    for text in [
-        "",
-        "\u{feff}",
-        "=",
-        "[",
-        "[body",
-        "a = 1\na = 2",
-        "[body]\n[body]",
-        "\0",
-        "body = 1",
-        "kind = 7",
-    ] {
-        let told = mistakes(text);
-        assert!(!told.is_empty(), "{text:?}");
+    let none = "|\u{feff}|=|[|[body|a = 1\na = 2|[body]\n[body]|\0|body = 1|kind = 7";
+    for text in none.split('|') {
+        assert!(!mistakes(text).is_empty(), "{text:?}");
     }
     for text in [
         RACKET.replace('\n', "\r\n"),
@@ -218,37 +183,26 @@ fn what_nothing_moves_stays() {
     let skater = "kind = \"skater\"\n[body]\ncore = 1\nhand = 1\n[initial]\nreach = 0.5\nspin = 0\n[effects]\nbearing_friction = 0.1\n";
     let swivel =
         "kind = \"swivel\"\n[body]\nlower = 1\nupper = 2\n[effects]\nbearing_friction = 0.1\n";
-    let still = [
-        "pivot_friction",
-        "bearing_friction",
-        "air_drag",
-        "tip_friction",
-    ]
-    .map(top);
-    for text in still.iter().map(String::as_str).chain([skater, swivel]) {
+    let effects = "pivot_friction bearing_friction air_drag tip_friction";
+    let still = effects.split(' ').map(top);
+    for text in still.chain([skater, swivel].map(str::to_owned)) {
         let run = format!("{text}[run]\ntimes = [0, 1, 5]\n");
         let (scene, request) = parse("mine.toml", &run).unwrap();
-        let table = scene
-            .simulate(&request)
-            .unwrap_or_else(|told| panic!("{told}\n{text}"));
+        let table = scene.simulate(&request).expect(&text);
         let rows: Vec<_> = table.rows().map(|(_, row)| row).collect();
         assert!(rows[1] == rows[0] && rows[2] == rows[0], "{rows:?}\n{text}");
     }
     // The hands have what they are moved with, and give it back.
     let draw = "[effects.draw]\nto = 0.1\nduration = 1\n[run]\ntimes = [0.5, 2]\n";
     let (scene, request) = parse("mine.toml", &format!("{skater}{draw}")).unwrap();
-    let numbers = scene.simulate(&request).unwrap();
-    let numbers = numbers
-        .numbers(["angle", "spin", "work", "energy"])
-        .unwrap();
+    let table = scene.simulate(&request).unwrap();
+    let numbers = table.numbers(["angle", "spin", "work", "energy"]).unwrap();
     // Halfway each of 1 kg goes at 1.875 times 0.4 m/s.
-    let energy = (0.4_f64 * 1.875).powi(2);
-    for (row, energy) in numbers.iter().zip([energy, 0.0]) {
-        assert_eq!(row[..2], [0.0, 0.0]);
-        assert!(
-            (row[2] - energy).abs() < 1e-10 && (row[3] - energy).abs() < 1e-15,
-            "{row:?}"
-        );
+    let moving = (0.4_f64 * 1.875).powi(2);
+    for ([angle, spin, work, energy], expected) in numbers.into_iter().zip([moving, 0.0]) {
+        assert_eq!([angle, spin], [0.0; 2]);
+        near!(work, expected, 1e-10);
+        near!(energy, expected, 1e-15);
     }
 }
 
@@ -259,13 +213,9 @@ fn numbers_of_a_file_are_found_and_set() {
     assert!(numbers(&text).contains(&"body.moments.2".to_owned()));
     let heavier = set(&text, "body.moments.2", 2.5).unwrap();
     assert_eq!(heavier, text.replace("2.0, 3.0]", "2.0, 2.5]"));
-    assert_eq!(
-        set(&text, "run.samples", 4.0).unwrap(),
-        text.replace("= 3 #", "= 4 #")
-    );
-    assert_eq!(
-        set(&text, "run.samples", 4.5).unwrap(),
-        text.replace("= 3 #", "= 4.5 #")
-    );
+    for (samples, written) in [(4.0, "= 4 #"), (4.5, "= 4.5 #")] {
+        let other = set(&text, "run.samples", samples).unwrap();
+        assert_eq!(other, text.replace("= 3 #", written));
+    }
     assert_eq!(set(&text, "run", 1.0), None);
 }

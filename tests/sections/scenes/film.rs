@@ -1,6 +1,7 @@
 //! What a scene looks like is what its numbers tell: inertia, places, turns and floors, from the solids that are drawn.
 
-use nalgebra::{Isometry3, Matrix3, UnitQuaternion, Vector3};
+use super::*;
+use nalgebra::{Isometry3, UnitQuaternion};
 use spinning_bodies::scene::files::parse;
 use spinning_bodies::scene::{Around, Sight, Solid, Table};
 use std::fs;
@@ -90,85 +91,58 @@ fn lowest_of_all(sight: &Sight) -> f64 {
     solids.fold(f64::INFINITY, f64::min)
 }
 
+/// From a little before to a little after, s.
+const MOMENT: f64 = 2e-4;
+
+/// A scene of the book a little before a time, then, and a little after.
+fn around(name: &str, t: f64) -> [Sight; 3] {
+    let times = [t - 0.5 * MOMENT, t, t + 0.5 * MOMENT];
+    let (_, sights) = seen(name, &file_of_the_book(name), &times);
+    sights.try_into().unwrap()
+}
+
 /// Ω by the way in which a solid stands a little before and a little after.
-fn turning(sights: &[Sight; 3], solid: usize, apart: f64) -> Vector3<f64> {
-    let [before, _, after] = sights;
+fn turning([before, _, after]: &[Sight; 3], solid: usize) -> Vector3<f64> {
     let turn = |sight: &Sight| sight.solids[solid].1.rotation;
-    (turn(after) * turn(before).inverse()).scaled_axis() / apart
+    (turn(after) * turn(before).inverse()).scaled_axis() / MOMENT
 }
 
 #[test]
 fn a_body_is_drawn_with_the_inertia_that_it_has() {
-    let pivoted = "pivot = [0.1, -0.2, 0.05]";
-    let bodies = [
-        ("shape = \"ball\"\nradius = 0.3", pivoted, 4e-15),
-        (
-            "shape = \"cylinder\"\nradius = 0.3\nheight = 0.5",
-            pivoted,
-            4e-15,
-        ),
-        (
-            "shape = \"cone\"\nradius = 0.3\nheight = 0.5",
-            "pivot = [0.0, 0.0, 0.0]",
-            4e-15,
-        ),
-        (
-            "shape = \"cone\"\nradius = 0.3\nheight = 0.5",
-            pivoted,
-            4e-15,
-        ),
-        (
-            "shape = \"cuboid\"\nedges = [0.1, 0.2, 0.4]",
-            pivoted,
-            4e-15,
-        ),
-        (
-            "shape = \"ellipsoid\"\nsemi_axes = [0.1, 0.2, 0.4]",
-            pivoted,
-            4e-15,
-        ),
-        ("shape = \"egg\"\nlong = 0.3\nshort = 0.2", pivoted, 4e-15),
-        // Drawn with sixteen levels.
-        (
-            "shape = \"ball-without-cap\"\nradius = 0.3\ncut = 0.1",
-            pivoted,
-            0.004,
-        ),
-        ("moments = [0.3, 0.4, 0.5]", "", 4e-15),
-        (
-            "moments = [0.3, 0.4, 0.5]",
-            "center_of_mass = [0.1, -0.05, 0.02]",
-            4e-15,
-        ),
-        ("inertia = [0.3, 0.4, 0.5, 0.01, -0.02, 0.03]", "", 4e-15),
-        (
-            "inertia = [0.3, 0.4, 0.5, 0.01, -0.02, 0.03]",
-            "center_of_mass = [0.1, -0.05, 0.02]",
-            4e-15,
-        ),
-    ];
-    for (body, held, tolerance) in bodies {
+    let (tip, pivoted) = ("pivot = [0.0, 0.0, 0.0]", "pivot = [0.1, -0.2, 0.05]");
+    let center = "center_of_mass = [0.1, -0.05, 0.02]";
+    let moments = "moments = [0.3, 0.4, 0.5]";
+    let inertia_matrix = "inertia = [0.3, 0.4, 0.5, 0.01, -0.02, 0.03]";
+    // Drawn with sixteen levels.
+    let cut = "shape = 'ball-without-cap'\nradius = 0.3\ncut = 0.1";
+    for (body, held) in [
+        ("shape = 'ball'\nradius = 0.3", pivoted),
+        ("shape = 'cylinder'\nradius = 0.3\nheight = 0.5", pivoted),
+        ("shape = 'cone'\nradius = 0.3\nheight = 0.5", tip),
+        ("shape = 'cone'\nradius = 0.3\nheight = 0.5", pivoted),
+        ("shape = 'cuboid'\nedges = [0.1, 0.2, 0.4]", pivoted),
+        ("shape = 'ellipsoid'\nsemi_axes = [0.1, 0.2, 0.4]", pivoted),
+        ("shape = 'egg'\nlong = 0.3\nshort = 0.2", pivoted),
+        (cut, pivoted),
+        (moments, ""),
+        (moments, center),
+        (inertia_matrix, ""),
+        (inertia_matrix, center),
+    ] {
+        let tolerance = if body == cut { 0.004 } else { 4e-15 };
         let start =
             "[initial]\nattitude = [0.1, 0.3, -0.5, 0.8062257748298549]\nomega = [1.0, 2.0, -3.0]";
-        let gravity = if held.is_empty() {
-            ""
-        } else {
-            "gravity = 9.81"
-        };
-        let text = format!("[body]\nmass = 2.0\n{body}\n{held}\n{start}\n[effects]\n{gravity}\n");
+        let weight = ["gravity = 9.81", ""][usize::from(held.is_empty())];
+        let text = format!("[body]\nmass = 2.0\n{body}\n{held}\n{start}\n[effects]\n{weight}\n");
         let (_, sights) = seen("mine.toml", &text, &[0.0, 0.4]);
         for sight in sights {
-            let drawn = sight
-                .solids
-                .iter()
-                .find(|(solid, _)| !matches!(solid, Solid::Bar(_)));
+            let mut solids = sight.solids.iter();
+            let drawn = solids.find(|(solid, _)| !matches!(solid, Solid::Bar(_)));
             let expected = inertia(drawn.unwrap(), Vector3::zeros()) * sight.omega * 2.0;
             let off = (sight.angular_momentum.unwrap() - expected).norm() / expected.norm();
             assert!(off < tolerance, "{body} {held}: {off}");
-            assert_eq!(
-                (sight.around, sight.place),
-                (Around::Pivot, Vector3::zeros())
-            );
+            assert_eq!(sight.around, Around::Pivot);
+            assert_eq!(sight.place, Vector3::zeros());
         }
     }
 }
@@ -193,41 +167,33 @@ fn a_planet_is_drawn_about_its_centre_of_mass() {
 #[test]
 fn everything_turns_as_omega_says() {
     // The yo-yo and the superball do not tell how far they have turned; the feet of the crawler do not turn.
-    let scenes = [
-        ("billiard-shot.toml", 0),
-        ("cat.toml", 2),
-        ("chiral-top.toml", 0),
-        ("egg.toml", 0),
-        ("heavy-body.toml", 0),
-        ("heavy-body.toml", 1),
-        ("meteorite.toml", 0),
-        ("nutation-dies.toml", 0),
-        ("paper-cat.toml", 0),
-        ("racket.toml", 0),
-        ("rattleback.toml", 0),
-        ("skater.toml", 0),
-        ("skater.toml", 1),
-        ("skater.toml", 4),
-        ("sleeping-top.toml", 0),
-        ("spool.toml", 0),
-        ("spool.toml", 2),
-        ("strip.toml", 0),
-        ("swivel.toml", 0),
-        ("tippe-top.toml", 0),
-        ("withdrawn-sheet.toml", 0),
-    ];
-    for (name, solid) in scenes {
+    for (name, solids) in [
+        ("billiard-shot.toml", &[0][..]),
+        ("cat.toml", &[2]),
+        ("chiral-top.toml", &[0]),
+        ("egg.toml", &[0]),
+        ("heavy-body.toml", &[0, 1]),
+        ("meteorite.toml", &[0]),
+        ("nutation-dies.toml", &[0]),
+        ("paper-cat.toml", &[0]),
+        ("racket.toml", &[0]),
+        ("rattleback.toml", &[0]),
+        ("skater.toml", &[0, 1, 4]),
+        ("sleeping-top.toml", &[0]),
+        ("spool.toml", &[0, 2]),
+        ("strip.toml", &[0]),
+        ("swivel.toml", &[0]),
+        ("tippe-top.toml", &[0]),
+        ("withdrawn-sheet.toml", &[0]),
+    ] {
         for t in [0.11, 0.27] {
-            let apart = 2e-4;
-            let times = [t - 0.5 * apart, t, t + 0.5 * apart];
-            let (_, sights) = seen(name, &file_of_the_book(name), &times);
-            let sights: [Sight; 3] = sights.try_into().unwrap();
+            let sights = around(name, t);
             let told = sights[1].omega;
-            let off = (turning(&sights, solid, apart) - told).norm();
-            assert!(
-                sights[1].turned && off <= 4e-5 * told.norm(),
-                "{name} at {t}: {off}"
-            );
+            for &solid in solids {
+                let off = (turning(&sights, solid) - told).norm();
+                let turns = sights[1].turned && off <= 4e-5 * told.norm();
+                assert!(turns, "{name} at {t}: {off}");
+            }
         }
     }
 }
@@ -250,10 +216,8 @@ fn what_is_on_a_floor_touches_it() {
         let (_, sights) = seen(name, &file_of_the_book(name), &times);
         for (t, sight) in times.iter().zip(&sights) {
             let low = lowest_of_all(sight);
-            assert!(
-                sight.around == Around::Floor && low.abs() < 2e-16,
-                "{name} at {t}: {low}"
-            );
+            assert_eq!(sight.around, Around::Floor, "{name}");
+            assert!(low.abs() < 2e-16, "{name} at {t}: {low}");
         }
     }
     // Here one disc is above the other, or a core below the arms.
@@ -278,15 +242,14 @@ fn a_superball_touches_floor_and_ceiling_where_it_bounces() {
             panic!("{:?}", sight.around)
         };
         let low = lowest_of_all(sight);
-        assert!((low - height).abs() < 1e-15);
+        near!(low, height, 1e-15);
         // Seen from above.
         let mut over = sight.clone();
-        let half_turn = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), core::f64::consts::PI);
+        let half_turn = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), PI);
         for (_, stands) in &mut over.solids {
             *stands = Isometry3::from_parts(Vector3::zeros().into(), half_turn) * *stands;
         }
-        let room = ceiling + lowest_of_all(&over);
-        assert!((room - (0.6 - height)).abs() < 1e-15, "{room} {height}");
+        near!(ceiling + lowest_of_all(&over), 0.6 - height, 1e-15);
         // L = 2/5 M R² Ω: the radius is not told, the quotient of the two is.
         let radius = sight.place.z - low;
         let l = sight.angular_momentum.unwrap();
@@ -358,7 +321,7 @@ fn shapes_that_change_are_drawn_as_they_are() {
         assert!((moment(lower, Vector3::z()) - 0.6).abs() < 1e-15);
         assert!((moment(upper, Vector3::z()) - told("upper_moment")).abs() < 1e-15);
         let turn = upper.1.rotation.scaled_axis().z - told("upper");
-        assert!((turn / core::f64::consts::TAU).fract().abs() < 1e-14);
+        assert!((turn / TAU).fract().abs() < 1e-14);
         assert_eq!(place(upper), sight.place);
     }
 
@@ -402,18 +365,12 @@ fn shapes_that_change_are_drawn_as_they_are() {
 
 #[test]
 fn where_nothing_slips_the_lowest_point_rests() {
-    let scenes = [
+    for (name, times) in [
         ("rattleback.toml", [0.3, 2.1]),
         ("billiard-shot.toml", [0.8, 2.0]),
-    ];
-    for (name, times) in scenes {
+    ] {
         for t in times {
-            let apart = 2e-4;
-            let times = [t - 0.5 * apart, t, t + 0.5 * apart];
-            let (_, sights) = seen(name, &file_of_the_book(name), &times);
-            let [before, now, after] = &sights[..] else {
-                panic!()
-            };
+            let [before, now, after] = around(name, t);
             // Where the vertical leaves the ellipsoid.
             let (solid, stands) = &now.solids[0];
             let Solid::Ellipsoid(half_axes) = solid else {
@@ -423,7 +380,7 @@ fn where_nothing_slips_the_lowest_point_rests() {
             let down = half_axes.transpose() * -Vector3::z();
             let touching = place(&now.solids[0]) + half_axes * down / down.norm();
             let way = after.place - before.place;
-            let speed = way / apart + now.omega.cross(&(touching - now.place));
+            let speed = way / MOMENT + now.omega.cross(&(touching - now.place));
             let pace = now.omega.norm() * (touching - now.place).norm();
             assert!(speed.norm() < 1e-5 * pace, "{name} at {t}: {speed:?}");
         }

@@ -21,4 +21,4 @@ use spinning_bodies::rolling::{RoundBody, SheetSpeeds, Spool};
 use spinning_bodies::scene::effects::{
     BearingFriction, Coulomb, Effect, Gravity, Restitution, RollingResistance, Sheet, Tug, TurnLoss,
 };
-use spinning_bodies::scene::{Geometric, Motion, Tabulated};
+use spinning_bodies::scene::{Motion, Tabulated};

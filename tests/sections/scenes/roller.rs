@@ -94,8 +94,8 @@ fn what_a_roller_refuses() {
         let said = format!("{method:?}: {off:e} of {told:e}");
         assert!(off < 1e-11 && off <= 4.0 * told, "{said}");
     }
-    let ours = times().by(Choice::Use(Solver::Geometric(Geometric::DormandPrince8)));
-    assert!(same(&scene.simulate(&ours).unwrap(), &run(&scene)) < 1e-12);
+    let ours = scene.simulate(&using(&times(), OURS)).unwrap();
+    assert!(same(&ours, &run(&scene)) < 1e-12);
     let friction = thrown().with(BearingFriction::new(0.1).unwrap());
     let told = friction.unwrap_err().to_string();
     let named = ["bearing_friction", "sheet"].map(|effect| told.contains(effect));

@@ -1,42 +1,26 @@
 //! Bodies that change their shape. The order in which effects are listed cannot matter: each has a field of its own.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
-
-use spinning_bodies::frame::{Attitude, SpaceVector};
-use spinning_bodies::integrators::Method;
+use super::*;
 use spinning_bodies::phenomena::{Cat, Crawler, Half, PaperCat, Skater, Strokes, Waist};
-use spinning_bodies::scene::effects::{
-    Air, BearingFriction, Coulomb, Draw, FourPhases, Gravity, Pace, Turnover,
-};
-use spinning_bodies::scene::{Choice, Geometric, Request, Scene, Solver, Tabulated, shape};
-use spinning_bodies::{Error, Result};
-use support::refused;
+use spinning_bodies::scene::effects::{Air, Draw, FourPhases, Pace, Turnover};
+use spinning_bodies::scene::shape;
 
-const GENERAL: Choice = Choice::Use(Solver::General(Method::Dop853));
+const GENERAL: Solver = Solver::General(Method::Dop853);
 
 fn request(until: f64, accuracy: f64) -> Request {
     let times: Vec<f64> = (0..=50).map(|k| until * f64::from(k) / 50.0).collect();
-    let request = Request::at(times).unwrap().to_accuracy(accuracy).unwrap();
-    request.with_methods(&lab::general::DifferentialEquations)
-}
-
-/// Largest difference of any column at any time.
-fn apart<S: Scene>(a: &S, b: &S, requests: [&Request; 2]) -> f64 {
-    let [a, b] = [
-        a.simulate(requests[0]).unwrap(),
-        b.simulate(requests[1]).unwrap(),
-    ];
-    let pairs = a.rows.iter().zip(&b.rows);
-    let differences = pairs.flat_map(|((_, a), (_, b))| {
-        let columns = a.row().into_iter().zip(b.row());
-        columns.map(|(a, b)| (a - b).abs()).collect::<Vec<_>>()
-    });
-    differences.fold(0.0, f64::max)
+    asking(times, accuracy)
 }
 
 fn rows<S: Scene>(scene: &S, request: &Request) -> Vec<Vec<f64>> {
     let motion = scene.simulate(request).unwrap();
     motion.rows.iter().map(|(_, state)| state.row()).collect()
+}
+
+/// Largest difference of any column at any time, of numbers above 1 as a part of them.
+fn apart(a: &[Vec<f64>], b: &[Vec<f64>]) -> f64 {
+    let pairs = a.iter().flatten().zip(b.iter().flatten());
+    greatest(pairs.map(|(a, b)| (a - b).abs() / a.abs().max(1.0)))
 }
 
 const PHASES: FourPhases = FourPhases {
@@ -56,22 +40,17 @@ fn a_swivel_without_its_effects() {
     let asked = request(7.0, 1e-10);
     // Rigid, it does not turn; rigid with angular momentum it turns evenly.
     let rigid = shape::Swivel::new(0.6, 2.0).unwrap();
-    assert!(
-        rows(&rigid, &asked)
-            .iter()
-            .all(|row| row[0] == 0.0 && row[1] == 0.0)
-    );
+    let still = rows(&rigid, &asked);
+    assert!(still.iter().all(|row| row[..2] == [0.0, 0.0]));
     let turning = rigid.with_angular_momentum(2.6).unwrap();
     for (t, state) in turning.simulate(&asked).unwrap().rows {
-        assert!((state.lower - t).abs() < 4e-15, "{t} {state:?}");
+        near!(state.lower, t, 4e-15);
     }
     // Friction with c = 0 is no friction, to the error of the method that then has to run.
     let none = swivel().with(BearingFriction::new(0.0).unwrap()).unwrap();
     let exact = rows(&swivel(), &asked);
     for (a, b) in exact.iter().zip(rows(&none, &asked)) {
-        for (a, b) in a.iter().zip(b) {
-            assert!((a - b).abs() < 3e-10, "{a} {b}");
-        }
+        near!(a[..], b[..], 3e-10);
     }
     // With friction the answer is another.
     let some = swivel().with(BearingFriction::new(0.1).unwrap()).unwrap();
@@ -88,7 +67,7 @@ fn every_round_of_the_swivel_is_like_the_first() {
     let (first, round) = (at(times.clone()), at(vec![2.0])[0][0]);
     for whole in [1.0, 5.0] {
         for (a, b) in first.iter().zip(at(later(whole).collect())) {
-            assert!((a[0] + whole * round - b[0]).abs() < 1e-14);
+            near!(a[0] + whole * round, b[0], 1e-14);
         }
     }
 }
@@ -148,15 +127,12 @@ fn a_skater_without_effects_spins_evenly_and_friction_matters() -> Result<()> {
     let still = shape::Skater::new(grown(), 0.7, 12.0)?;
     for (t, state) in still.simulate(&asked)?.rows {
         assert_eq!((state.spin, state.work, state.heat), (12.0, 0.0, 0.0));
-        assert!((state.angle - 12.0 * t).abs() < 1e-13);
+        near!(state.angle, 12.0 * t, 1e-13);
     }
     let moving = still.with(DRAW)?;
     let none = rows(&moving.with(BearingFriction::new(0.0)?)?, &asked);
-    for (a, b) in rows(&moving, &asked).iter().zip(&none) {
-        for (a, b) in a.iter().zip(b) {
-            assert!((a - b).abs() <= 1e-9 * a.abs().max(1.0), "{a} {b}");
-        }
-    }
+    let off = apart(&rows(&moving, &asked), &none);
+    assert!(off <= 1e-9, "{off:e}");
     let rubbed = moving.with(BearingFriction::new(0.05)?)?;
     let motion = rubbed.simulate(&asked)?;
     let end = motion.rows[50].1;
@@ -190,7 +166,8 @@ fn cat() -> shape::Cat {
 
 #[test]
 fn gravity_moves_the_cat_and_does_not_turn_it() -> Result<()> {
-    for asked in [request(0.4, 1e-10), request(0.4, 1e-10).by(GENERAL)] {
+    let asked = request(0.4, 1e-10);
+    for asked in [asked.clone(), using(&asked, GENERAL)] {
         let floating = cat().simulate(&asked)?;
         let falling = cat().with(Gravity::new(9.81)?)?.simulate(&asked)?;
         for ((t, a), (_, b)) in floating.rows.iter().zip(&falling.rows) {
@@ -198,7 +175,7 @@ fn gravity_moves_the_cat_and_does_not_turn_it() -> Result<()> {
             assert_eq!(a.attitude, b.attitude);
             assert_eq!(a.omega, b.omega);
             assert_eq!(a.center, SpaceVector::zero());
-            assert!((b.center.z() + 0.5 * 9.81 * t * t).abs() < 1e-15);
+            near!(b.center.z(), -0.5 * 9.81 * t * t, 1e-15);
         }
         let weightless = cat().with(Gravity::new(0.0)?)?;
         assert_eq!(rows(&weightless, &asked), rows(&cat(), &asked));
@@ -226,15 +203,12 @@ fn a_rigid_cat_does_not_turn_and_one_with_angular_momentum_does() -> Result<()> 
     let motion = both.simulate(&asked)?;
     assert!(motion.ledger.is_kept_within(1e-13)?, "{}", motion.ledger);
     // Unequal halves have no closed form: `exact` is refused, by name.
-    let unequal = Cat::new([
-        HALF,
-        Half {
-            axial: 0.005,
-            ..HALF
-        },
-    ])?;
-    let unequal = shape::Cat::new(unequal, start).with(OVER)?;
-    let refused = unequal.simulate(&asked.clone().by(Choice::Use(Solver::Exact)));
+    let heavier = Half {
+        axial: 0.005,
+        ..HALF
+    };
+    let unequal = shape::Cat::new(Cat::new([HALF, heavier])?, start).with(OVER)?;
+    let refused = unequal.simulate(&using(&asked, Solver::Exact));
     assert!(matches!(refused, Err(Error::Solver { condition }) if condition.contains("`exact`")));
     assert!(unequal.simulate(&asked).is_ok());
     Ok(())
@@ -253,9 +227,7 @@ fn a_paper_cat_without_its_effects() {
     let vacuum = rows(&falling, &asked);
     let thin = falling.with(Air::new(0.0).unwrap()).unwrap();
     for (a, b) in vacuum.iter().zip(rows(&thin, &asked)) {
-        for (a, b) in a.iter().zip(b) {
-            assert!((a - b).abs() < 1e-10, "{a} {b}");
-        }
+        near!(a[..], b[..], 1e-10);
     }
     let full = falling.with(air).unwrap().simulate(&asked).unwrap();
     assert!(full.rows[50].1.tilt < 1.0);
@@ -266,18 +238,12 @@ fn a_paper_cat_without_its_effects() {
 #[test]
 fn a_paper_cat_upside_down_falls_to_the_nearer_side() -> Result<()> {
     let below = PI.next_down();
-    for (tilt, feet_down) in [
-        (PI, 0.0),
-        (-PI, 0.0),
-        (below, 0.0),
-        (-below, 0.0),
-        (PI.next_up(), TAU),
-    ] {
+    for tilt in [PI, -PI, below, -below, PI.next_up()] {
+        let feet_down = if tilt > PI { TAU } else { 0.0 };
         let cat = shape::PaperCat::new(PaperCat::POSTCARD, tilt)?;
         let cat = cat.with(Air::new(1.2)?)?.with(Gravity::new(9.81)?)?;
-        let end = cat.simulate(&request(40.0, 1e-6))?.rows;
-        let end = end.last().unwrap().1.tilt;
-        assert!((end - feet_down).abs() < 0.1, "{tilt} {end}");
+        let end = cat.simulate(&request(40.0, 1e-6))?.rows[50].1.tilt;
+        near!(end, feet_down, 0.1);
     }
     Ok(())
 }
@@ -303,11 +269,11 @@ fn the_crawler_from_event_to_event_and_by_a_general_method() {
         let scene = on_the_ground(mu);
         let asked = request(8.0, 1e-10);
         assert_eq!(scene.plan(&asked).unwrap().solver, Solver::Events);
-        let difference = apart(&scene, &scene, [&asked, &asked.clone().by(GENERAL)]);
-        assert!(difference < 1e-10, "{mu}: {difference:e}");
-        let ledger = scene.simulate(&asked).unwrap().ledger;
+        let ours = scene.simulate(&asked).unwrap();
+        let off = same(&ours, &scene.simulate(&using(&asked, GENERAL)).unwrap());
+        assert!(off < 1e-10, "{mu}: {off:e}");
         // Observed: 6e-15.
-        assert!(ledger.is_kept_within(3e-14).unwrap(), "{mu}: {ledger}");
+        assert!(balance(&ours) <= 3e-14, "{mu}: {}", ours.ledger);
     }
 }
 
@@ -321,22 +287,18 @@ fn a_crawler_with_equal_feet_pays_for_every_stroke() -> Result<()> {
         pull: 0.5,
     };
     // The last but one is an ulp heavier.
-    for (front, mu) in [
-        (1.0, 0.02),
-        (1.0, 0.3),
-        (1.0_f64.next_up(), 0.3),
-        (1.0, 10.0),
-    ] {
+    let more = 1.0_f64.next_up();
+    for (front, mu) in [(1.0, 0.02), (1.0, 0.3), (more, 0.3), (1.0, 10.0)] {
         let body = shape::Crawler::new(Crawler::new(1.0, front, strokes)?);
         let scene = body.with(Coulomb::new(mu)?)?.with(Gravity::new(9.81)?)?;
-        for choice in [Choice::Auto, GENERAL] {
-            let asked = request(3.0, 1e-10).by(choice);
+        let asked = request(3.0, 1e-10);
+        for asked in [asked.clone(), using(&asked, GENERAL)] {
             for (t, state) in scene.simulate(&asked)?.rows {
                 // Once 1.5 s, twice a cycle and a half of them: at every turn of the muscle all of its work is heat.
                 if [1.5, 3.0].contains(&t) {
                     let heat = mu * 9.81 * 2.0 * 0.1 * t / 1.5;
-                    assert!((state.heat - heat).abs() < 1e-10 * heat, "{mu}: {state:?}");
-                    assert!((state.work - heat).abs() < 1e-10, "{mu}: {state:?}");
+                    near!(state.heat, heat, 1e-10 * heat);
+                    near!(state.work, heat, 1e-10);
                 }
                 assert!(state.center.abs() < 1e-14, "{mu}: {state:?}");
             }
@@ -351,19 +313,13 @@ fn every_cycle_of_a_crawler_that_comes_to_rest_is_like_the_first() {
     let times: Vec<f64> = (0..40).map(|k| 0.115 * f64::from(k)).collect();
     let rows = rows(&on_the_ground(3.0), &Request::at(times).unwrap());
     // Not beyond 250,000 of them.
-    let [last, more] = [249_999.0, 250_001.0].map(|cycles| {
-        let asked = Request::at([1.15 * cycles]).unwrap();
-        asked.to_accuracy(1e-6).unwrap()
-    });
+    let [last, more] = [249_999.0, 250_001.0].map(|cycles| asking([1.15 * cycles], 1e-6));
     crawler_body().simulate(&last).unwrap();
     refused!(crawler_body().simulate(&more), Condition);
     for (now, later) in rows.iter().zip(&rows[10..]) {
         for foot in [0, 1] {
-            let way = later[foot] - now[foot];
-            assert!(
-                (way - (rows[10][foot] - rows[0][foot])).abs() < 1e-14,
-                "{way}"
-            );
+            let first = rows[10][foot] - rows[0][foot];
+            near!(later[foot] - now[foot], first, 1e-14);
         }
     }
 }
@@ -377,7 +333,7 @@ fn a_crawler_without_friction_gets_nowhere() {
         // Feet, centre and velocity bit for bit; the work is summed over the strokes there.
         assert_eq!(a[..4], b[..4]);
         // Observed: 3e-14 J of 7 J.
-        assert!((a[4] - b[4]).abs() < 2e-13, "{} {}", a[4], b[4]);
+        near!(a[4], b[4], 2e-13);
     }
     for mu in [1e-6, 1e-4, 1e-2] {
         let scene = on_the_ground(mu);
@@ -395,13 +351,11 @@ fn what_cannot_be_simulated_is_refused() {
     refused!(swivel().simulate(&asked), OutOfRange);
     refused!(crawler_body().simulate(&asked), OutOfRange);
     let asked = Request::at([1.0]).unwrap();
-    let of_tops = Choice::Use(Solver::Geometric(Geometric::MuntheKaas));
-    let of_tops = cat().simulate(&asked.clone().by(of_tops));
-    refused!(of_tops, Solver);
+    let of_tops = using(&asked, Solver::Geometric(Geometric::MuntheKaas));
+    refused!(cat().simulate(&of_tops), Solver);
     let lift = cat().with(Air::new(1.0).unwrap());
     assert!(matches!(lift, Err(Error::Effect { effect: "air", .. })));
-    let events = asked.by(Choice::Use(Solver::Events));
-    refused!(swivel().simulate(&events), Solver);
+    refused!(swivel().simulate(&using(&asked, Solver::Events)), Solver);
     let far = Request::at([1e300]).unwrap();
     // An angle of so many radians has no digits behind the point; and so many corners cannot be passed.
     refused!(swivel().simulate(&far), Amplified);
@@ -412,26 +366,17 @@ fn what_cannot_be_simulated_is_refused() {
         forward: 4.0,
         ..OVER
     };
-    assert!(
-        shape::Cat::new(cat_body(), Attitude::identity())
-            .with(impossible)
-            .is_err()
-    );
+    assert!(cat().with(impossible).is_err());
     let half = Half {
         axial: 0.04,
         ..HALF
     };
     refused!(Cat::new([half, half]), TriangleInequality);
-    assert!(
-        shape::PaperCat::new(
-            PaperCat {
-                mass: f64::NAN,
-                ..PaperCat::POSTCARD
-            },
-            0.0
-        )
-        .is_err()
-    );
+    let nothing = PaperCat {
+        mass: f64::NAN,
+        ..PaperCat::POSTCARD
+    };
+    assert!(shape::PaperCat::new(nothing, 0.0).is_err());
     assert!(shape::Skater::new(grown(), -1.0, TAU).is_err());
 }
 
@@ -447,22 +392,13 @@ fn times_come_in_the_order_asked_for() {
 
 #[test]
 fn a_fall_and_a_cycle_beyond_the_doubles_are_refused() -> Result<()> {
-    let half = Half {
-        mass: 2.0,
-        axial: 0.01,
-        transverse: 0.03,
-        to_joint: 0.2,
-    };
-    let cat = shape::Cat::new(Cat::new([half; 2])?, Attitude::identity());
-    let falling = cat.with(Gravity::new(9.81)?)?;
+    let falling = cat().with(Gravity::new(9.81)?)?;
     let late = Request::at([1e200])?;
     refused!(falling.simulate(&late), NotFinite, "the height fallen");
     let still = FourPhases {
-        arms_out: 2.0,
-        arms_in: 0.7,
         twist: 0.0,
         duration: 1e-3,
-        pace: Pace::Even,
+        ..PHASES
     };
     let swivel = shape::Swivel::new(0.6, 2.0)?.with(still)?;
     let late = Request::at([f64::MAX])?;

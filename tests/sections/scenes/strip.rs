@@ -43,9 +43,7 @@ fn in_air(sheet: &Sheet, start: StripStart) -> Result<Strip> {
 
 /// A second, in which a tumbling start amplifies what it is given a hundredfold.
 fn request() -> Request {
-    let request = Request::at([0.1, 0.2, 0.3, 0.5, 0.8, 1.0]).unwrap();
-    let request = request.with_methods(&lab::general::DifferentialEquations);
-    request.to_accuracy(1e-9).unwrap()
+    asking([0.1, 0.2, 0.3, 0.5, 0.8, 1.0], 1e-9)
 }
 
 fn run(scene: &impl Scene<State = StripState>) -> Motion<StripState> {
@@ -145,15 +143,15 @@ fn the_ideal_fluid_keeps_impulse_and_energy() -> Result<()> {
     let plate = plate();
     let strip = Strip::new(plate, straight)?.with(ADDED)?;
     let (a, mass) = (0.01, 0.08 * 0.02);
-    let masses = core::f64::consts::PI * 1.2 * a * a;
+    let masses = PI * 1.2 * a * a;
     let moment = mass * a * a / 3.0 + masses * a * a / 8.0;
     // Along the chord the momentum m u moves with the strip; the frequency of the pair (θ, u): u' = m_w ω w/m, θ'' = −(m_a/J) u w.
     // With u = (m_w/m) w θ + constant, and u = −θ w... at the start, the constant is (1 − m_w/m)·θ₀.
     let frequency = (masses / moment * (mass + masses) / mass).sqrt();
-    let quarter = core::f64::consts::FRAC_PI_2 / frequency;
-    let request = Request::at([quarter, 2.0 * quarter])?;
-    let request = request.to_accuracy(1e-13)?;
-    let rows = strip.simulate(&request)?.rows;
+    let quarter = FRAC_PI_2 / frequency;
+    let rows = strip
+        .simulate(&asking([quarter, 2.0 * quarter], 1e-13))?
+        .rows;
     let [first, second] = [rows[0].1, rows[1].1];
     // Half a swing later it stands still again, and swung about the middle in between. Observed: 2e-9.
     let still = second.omega.abs() < 1e-6 * first.omega.abs();
@@ -189,12 +187,10 @@ fn the_frame_does_not_matter() -> Result<()> {
     };
     let small = in_air(&sheet, START)?;
     let big = in_air(&big, start)?;
-    let [short, long] = [0.5, 1.0].map(|t| Request::at([t]).unwrap());
-    let a = small.simulate(&short.to_accuracy(1e-9)?)?.rows[0].1;
-    let b = big.simulate(&long.to_accuracy(1e-9)?)?.rows[0].1;
+    let a = small.simulate(&asking([0.5], 1e-9))?.rows[0].1;
+    let b = big.simulate(&asking([1.0], 1e-9))?.rows[0].1;
     // Observed: 1e-14 relative.
-    assert!((4.0 * a.position[0] - b.position[0]).abs() < 1e-11);
-    assert!((4.0 * a.position[1] - b.position[1]).abs() < 1e-11);
+    near!(a.position.map(|x| 4.0 * x)[..], b.position[..], 1e-11);
     Ok(())
 }
 

@@ -11,14 +11,20 @@ fn times() -> Request {
 }
 
 fn ball() -> Superball {
+    thrown(0.3, -5.0)
+}
+
+/// From this height, so fast upward.
+fn thrown(height: f64, climb: f64) -> Superball {
+    let motion = Throw {
+        velocity: 2.0,
+        rim_speed: 0.7,
+    };
     let start = InFlight {
         position: 0.0,
-        height: 0.3,
-        climb: -5.0,
-        motion: Throw {
-            velocity: 2.0,
-            rim_speed: 0.7,
-        },
+        height,
+        climb,
+        motion,
         bounces: 0,
     };
     Superball::new(0.05, 0.4, start).unwrap().under(0.6)
@@ -31,7 +37,7 @@ fn with<const N: usize>(effects: [Effect; N]) -> Superball {
 
 fn run(scene: &impl Scene<State = Bouncing>) -> Motion<Bouncing> {
     let exact = agreed(scene, times());
-    let events = times().by(Choice::Use(Solver::Events));
+    let events = using(&times(), Solver::Events);
     let off = same(&exact, &scene.simulate(&events).unwrap());
     assert!(off < 1e-12, "{off:e}");
     assert!(balance(&exact) < 1e-14);
@@ -52,7 +58,7 @@ fn each_effect_matters_and_fades() -> Result<()> {
     assert_eq!(dull.plan.solver, Solver::Events);
     assert!(same(&heavy, &dull) > 0.1);
     // Without losses, followed bounce by bounce: to the bit what the same solver gives without the effect.
-    let events = times().by(Choice::Use(Solver::Events));
+    let events = using(&times(), Solver::Events);
     let plain = scene.simulate(&events)?;
     let neutral = scene.with(losses(1.0, 1.0))?.simulate(&events)?;
     assert_eq!(same(&plain, &neutral), 0.0);
@@ -70,11 +76,9 @@ fn each_effect_matters_and_fades() -> Result<()> {
 fn what_is_told_of_many_bounces() {
     for gravity in [1e-3, 9.81] {
         let scene = with([Gravity::new(gravity).unwrap().into()]);
-        let request = Request::at([100.0, 1000.01, 9000.0]).unwrap();
-        let request = request.to_accuracy(1e-8).unwrap();
+        let request = asking([100.0, 1000.01, 9000.0], 1e-8);
         let exact = scene.simulate(&request).unwrap();
-        let events = request.by(Choice::Use(Solver::Events));
-        let followed = scene.simulate(&events).unwrap();
+        let followed = scene.simulate(&using(&request, Solver::Events)).unwrap();
         let told = followed.error_estimate;
         assert!(same(&exact, &followed) < told && told < 1e-9);
         let bounces = followed.rows[2].1.ball.bounces;
@@ -123,22 +127,11 @@ fn general_methods_come_with_the_request() {
 #[test]
 fn a_ball_may_start_with_a_bounce() {
     for (height, climb) in [(0.0, -1.0), (0.6, 1.0)] {
-        let start = InFlight {
-            position: 0.0,
-            height,
-            climb,
-            motion: Throw {
-                velocity: 2.0,
-                rim_speed: 0.7,
-            },
-            bounces: 0,
-        };
         for gravity in [0.0, 9.81] {
-            let scene = Superball::new(0.05, 0.4, start).unwrap().under(0.6);
-            let scene = scene.with(Gravity::new(gravity).unwrap()).unwrap();
+            let gravity = Gravity::new(gravity).unwrap();
+            let scene = thrown(height, climb).with(gravity).unwrap();
             let exact = scene.simulate(&times()).unwrap();
-            let ours = Solver::Geometric(Geometric::DormandPrince8);
-            let stepped = scene.simulate(&times().by(Choice::Use(ours))).unwrap();
+            let stepped = scene.simulate(&using(&times(), OURS)).unwrap();
             assert!(same(&exact, &stepped) < 1e-9);
         }
     }
@@ -153,14 +146,12 @@ fn bounces_that_pile_up_are_not_followed_by_steps() {
             Restitution::new(normal, 0.5).unwrap().into(),
             Coulomb::new(grip).unwrap().into(),
         ]);
-        let request = Request::at([30.0]).unwrap().to_accuracy(1e-6).unwrap();
+        let request = asking([30.0], 1e-6);
         let rests = scene.simulate(&request).unwrap().rows[0].1.ball;
         assert_eq!((rests.height, rests.climb), (0.0, 0.0));
-        let ours = Solver::Geometric(Geometric::DormandPrince8);
-        for solver in [ours, Solver::General(Method::Dop853)] {
-            let by = request.clone().by(Choice::Use(solver));
-            let by = by.with_methods(&DifferentialEquations);
-            refused!(scene.simulate(&by.within(1_000_000)), Solver);
+        for solver in [OURS, Solver::General(Method::Dop853)] {
+            let by_steps = using(&request, solver).within(1_000_000);
+            refused!(scene.simulate(&by_steps), Solver);
         }
     }
 }
@@ -169,21 +160,13 @@ fn bounces_that_pile_up_are_not_followed_by_steps() {
 #[test]
 fn what_is_told_of_many_bounces_by_steps() {
     let general = [Method::Dop853, Method::Dopri5, Method::Rk4].map(Solver::General);
-    let ours = Solver::Geometric(Geometric::DormandPrince8);
-    for (gravity, t) in [
-        (1e-3, 30.01),
-        (1e-3, 300.01),
-        (9.81, 5.01),
-        (9.81, 30.01),
-        (9.81, 300.01),
-    ] {
+    let (little, much) = ([(1e-3, 30.01), (1e-3, 300.01)], [5.01, 30.01, 300.01]);
+    for (gravity, t) in little.into_iter().chain(much.map(|t| (9.81, t))) {
         let scene = with([Gravity::new(gravity).unwrap().into()]);
-        let request = Request::at([t]).unwrap().to_accuracy(1e-8).unwrap();
+        let request = asking([t], 1e-8);
         let exact = scene.simulate(&request).unwrap().rows[0].1.row();
-        for solver in general.into_iter().chain([ours]) {
-            let by = request.clone().by(Choice::Use(solver));
-            let by = by.with_methods(&DifferentialEquations);
-            let motion = scene.simulate(&by).unwrap();
+        for solver in general.into_iter().chain([OURS]) {
+            let motion = scene.simulate(&using(&request, solver)).unwrap();
             let (row, told) = (motion.rows[0].1.row(), motion.error_estimate);
             let sizes = [0.6, 0.6, 5.0, 5.0, 5.0, 1.0, 1.0];
             let off = greatest((0..7).map(|n| (row[n] - exact[n]).abs() / sizes[n]));

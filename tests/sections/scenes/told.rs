@@ -1,25 +1,23 @@
 //! What is told of an error: never less than the error, nor much less of a longer way, and the same whoever asks.
 
 use super::units::files;
+use super::*;
+use spinning_bodies::scene::Table;
 use spinning_bodies::scene::files::parse;
-use spinning_bodies::scene::{Choice, Geometric, Request, Solver, Table};
-use support::refused;
 
 /// The greatest difference of a number in two tables, in units of the greatest with the same unit.
 fn apart(a: &Table, b: &Table) -> f64 {
-    let greatest = |unit: &str| {
+    let size = |unit: &str| {
         let numbers = b.rows().flat_map(|(_, row)| b.columns.iter().zip(row));
         let alike = numbers.filter(|(column, _)| column.unit == unit);
-        let most = alike.fold(0.0, |most, (_, x)| f64::max(most, x.abs()));
+        let most = greatest(alike.map(|(_, x)| x.abs()));
         // What is zero but for errors, as the slip of what spins in its place, has no size to judge it by.
         if most > 1e-3 { most } else { f64::INFINITY }
     };
-    let sizes: Vec<f64> = b.columns.iter().map(|c| greatest(c.unit)).collect();
+    let sizes: Vec<f64> = b.columns.iter().map(|c| size(c.unit)).collect();
     let rows = a.rows().zip(b.rows());
     let numbers = rows.flat_map(|((_, a), (_, b))| a.into_iter().zip(b).zip(sizes.clone()));
-    numbers.fold(0.0, |most, ((a, b), size)| {
-        f64::max(most, (a - b).abs() / size)
-    })
+    greatest(numbers.map(|((a, b), size)| (a - b).abs() / size))
 }
 
 /// Closed forms are judged by steps, steps by finer ones.
@@ -37,7 +35,7 @@ fn no_error_is_more_than_is_told() {
             scene.simulate(&request.by(solver))
         };
         let rough = run(1e-5, Choice::Auto).unwrap();
-        let steps = Choice::Use(Solver::Geometric(Geometric::DormandPrince8));
+        let steps = Choice::Use(OURS);
         // A planet is struck in no time, and a ball may slide on ice for ever.
         if let Ok(fine) = run(1e-9, steps) {
             let (told, error) = (rough.error_estimate, apart(&rough, &fine));
@@ -46,14 +44,10 @@ fn no_error_is_more_than_is_told() {
         if rough.error_estimate < 1e-5 && rough.cost.evaluations > 0 {
             better += 1;
         }
-        let half = request
-            .of_times(&times[..4])
-            .unwrap()
-            .to_accuracy(1e-5)
-            .unwrap();
+        let half = request.of_times(&times[..4]).unwrap();
+        let half = half.to_accuracy(1e-5).unwrap();
         let sooner = scene.simulate(&half).unwrap().error_estimate;
-        let asked = Request::at(&times[..4]).unwrap().to_accuracy(1e-5);
-        let asked = scene.simulate(&asked.unwrap()).unwrap();
+        let asked = scene.simulate(&asking(&times[..4], 1e-5)).unwrap();
         assert_eq!(sooner, asked.error_estimate, "{name}");
         if rough.cost.evaluations == 0 {
             assert!(sooner <= 1.1 * rough.error_estimate, "{name}\n{text}");

@@ -92,10 +92,8 @@ fn lengths(sight: &Sight) -> Vec<f64> {
         Around::Under(height) => vec![height],
         _ => Vec::new(),
     };
-    solids
-        .chain([ceiling, sight.place.as_slice().to_vec()])
-        .flatten()
-        .collect()
+    let places = [ceiling, sight.place.as_slice().to_vec()];
+    solids.chain(places).flatten().collect()
 }
 
 /// A free body of every shape but beads and meshes.
@@ -150,10 +148,8 @@ fn the_unit_does_not_matter() {
     assert!(files.len() > 70, "{}", files.len());
     // Steps of one length, too.
     let free = files.iter().rfind(|(name, _)| name == "racket.toml");
-    let free = free.unwrap().1.replace(
-        "[run]",
-        "[run]\nsolver = \"moser-veselov-4\"\naccuracy = 1e-6",
-    );
+    let steps = "[run]\nsolver = \"moser-veselov-4\"\naccuracy = 1e-6";
+    let free = free.unwrap().1.replace("[run]", steps);
     files.push(("racket.toml".to_owned(), free));
     let shapes = shapes();
     assert!(shapes.len() > 11, "{}", shapes.len());
@@ -164,11 +160,8 @@ fn the_unit_does_not_matter() {
         // A body that is taken for granted has sizes, too.
         if !text.contains("[body]") {
             text += "[body]\n";
-            for row in keys(&kind)
-                .unwrap()
-                .iter()
-                .filter(|row| row.section == "body")
-            {
+            let rows = keys(&kind).unwrap();
+            for row in rows.iter().filter(|row| row.section == "body") {
                 text += &format!("{} = {}\n", row.key, row.absent.as_ref().unwrap());
             }
         }
@@ -197,10 +190,8 @@ fn same_in_other_units(name: &str, kind: &str, text: &str, sense: i32) {
     let lost = here.ledger.entries().iter().zip(there.ledger.entries());
     assert_eq!(here.cost, there.cost, "{name}\n{text}");
     assert_eq!(here.error_estimate, there.error_estimate, "{name}\n{text}");
-    assert!(
-        here.error_estimate > 0.0 && !here.plan.reason.is_empty(),
-        "{name}"
-    );
+    assert!(here.error_estimate > 0.0, "{name}");
+    assert!(!here.plan.reason.is_empty(), "{name}");
     for (a, b) in lost {
         assert_eq!(a.relative_drift(), b.relative_drift(), "{name}: {}", a.name);
     }

@@ -46,9 +46,9 @@ fn s4_6_drift_over_ten_million_bounces() {
     observed!(closed, 0.0..=5e-16);
     // The drift is linear: a tenth of the bounces, a tenth of the loss.
     let tenth = (increments(count / 10).energy(BALL) - 1.0).abs();
-    observed!(relative(generic / tenth, 10.0), 7e-5..=0.1);
+    close!(generic / tenth, 10.0, 7e-5..=0.1);
     // And the motion itself has lost its phase by no more than this.
-    observed!((last.velocity - far.velocity).abs(), 4e-11..=3e-9);
+    near!(last.velocity, far.velocity, 4e-11..=3e-9);
 }
 
 /// The rows of the table of 34 digits: with a time those of flights, without one those of bounces alone.
@@ -156,5 +156,5 @@ fn s4_6_closed_form_after_a_million_million_bounces() {
     let off = (other.velocity - far.velocity).abs();
     assert!((1e-6..1e-4).contains(&off), "{off:e}");
     let energy = rotation.after(start, u64::MAX).energy(BALL);
-    observed!(relative(energy, 1.0), 0.0..=5e-16);
+    close!(energy, 1.0, 0.0..=5e-16);
 }

@@ -16,7 +16,7 @@ fn s4_6_double_bounce_is_a_rotation() {
         assert_eq!(trace(double(kappa)), whole(4) * cos * cos - TWO);
     }
     let delta = BounceRotation::of_fraction(2, 5).unwrap().angle();
-    observed!(relative(delta, 1.127_885_282_721_257_7), 0.0..=2.3e-16);
+    close!(delta, 1.127_885_282_721_257_7, 0.0..=2.3e-16);
     near!(delta.cos(), 3.0 / 7.0, 2.3e-16);
 }
 
@@ -71,8 +71,8 @@ fn s4_6_it_comes_back_out() {
     assert!(outward.eq([false, true, true, true, false]));
     // Between endless plates: never beyond −½ ± √(7/8), and as near to it as one waits for.
     let [least, greatest] = reach(BALL).unwrap();
-    observed!(relative(least, -1.435_414_346_693_485_4), 0.0..=2.3e-16);
-    observed!(relative(greatest, 0.435_414_346_693_485_35), 0.0..=3e-16);
+    close!(least, -1.435_414_346_693_485_4, 0.0..=2.3e-16);
+    close!(greatest, 0.435_414_346_693_485_35, 0.0..=3e-16);
     let start = moving(1.0, 0.0);
     let (mut low, mut high) = (0.0_f64, 0.0_f64);
     for x in UnderTable::new(start, BALL).positions().take(100_000) {
@@ -83,12 +83,12 @@ fn s4_6_it_comes_back_out() {
     observed!(greatest - high, 8e-12..=3e-10);
     // κ → 0: it passes straight through, and nothing holds it.
     let light = UnderTable::new(start, 1e-12).positions().nth(99).unwrap();
-    observed!(relative(light, 100.0), 2e-9..=7e-8);
+    close!(light, 100.0, 2e-9..=7e-8);
     assert!(reach(1e-12).unwrap()[1] > 4e5 && reach(0.0).is_err());
     // On the rim and beyond, ½(√(1 + 1/κ) − 1) is a small difference: ½(√2 − 1), and 1/4κ − 1/16κ² + ….
     let [hoop, beyond] = [1.0, 1e10].map(|kappa| reach(kappa).unwrap()[1]);
-    observed!(relative(hoop, 0.207_106_781_186_547_52), 0.0..=3e-16);
-    observed!(relative(beyond, 2.5e-11 * (1.0 - 2.5e-11)), 0.0..=3e-16);
+    close!(hoop, 0.207_106_781_186_547_52, 0.0..=3e-16);
+    close!(beyond, 2.5e-11 * (1.0 - 2.5e-11), 0.0..=3e-16);
 }
 
 // claim: C4.6-12

@@ -21,11 +21,9 @@ fn defects(a: &Matrix3<f64>, found: &PrincipalAxes) -> (f64, f64) {
     let moments = Vector3::from(found.moments.map(Dd::from));
     let largest = |matrix: Matrix3<Dd>| greatest(matrix.map(|x| x.value().abs()).iter().copied());
     let skew = v.transpose() * v - Matrix3::identity();
-    let residual = a * v - v * Matrix3::from_diagonal(&moments);
-    (
-        largest(skew),
-        largest(residual) / greatest(found.moments.map(f64::abs)),
-    )
+    let residual = largest(a * v - v * Matrix3::from_diagonal(&moments));
+    let size = greatest(found.moments.map(f64::abs));
+    (largest(skew), residual / size)
 }
 
 fn assert_promises(kind: &str, a: &Matrix3<f64>, exact: [Dd; 3]) -> [f64; 3] {

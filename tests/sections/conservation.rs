@@ -21,7 +21,7 @@ const MASSES: [f64; 5] = [1.0, 2.0, 3.0, 4.0, 6.0];
 
 /// Five particles in uniformly accelerated flight, and their state at any time.
 struct Flight {
-    start: Vec<(V, V, V)>,
+    start: [(V, V, V); 5],
 }
 
 impl Flight {
@@ -29,9 +29,7 @@ impl Flight {
         let mut numbers = Uniform(seed);
         let mut vector = || integers(&mut numbers);
         let start = MASSES.map(|_| (vector(), vector(), vector()));
-        Self {
-            start: start.to_vec(),
-        }
+        Self { start }
     }
 
     fn at(&self, t: f64) -> Particles {
@@ -356,30 +354,25 @@ fn s3_5_maclaurin_spheroids() {
 #[test]
 fn maclaurin_spheroids_that_nobody_chose() {
     let exact = |square: Dd| {
-        let (mut sum, mut term) = (Dd::from(0.0), Dd::from(2.0) / Dd::from(3.0));
+        let (mut sum, mut term) = (Dd::ZERO, Dd::from(2.0) / 3.0);
         for n in 1..2000_u32 {
             sum += term;
-            term = term * square * Dd::from(f64::from(2 * n + 2)) / Dd::from(f64::from(2 * n + 3));
+            term = term * square * f64::from(2 * n + 2) / f64::from(2 * n + 3);
         }
-        let [three, two] = [3.0, 2.0].map(Dd::from);
-        two * (Dd::from(1.0) - square) * (three * sum - two - two * square * sum)
+        2.0 * (1.0 - square) * (3.0 * sum - 2.0 - 2.0 * square * sum)
+    };
+    let off = |star: MaclaurinSpheroid, square: Dd| {
+        let ratio = Dd::from(star.rotation) / exact(square) - 1.0;
+        ratio.value().abs() / f64::EPSILON
     };
     let mut numbers = Uniform(1742);
     for _ in 0..500 {
         let x = 0.2 + 0.78 * numbers.next();
-        let square = Dd::from(x) * Dd::from(x);
-        let flat = MaclaurinSpheroid::from_axis_ratio(x).unwrap().rotation;
-        let off = (Dd::from(flat) / exact(Dd::from(1.0) - square) - Dd::from(1.0))
-            .value()
-            .abs()
-            / f64::EPSILON;
-        observed!(off, 1.5..=4.0);
-        let round = MaclaurinSpheroid::from_eccentricity(x).unwrap().rotation;
-        let off = (Dd::from(round) / exact(square) - Dd::from(1.0))
-            .value()
-            .abs()
-            / f64::EPSILON;
-        observed!(off, 1.5..=4.0);
+        let square = Dd::from(x) * x;
+        let flat = MaclaurinSpheroid::from_axis_ratio(x).unwrap();
+        observed!(off(flat, 1.0 - square), 1.5..=4.0);
+        let round = MaclaurinSpheroid::from_eccentricity(x).unwrap();
+        observed!(off(round, square), 1.5..=4.0);
     }
 }
 

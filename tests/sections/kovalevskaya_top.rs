@@ -37,19 +37,8 @@ fn times(a: [R; 2], b: [R; 2]) -> [R; 2] {
 
 /// The same start as power series take it: Ω, z, and the attitude from the identity.
 const REGISTER: Whole = {
-    let third = 1.0 / 3.0;
-    [
-        1.0,
-        0.5,
-        0.3,
-        2.0 * third,
-        -third,
-        2.0 * third,
-        1.0,
-        0.0,
-        0.0,
-        0.0,
-    ]
+    let (one, two) = (1.0 / 3.0, 2.0 / 3.0);
+    [1.0, 0.5, 0.3, two, -one, two, 1.0, 0.0, 0.0, 0.0]
 };
 
 // 8.1: the equations with gravity, and what stays.

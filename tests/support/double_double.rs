@@ -17,19 +17,15 @@ pub struct Dd {
 fn two_sum(a: f64, b: f64) -> Dd {
     let hi = a + b;
     let v = hi - a;
-    Dd {
-        hi,
-        lo: (a - (hi - v)) + (b - v),
-    }
+    let lo = (a - (hi - v)) + (b - v);
+    Dd { hi, lo }
 }
 
 #[inline]
 fn quick_two_sum(a: f64, b: f64) -> Dd {
     let hi = a + b;
-    Dd {
-        hi,
-        lo: b - (hi - a),
-    }
+    let lo = b - (hi - a);
+    Dd { hi, lo }
 }
 
 impl Dd {
@@ -76,10 +72,8 @@ impl Neg for Dd {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
-        Self {
-            hi: -self.hi,
-            lo: -self.lo,
-        }
+        let (hi, lo) = (-self.hi, -self.lo);
+        Self { hi, lo }
     }
 }
 

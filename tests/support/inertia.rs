@@ -18,22 +18,14 @@ pub type Rule = Vec<(f64, f64)>;
 
 /// The Gauss rule with five points on −1..1: exact to degree 9.
 pub fn gauss() -> Rule {
-    let root = (10.0_f64 / 7.0).sqrt();
-    let (near, far) = (
-        (5.0 - 2.0 * root).sqrt() / 3.0,
-        (5.0 + 2.0 * root).sqrt() / 3.0,
-    );
-    let (heavy, light) = (
-        (322.0 + 13.0 * 70.0_f64.sqrt()) / 900.0,
-        (322.0 - 13.0 * 70.0_f64.sqrt()) / 900.0,
-    );
-    vec![
-        (-far, light),
-        (-near, heavy),
-        (0.0, 128.0 / 225.0),
-        (near, heavy),
-        (far, light),
-    ]
+    let node = |sign: f64| {
+        let place = (5.0 + sign * 2.0 * (10.0_f64 / 7.0).sqrt()).sqrt() / 3.0;
+        (place, (322.0 - sign * 13.0 * 70.0_f64.sqrt()) / 900.0)
+    };
+    let [near, far] = [-1.0, 1.0].map(node);
+    let mirrored = |(place, weight): (f64, f64)| (-place, weight);
+    let middle = (0.0, 128.0 / 225.0);
+    vec![mirrored(far), mirrored(near), middle, near, far]
 }
 
 /// ∫f from `from` to `to` of a smooth function, by the same rule on two hundred stretches.

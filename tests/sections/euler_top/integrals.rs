@@ -157,6 +157,7 @@ fn the_mode_of_an_asteroid_is_one_number() {
         assert!((l.norm_squared() - ratio).abs() < 2e-15, "{ratio}");
     }
     refused!(mode(moments, 3.23), OutOfRange);
+    refused!(mode([1.0, 3.0, 2.0], 1.2), Condition);
 }
 
 #[test]

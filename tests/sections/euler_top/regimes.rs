@@ -12,6 +12,7 @@ fn reordered<T: Copy>(v: [T; 3], order: [usize; 3]) -> [T; 3] {
 fn euler_top_decides_the_regime_by_exact_differences() {
     let tiny = f64::from_bits(1);
     let (up, down) = (2f64.next_up(), 2f64.next_down());
+    let (above, below) = (3f64.next_up(), 3f64.next_down());
     use Regime::{AroundLargest, AroundSmallest, AtRest, PermanentRotation, Rod};
     use Regime::{Separatrix, Sphere, Symmetric};
     for (moments, l, regime) in [
@@ -32,16 +33,8 @@ fn euler_top_decides_the_regime_by_exact_differences() {
         ([1.5, 3.0, 4.0], [1e-200, 7.0, -2e-200], Separatrix),
         ([1.5, 3.0, 4.0], [1.0, 7.0, up], AroundLargest),
         ([1.5, 3.0, 4.0], [1.0, 7.0, down], AroundSmallest),
-        (
-            [1.5, 3.0f64.next_up(), 4.0],
-            [1.0, 7.0, 2.0],
-            AroundSmallest,
-        ),
-        (
-            [1.5, 3.0f64.next_down(), 4.0],
-            [1.0, 7.0, 2.0],
-            AroundLargest,
-        ),
+        ([1.5, above, 4.0], [1.0, 7.0, 2.0], AroundSmallest),
+        ([1.5, below, 4.0], [1.0, 7.0, 2.0], AroundLargest),
     ] {
         for order in ORDERS {
             for scale in [1.0, 2f64.powi(-40), 2f64.powi(300)] {

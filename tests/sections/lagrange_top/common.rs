@@ -108,10 +108,8 @@ pub fn gained_azimuth(top: &LagrangeTop, t: f64, steps: u32) -> f64 {
 
 /// L₃ and L_vert.
 pub fn spins(top: &LagrangeTop) -> (f64, f64) {
-    (
-        at(top, 0.0).angular_momentum.z(),
-        top.vertical_angular_momentum(),
-    )
+    let axial = at(top, 0.0).angular_momentum.z();
+    (axial, top.vertical_angular_momentum())
 }
 
 /// I₁ and Mgl, as squares: positive.

@@ -1,6 +1,6 @@
 //! Scene files: a body is given by what it is.
 
-use super::files::{last, mistakes, one_mistake};
+use super::files::{last, mistakes, one_mistake, rows};
 use super::*;
 use spinning_bodies::inertia::shapes::{ball_without_cap, torus};
 use spinning_bodies::scene::files::parse_with;
@@ -90,7 +90,8 @@ fn moments(body: &str) -> [f64; 3] {
 fn a_body_is_given_by_what_it_is() {
     let (m, r, h) = (2.0, 0.3, 0.8);
     let round = |across: f64, about: f64| [across, across, about];
-    let (ball, half, disc) = (0.4 * m * r * r, 83.0 / 320.0 * m * r * r, 0.5 * m * r * r);
+    let (ball, disc) = (0.4 * m * r * r, 0.5 * m * r * r);
+    let half = round(83.0 / 320.0 * m * r * r, ball);
     let cylinder = round(m * (r * r / 4.0 + h * h / 12.0), disc);
     // About its centre of mass, and about its tip.
     let cone = round(0.15 * m * (r * r + h * h / 4.0), 0.3 * m * r * r);
@@ -99,6 +100,7 @@ fn a_body_is_given_by_what_it_is() {
     let ellipsoid = [13.0, 10.0, 5.0].map(|squares| m * squares / 5.0);
     // Half the mass in a ball, half a third below: M/4 between two points 1/3 R apart.
     let weighted = round(ball / 2.0 + m * 0.01 / 4.0, ball / 2.0);
+    let egg = round(13.0 * m / 5.0, 8.0 * m / 5.0);
     for (body, expected) in [
         ("'ball'\nradius = 0.3", [ball; 3]),
         ("'shell'\nradius = 0.3", [ball / 0.6; 3]),
@@ -112,14 +114,8 @@ fn a_body_is_given_by_what_it_is() {
         ),
         ("'cuboid'\nedges = [3, 6, 9]", cuboid),
         ("'ellipsoid'\nsemi_axes = [1, 2, 3]", ellipsoid),
-        (
-            "'egg'\nlong = 3\nshort = 2",
-            round(13.0 * m / 5.0, 8.0 * m / 5.0),
-        ),
-        (
-            "'ball-without-cap'\nradius = 0.3\ncut = 0",
-            round(half, ball),
-        ),
+        ("'egg'\nlong = 3\nshort = 2", egg),
+        ("'ball-without-cap'\nradius = 0.3\ncut = 0", half),
         ("'ball-without-cap'\nradius = 0.3\ncut = 0.3", [ball; 3]),
         (
             "'ball-with-weight'\nradius = 0.3\nweight = 0.5\nweight_at = [0, 0, -0.1]",
@@ -250,6 +246,33 @@ fn a_shape_gives_all_that_a_table_needs() {
     assert!(mistakes(&cube)[0].contains("smooth surface"));
     let more = by_shape.replace("cut = 0", "cut = 0\nsurface_center = [0, 0, 1]");
     assert!(mistakes(&more)[0].contains("`surface_center` in [body] is unknown"));
+}
+
+/// I = 2/5 · 2 kg · (0.1 m)², 30 rad/s, weight 20 N.
+#[test]
+fn a_ball_that_spins_on_a_table_tells_what_it_has() {
+    let text = "kind = 'table-top'\n[body]\nmass = 2\nshape = 'ball'\nradius = 0.1\n[initial]\ntilt = 0\naxial_spin = 30\n\
+                [effects]\ngravity = 10\n[run]\ntimes = [0.5]\n";
+    let spin = last(text, ["omega", "vertical_spin", "lz"]);
+    near!(spin[..], [30.0, 30.0, 0.24][..], 1e-12);
+    let energies = last(text, ["rotation", "translation", "potential"]);
+    near!(energies[..], [3.6, 0.0, 2.0][..], 1e-12);
+}
+
+/// Newton's law for the centre of mass, by second differences of its height.
+#[test]
+fn a_pivot_bears_what_moves_the_centre_of_mass() {
+    let h = 1e-3;
+    let text = format!(
+        "[body]\nmass = 1.5\nmoments = [1, 1.6, 2.1]\ncenter_of_mass = [0.1, -0.2, 0.3]\n[initial]\nattitude = [0.6, 0, 0.8, 0]\n\
+         omega = [0.5, 2, -1]\n[effects]\ngravity = 9.81\n[run]\ntimes = {:?}\naccuracy = 1e-12\n",
+        [0.7 - h, 0.7, 0.7 + h]
+    );
+    let [before, now, after] = rows(&text, ["height", "force_z"])[..] else {
+        panic!()
+    };
+    let acceleration = (before[0] - 2.0 * now[0] + after[0]) / (h * h);
+    near!(now[1], 1.5 * (9.81 + acceleration), 1e-5);
 }
 
 #[test]

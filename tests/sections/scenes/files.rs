@@ -19,12 +19,17 @@ pub(super) fn one_mistake(text: &str) -> String {
     told[0].clone()
 }
 
-/// The numbers of these names at the last of the times.
-pub(super) fn last<const N: usize>(text: &str, names: [&str; N]) -> [f64; N] {
+/// The numbers of these names at each of the times.
+pub(super) fn rows<const N: usize>(text: &str, names: [&str; N]) -> Vec<[f64; N]> {
     let (scene, request) = parse("mine.toml", text).unwrap_or_else(|told| panic!("{told}"));
     let scene = scene.telling(&names).unwrap();
     let table = scene.simulate(&request).unwrap();
-    *table.numbers(names).unwrap().last().unwrap()
+    table.numbers(names).unwrap()
+}
+
+/// The same at the last of the times.
+pub(super) fn last<const N: usize>(text: &str, names: [&str; N]) -> [f64; N] {
+    *rows(text, names).last().unwrap()
 }
 
 #[test]

@@ -276,15 +276,20 @@ pub(crate) fn within(quantity: &'static str, value: f64, least: f64, greatest: f
     })
 }
 
+/// The error of a condition that does not hold, with the value that breaks it.
+pub(crate) const fn refused<T>(condition: &'static str, value: f64) -> Result<T> {
+    Err(Error::Condition { condition, value })
+}
+
 /// Refuses an output slice whose length is not the number of results.
 pub(crate) fn same_length(wanted: usize, found: usize) -> Result<()> {
     if wanted == found {
         return Ok(());
     }
-    Err(Error::Condition {
-        condition: "the output slice must have one place for each result",
-        value: found as f64,
-    })
+    refused(
+        "the output slice must have one place for each result",
+        found as f64,
+    )
 }
 
 /// The refusal of a time so far from 0 that no digit of the phase would be left; `limit` is the greatest time at which some are.

@@ -20,7 +20,7 @@ use core::f64::consts::{PI, TAU};
 
 use nalgebra::{Complex, DMatrix};
 
-use crate::error::{Error, Result, finite, within};
+use crate::error::{Error, Result, each_finite, finite, refused, within};
 
 type C = Complex<f64>;
 
@@ -64,25 +64,16 @@ impl TruncatedFluid {
     pub fn new(size: usize, modes: &[([i32; 2], C)]) -> Result<Self> {
         within("the size N of the truncation", size as f64, 3.0, 63.0)?;
         if size.is_multiple_of(2) {
-            return Err(Error::Condition {
-                condition: "the size N of the truncation must be odd",
-                value: size as f64,
-            });
+            return refused("the size N of the truncation must be odd", size as f64);
         }
         let mut fluid = Self {
             size,
             modes: vec![C::ZERO; size * size],
         };
         for &(m, value) in modes {
-            finite("a mode of the vorticity", value.re)?;
-            finite("a mode of the vorticity", value.im)?;
+            each_finite("a mode of the vorticity", [value.re, value.im])?;
             if fluid.place(m) == 0 {
-                return Err(Error::OutOfRange {
-                    quantity: "the length of a wave vector",
-                    value: 0.0,
-                    least: 1.0,
-                    greatest: size as f64,
-                });
+                within("the length of a wave vector", 0.0, 1.0, size as f64)?;
             }
             fluid.put(m, value);
         }

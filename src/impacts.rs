@@ -288,10 +288,8 @@ impl Strike {
     fn approximation(&self, velocity: BodyVector) -> Result<BodyVector> {
         let kick = self.at.cross(&(self.meteorite.mass * velocity));
         let change = solve(&self.planet.inertia.matrix(), kick.components())?;
-        finite_vector(
-            "the first-order angular velocity",
-            self.planet.omega + change,
-        )
+        let omega = self.planet.omega + change;
+        finite_vector("the first-order angular velocity", omega)
     }
 }
 

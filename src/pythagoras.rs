@@ -14,7 +14,7 @@
 
 use nalgebra::Vector3;
 
-use crate::error::{Error, Result, each_finite, finite, positive, within};
+use crate::error::{Result, each_finite, finite, positive, refused, within};
 use crate::precise::{DoubleDouble, Number, power_of_two_below};
 
 /// The sense in which the corners A, R, B run round the triangle.
@@ -95,10 +95,7 @@ impl GasBox {
         // Two products of magnitude below 4, each with a relative error of 2⁻¹⁰³ at most.
         const ROUNDING: f64 = 8.0 / (1u128 << 103) as f64;
         if area.abs() <= ROUNDING {
-            return Err(Error::Condition {
-                condition: "the triangle must enclose an area",
-                value: area * unit * unit,
-            });
+            return refused("the triangle must enclose an area", area * unit * unit);
         }
         let orientation = if area > 0.0 {
             Orientation::Anticlockwise
@@ -257,10 +254,8 @@ pub fn opposite_side(ar: f64, rb: f64, gamma: f64) -> Result<f64> {
     let ar = positive("the side AR", ar)?;
     let rb = positive("the side RB", rb)?;
     let half = (0.5 * angle_of_triangle(gamma)?).sin();
-    finite(
-        "the side AB",
-        (ar - rb).hypot(2.0 * half * ar.sqrt() * rb.sqrt()),
-    )
+    let across = 2.0 * half * ar.sqrt() * rb.sqrt();
+    finite("the side AB", (ar - rb).hypot(across))
 }
 
 /// The angle γ at which the torque of the gas on RB changes sign (9.2): arccos(RB/(2AR)), radians; `None` if RB > 2AR, when it never does.
@@ -301,12 +296,9 @@ pub fn reversal_angle(ar: f64, rb: f64) -> Result<Option<f64>> {
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn polygon_torques(vertices: &[[f64; 2]], hinge: [f64; 2]) -> Result<Vec<f64>> {
-    if vertices.len() < 3 {
-        let condition = "a polygon must have at least three vertices";
-        return Err(Error::Condition {
-            condition,
-            value: vertices.len() as f64,
-        });
+    let count = vertices.len() as f64;
+    if count < 3.0 {
+        return refused("a polygon must have at least three vertices", count);
     }
     let next = vertices.iter().cycle().skip(1);
     vertices
@@ -346,11 +338,7 @@ pub fn tetrahedron_areas(vertices: [[f64; 3]; 4]) -> Result<[[f64; 3]; 4]> {
     let [u, v, w] = edges_from(vertices)?;
     let volume = u.cross(&v).dot(&w);
     if volume == 0.0 {
-        let condition = "the tetrahedron must enclose a volume";
-        return Err(Error::Condition {
-            condition,
-            value: volume,
-        });
+        return refused("the tetrahedron must enclose a volume", volume);
     }
     let mut areas = [[0.0; 3]; 4];
     for (k, area) in areas.iter_mut().enumerate() {

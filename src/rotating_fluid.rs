@@ -59,12 +59,8 @@ impl MaclaurinSpheroid {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn from_eccentricity(e: f64) -> Result<Self> {
-        let e = within(
-            "the eccentricity of a spheroid",
-            e,
-            0.0,
-            1.0_f64.next_down(),
-        )?;
+        let below_one = 1.0_f64.next_down();
+        let e = within("the eccentricity of a spheroid", e, 0.0, below_one)?;
         Ok(Self::of([e, ((1.0 - e) * (1.0 + e)).sqrt()], e * e))
     }
 
@@ -81,12 +77,8 @@ impl MaclaurinSpheroid {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn from_axis_ratio(c_over_a: f64) -> Result<Self> {
-        let q = within(
-            "the axis ratio of a spheroid",
-            c_over_a,
-            f64::MIN_POSITIVE,
-            1.0,
-        )?;
+        let least = f64::MIN_POSITIVE;
+        let q = within("the axis ratio of a spheroid", c_over_a, least, 1.0)?;
         Ok(Self::from_ratio(q))
     }
 
@@ -180,12 +172,8 @@ impl JacobiEllipsoid {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn from_axis_ratio(b_over_a: f64) -> Result<Self> {
-        let b = within(
-            "the axis ratio b/a of a Jacobi ellipsoid",
-            b_over_a,
-            1e-3,
-            1.0,
-        )?;
+        let quantity = "the axis ratio b/a of a Jacobi ellipsoid";
+        let b = within(quantity, b_over_a, 1e-3, 1.0)?;
         let c = equilibrium_axis_ratio(b);
         let axes = [1.0, b, c];
         let rotation = 2.0 * potential_integral(axes, |u, [a, b, _]| u / ((a + u) * (b + u)));

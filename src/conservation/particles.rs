@@ -239,10 +239,8 @@ impl Particles {
         let mut torque = SpaceVector::zero();
         for (i, first) in self.particles.iter().enumerate() {
             for second in &self.particles[i + 1..] {
-                let force = finite_vector(
-                    "the force between two particles",
-                    force_on_first(first, second),
-                )?;
+                let force = force_on_first(first, second);
+                let force = finite_vector("the force between two particles", force)?;
                 torque += (first.position - second.position).cross(&force);
             }
         }

@@ -187,10 +187,8 @@ impl Mean {
 #[inline(always)]
 pub(super) fn quarter_next_to_zero(m: Dd) -> Dd {
     let x = m.high();
-    let more = Dd::new(
-        0.25 * x,
-        0.25 * m.low() + x * x * (9.0 / 64.0 + x * (25.0 / 256.0)),
-    );
+    let rest = x * x * (9.0 / 64.0 + x * (25.0 / 256.0));
+    let more = Dd::new(0.25 * x, 0.25 * m.low() + rest);
     let quarter = RIGHT_ANGLE.add_lesser(RIGHT_ANGLE.quick_product(more));
     let (high, low) = quick::ordered_sum(quarter.high(), quarter.low());
     Dd::new(high, low)
@@ -338,10 +336,7 @@ fn mean(parameter: Parameter) -> Triple {
         // √mc from a number near 1, so that no word underflows.
         let exponent = (mc.high().log2() * 0.5).floor() as i32;
         let step = 0.5_f64.powi(exponent);
-        (
-            Triple::pair(mc.scaled(step).scaled(step)),
-            2.0_f64.powi(exponent),
-        )
+        (Triple::pair(mc.scaled(step).scaled(step)), 1.0 / step)
     };
     let mut a = Triple([1.0, 0.0, 0.0]);
     let mut b = mc.square_root().scaled(power);

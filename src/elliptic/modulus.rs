@@ -100,12 +100,9 @@ impl Modulus {
                 let logarithm = nome.logarithm(mc, mean.product);
                 DoubleDouble::quick_quotient(logarithm.scaled(0.5), mean.value)
             };
-            let series = Series::hyperbolic(
-                nome.value().sqrt(),
-                complementary_modulus,
-                mean.value.value(),
-            );
-            Self::assemble(parameter, Side::Hyperbolic, quarter, mean.value, series)
+            let (half, rate) = (nome.value().sqrt(), mean.value);
+            let series = Series::hyperbolic(half, complementary_modulus, rate.value());
+            Self::assemble(parameter, Side::Hyperbolic, quarter, rate, series)
         }
     }
 

@@ -1,6 +1,6 @@
 //! The parameter m together with its complement 1 − m.
 
-use crate::error::{Error, Result, finite, within};
+use crate::error::{Result, finite, refused, within};
 use crate::precise::{DoubleDouble, Number};
 
 /// The parameter m = k² and its complement mc = 1 − m, neither formed from the other by a subtraction that cancels.
@@ -39,10 +39,7 @@ impl Parameter {
         let m = within_unit("parameter m", m)?;
         let mc = within_unit("complementary parameter mc", mc)?;
         if (m + mc - 1.0).abs() > 4.0 * f64::EPSILON {
-            return Err(Error::Condition {
-                condition: "m + mc must be 1 to within 4 eps",
-                value: m + mc,
-            });
+            return refused("m + mc must be 1 to within 4 eps", m + mc);
         }
         Ok(if m <= mc {
             Self::exactly(m)

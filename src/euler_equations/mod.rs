@@ -188,11 +188,8 @@ pub fn rate_in_space(
     omega: SpaceVector,
     torque: SpaceVector,
 ) -> SpaceVector {
-    attitude.to_space(rate(
-        moments,
-        attitude.to_body(omega),
-        attitude.to_body(torque),
-    ))
+    let (omega, torque) = (attitude.to_body(omega), attitude.to_body(torque));
+    attitude.to_space(rate(moments, omega, torque))
 }
 
 /// The point about which torque and inertia are taken.

@@ -7,7 +7,7 @@
 use super::evaluation::handedness;
 use super::preparation::ascending;
 use crate::error::{Error, Result, positive};
-use crate::frame::{BodyVector, finite_vector};
+use crate::frame::BodyVector;
 use crate::precise::{DoubleDouble, Number, exponent_of, power_of_two_below, shifted};
 
 /// The axis that the polhode circles.
@@ -82,13 +82,8 @@ impl Poinsot {
         for moment in moments {
             positive("a principal moment", moment)?;
         }
-        finite_vector("the angular momentum", l)?;
+        l.direction("the angular momentum")?;
         let (given, size) = (l.components(), l.components().amax());
-        if size == 0.0 {
-            return Err(Error::ZeroVector {
-                quantity: "the angular momentum",
-            });
-        }
         let axes = ascending(moments);
         let [least, _, greatest] = axes.map(|k| moments[k]);
         if least / greatest < LEAST_RATIO {
@@ -113,10 +108,8 @@ impl Poinsot {
         };
         picture.decide();
         let root = norm([0, 1, 2].map(|k| picture.l[k] / picture.moments[k].sqrt()));
-        picture.semi_axes = picture.unsorted(
-            picture.moments.map(|i| root / i.sqrt()),
-            picture.units.omega,
-        );
+        let semi_axes = picture.moments.map(|i| root / i.sqrt());
+        picture.semi_axes = picture.unsorted(semi_axes, picture.units.omega);
         picture.plane_distance = picture.in_units(root * (root / norm(picture.l)));
         Ok(picture)
     }

@@ -230,18 +230,9 @@ pub(super) fn decide_from<N: Number>(
         (c, separation, 1.0)
     };
     let axes = Renumbering::new(axis, l.map(N::leading));
-    let l = axes.renumber(l);
-    (
-        regime,
-        Some(constants(
-            axes,
-            axes.renumber(moments),
-            l,
-            c,
-            distance,
-            sense,
-        )),
-    )
+    let (i, l) = (axes.renumber(moments), axes.renumber(l));
+    let constants = constants(axes, i, l, c, distance, sense);
+    (regime, Some(constants))
 }
 
 /// The constants along the renumbered axes; `sense` is the sign of du/dt.

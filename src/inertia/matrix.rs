@@ -3,8 +3,8 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::principal::{PrincipalAxes, symmetric, symmetric_axes};
-use crate::error::{Error, Result, each_finite, finite, not_negative};
-use crate::frame::{Attitude, BodyVector};
+use crate::error::{Error, Result, each_finite, finite, not_negative, within};
+use crate::frame::{Attitude, BodyVector, finite_vector};
 
 /// The inertia matrix I about some point, kg m²: symmetric, with moments that a body can have.
 ///
@@ -118,10 +118,7 @@ impl InertiaMatrix {
     /// ```
     pub fn of_particle(mass: f64, position: BodyVector) -> Result<Self> {
         not_negative("the mass", mass)?;
-        each_finite(
-            "a coordinate of the particle",
-            position.components().iter().copied(),
-        )?;
+        finite_vector("a coordinate of the particle", position)?;
         Self::checked(particle_term(mass, &position.components()))
     }
 
@@ -275,13 +272,9 @@ impl InertiaMatrix {
     /// ```
     pub fn averaged_over_rotations(&self, axis: BodyVector, order: u32) -> Result<Self> {
         let e = axis.direction("the axis")?.components();
+        let most = u32::MAX.into();
+        within("the order of the symmetry", order.into(), 1.0, most)?;
         match order {
-            0 => Err(Error::OutOfRange {
-                quantity: "the order of the symmetry",
-                value: 0.0,
-                least: 1.0,
-                greatest: f64::from(u32::MAX),
-            }),
             1 => Ok(*self),
             2 => {
                 let half_turn = 2.0 * e * e.transpose() - Matrix3::identity();

@@ -229,11 +229,8 @@ fn refine_small_moments<N: Number>(
     // The columns of the adjugate of A − low are multiples of its axis.
     let [x, y, z] = [x, y, z].map(|d| d - pair[0]);
     let minor = |a: N, b, c: N, d| (a * b).add_alike(-(c * d));
-    let (a01, a02, a12) = (
-        minor(xz, yz, xy, z),
-        minor(xy, yz, xz, y),
-        minor(xy, xz, yz, x),
-    );
+    let (a01, a02) = (minor(xz, yz, xy, z), minor(xy, yz, xz, y));
+    let a12 = minor(xy, xz, yz, x);
     let columns = [
         [minor(y, z, yz, yz), a01, a02],
         [a01, minor(x, z, xz, xz), a12],
@@ -273,10 +270,8 @@ fn coordinate_axes(diagonal: [f64; 3]) -> PrincipalAxes {
 /// A power of two that brings `size` near 1, and its reciprocal; both normal, so that scaling rounds nothing.
 fn powers_of_two(size: f64) -> (f64, f64) {
     let biased = ((size.to_bits() >> 52) & 0x7ff).clamp(2, 2044);
-    (
-        f64::from_bits((2046 - biased) << 52),
-        f64::from_bits(biased << 52),
-    )
+    let power = |biased: u64| f64::from_bits(biased << 52);
+    (power(2046 - biased), power(biased))
 }
 
 /// Which end of the spectrum the separated root is.

@@ -320,10 +320,8 @@ pub fn racket(mass: f64, head: f64, handle: f64) -> Result<MassProperties> {
     if share == 1.0 {
         return Ok(hoop);
     }
-    let rod = from_means(
-        mass * (1.0 - share),
-        [(1.0 / 3.0, 0.5 * handle), (0.0, 0.0), (0.0, 0.0)],
-    )?;
+    let (along, thin) = ((1.0 / 3.0, 0.5 * handle), (0.0, 0.0));
+    let rod = from_means(mass * (1.0 - share), [along, thin, thin])?;
     let rod = rod.moved(BodyVector::new(-(head + 0.5 * handle), 0.0, 0.0))?;
     MassProperties::compose(&[hoop, rod])
 }

@@ -373,10 +373,8 @@ impl<N: Number> Integrals<N> {
         } else {
             let top2 = p.quotient(far);
             let bottom2 = two - top2;
-            (
-                [far, top2],
-                [self.over_the_bottom(bottom2, from_bottom), bottom2],
-            )
+            let bottom1 = self.over_the_bottom(bottom2, from_bottom);
+            ([far, top2], [bottom1, bottom2])
         };
         Some(Distances {
             top,

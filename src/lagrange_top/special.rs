@@ -6,7 +6,7 @@
 use std::f64::consts::PI;
 
 use super::motion::LagrangeTop;
-use crate::error::{Error, Result, finite, not_negative, positive, within};
+use crate::error::{Error, Result, finite, not_negative, positive, refused, within};
 use crate::frame::{Attitude, BodyVector};
 use crate::precise::{Extended, Number};
 
@@ -130,10 +130,7 @@ pub struct FastSpin {
 pub fn fast_spin(transverse: f64, weight_moment: f64, l3: f64, height: f64) -> Result<FastSpin> {
     let [leading, weight, momentum] = quadratic(transverse, weight_moment, l3, height)?;
     if momentum.is_zero() {
-        return Err(Error::Condition {
-            condition: "the axial angular momentum must not be zero",
-            value: l3,
-        });
+        return refused("the axial angular momentum must not be zero", l3);
     }
     let fast = if leading.is_zero() {
         l3.signum() * f64::INFINITY
@@ -393,13 +390,8 @@ pub fn pendulum_between(inner: f64, outer: f64, gravity: f64) -> Result<Lagrange
     let across = outer.sin() * (gravity.sqrt() / (half_difference.cos() * half_sum.cos()).sqrt());
     let (s, c) = (0.5 * inner).sin_cos();
     let attitude = Attitude::from_quaternion(s, c, 0.0, 0.0)?;
-    LagrangeTop::new(
-        1.0,
-        1.0,
-        gravity,
-        BodyVector::new(0.0, across, 0.0),
-        attitude,
-    )
+    let omega = BodyVector::new(0.0, across, 0.0);
+    LagrangeTop::new(1.0, 1.0, gravity, omega, attitude)
 }
 
 /// The spherical pendulum with these integrals (7.6): L_vert/I₁ (rad/s) and the energy over I₁ (s⁻²), zero at rest at the height of the pivot, under

@@ -107,10 +107,8 @@ impl Scale {
     /// The same, times a positive density: in range wherever the result is.
     pub(super) fn restore_times(self, density: f64, value: f64, degree: i32) -> f64 {
         let density = Extended::from_double(density);
-        shifted(
-            value * density.digits.high(),
-            self.exponent * degree + density.exponent,
-        )
+        let exponent = self.exponent * degree + density.exponent;
+        shifted(value * density.digits.high(), exponent)
     }
 
     /// Corner minus apex, in this unit.
@@ -157,19 +155,14 @@ impl Surface<'_> {
     /// The error that names the first triangle with a vertex number out of range.
     fn bad_index(&self) -> Error {
         let vertices = self.vertices.len();
-        for (triangle, corners) in self.triangles.iter().enumerate() {
-            for &index in corners {
-                if index as usize >= vertices {
-                    return Error::VertexIndex {
-                        triangle,
-                        index,
-                        vertices,
-                    };
-                }
-            }
-        }
+        let mut corners = self.triangles.as_flattened().iter().zip(0..);
+        let bad = corners.find(|(index, _)| **index as usize >= vertices);
         // Only called after an index was out of range.
-        Error::OpenMesh
+        bad.map_or(Error::OpenMesh, |(&index, place)| Error::VertexIndex {
+            triangle: place / 3,
+            index,
+            vertices,
+        })
     }
 
     /// The vertices of all triangles, whose numbers must have been checked.

@@ -5,9 +5,11 @@
 //! Arguments may be any doubles, subnormal ones included: where cubes would leave the range, the same
 //! sums are formed in numbers with an exponent of their own.
 
-use crate::error::{Error, Result, finite, not_negative, positive};
+use crate::error::{Result, finite, not_negative, positive, refused};
 use crate::precise::quick::polynomial;
-use crate::precise::{DoubleDouble as Dd, Extended, Number, power, power_of_two_below};
+use crate::precise::{
+    DoubleDouble as Dd, Extended, FIFTH, Number, THIRD, power, power_of_two_below,
+};
 
 /// Spread of the arguments below which their series are right to 2·10⁻²².
 /// A double needs less; principal values, in which two such integrals nearly cancel, need it.
@@ -214,18 +216,10 @@ pub(super) fn third<N: Number>(mut x: [N; 3], p: N) -> (N, Duplicated<N>) {
 
 /// R_C(1, 1 + e) = arctan(√e)/√e for |e| ≤ [`FLAT`] by its series, the first terms in two words; relative error 10⁻²³.
 fn arctangent_series(e: Dd) -> Dd {
-    const THIRD: Dd = Dd::new(1.0 / 3.0, 1.850_371_707_708_594e-17);
-    const FIFTH: Dd = Dd::new(0.2, -1.110_223_024_625_156_6e-17);
+    #[rustfmt::skip]
     const REST: [f64; 9] = [
-        -1.0 / 7.0,
-        1.0 / 9.0,
-        -1.0 / 11.0,
-        1.0 / 13.0,
-        -1.0 / 15.0,
-        1.0 / 17.0,
-        -1.0 / 19.0,
-        1.0 / 21.0,
-        -1.0 / 23.0,
+        -1.0 / 7.0,   1.0 / 9.0,  -1.0 / 11.0, 1.0 / 13.0, -1.0 / 15.0,
+         1.0 / 17.0, -1.0 / 19.0,  1.0 / 21.0, -1.0 / 23.0,
     ];
     let rest = Dd::from(e.high() * polynomial(&REST, e.high()));
     Dd::from(1.0) - e.quick_product(THIRD - e.quick_product(FIFTH + rest))
@@ -333,20 +327,14 @@ fn arguments(x: f64, y: f64, z: f64) -> Result<[f64; 3]> {
 
 fn at_most_one_zero(arguments: &[f64]) -> Result<()> {
     if arguments.iter().filter(|x| **x == 0.0).count() > 1 {
-        return Err(Error::Condition {
-            condition: "at most one argument may be zero",
-            value: 0.0,
-        });
+        return refused("at most one argument may be zero", 0.0);
     }
     Ok(())
 }
 
 fn not_zero(last: f64) -> Result<f64> {
     if last == 0.0 {
-        return Err(Error::Condition {
-            condition: "the last argument must not be zero",
-            value: last,
-        });
+        return refused("the last argument must not be zero", last);
     }
     Ok(last)
 }

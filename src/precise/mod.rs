@@ -21,5 +21,5 @@ pub(crate) use angle::{RIGHT_ANGLE, angle};
 pub use double_double::DoubleDouble;
 pub(crate) use double_double::power_of_two_below;
 pub(crate) use extended::{Extended, exponent_of, power, shifted, sum_of_products};
-pub(crate) use logarithm::logarithm;
+pub(crate) use logarithm::{FIFTH, THIRD, logarithm};
 pub(crate) use number::Number;

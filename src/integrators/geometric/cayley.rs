@@ -223,11 +223,7 @@ impl<T: Real, const VESELOV: bool> Cayley<T, VESELOV> {
     fn solve(&self, g: [T; 3]) -> Option<([T; 3], u64)> {
         let i = self.moments;
         let [a, b, c] = self.last;
-        let (one, two, three) = (
-            T::from_double(1.0),
-            T::from_double(2.0),
-            T::from_double(3.0),
-        );
+        let [one, two, three] = [1.0, 2.0, 3.0].map(T::from_double);
         let mut e: [T; 3] = match self.known {
             0 => core::array::from_fn(|k| g[k] * i[k].reciprocal()),
             1 => a,
@@ -239,21 +235,20 @@ impl<T: Real, const VESELOV: bool> Cayley<T, VESELOV> {
             let gyration = cross(e, ie);
             let scale = if VESELOV { one + dot(e, e) } else { one };
             let rest: [T; 3] = core::array::from_fn(|k| scale * g[k] - (ie[k] + gyration[k]));
-            // The matrix I + (terms of e∧Ie) − 2g eᵀ, by rows.
-            let mut m = [
-                [i[0], (i[2] - i[1]) * e[2], (i[2] - i[1]) * e[1]],
-                [(i[0] - i[2]) * e[2], i[1], (i[0] - i[2]) * e[0]],
-                [(i[1] - i[0]) * e[1], (i[1] - i[0]) * e[0], i[2]],
+            // The matrix I + (terms of e∧Ie) − 2g eᵀ, by columns.
+            let mut columns = [
+                [i[0], (i[0] - i[2]) * e[2], (i[1] - i[0]) * e[1]],
+                [(i[2] - i[1]) * e[2], i[1], (i[1] - i[0]) * e[0]],
+                [(i[2] - i[1]) * e[1], (i[0] - i[2]) * e[0], i[2]],
             ];
             if VESELOV {
-                for (row, g) in m.iter_mut().zip(g) {
-                    for (cell, e) in row.iter_mut().zip(e) {
+                for (column, e) in columns.iter_mut().zip(e) {
+                    for (cell, g) in column.iter_mut().zip(g) {
                         *cell = *cell - two * g * e;
                     }
                 }
             }
-            let column = |k: usize| [m[0][k], m[1][k], m[2][k]];
-            let (x, y, z) = (column(0), column(1), column(2));
+            let [x, y, z] = columns;
             let yz = cross(y, z);
             let scale = dot(x, yz).reciprocal();
             let change = [

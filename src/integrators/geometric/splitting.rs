@@ -1,6 +1,6 @@
 //! Motions by parts that are each solved exactly, in turn: rotations about axes of the body, the rotation about L, kicks by a torque.
 
-use super::coefficients::{NYSTROM_6, NYSTROM_11, S6, S10, STRANG, Splitting};
+use super::coefficients::{NYSTROM_6, NYSTROM_11, S6, S10, STRANG, part_steps};
 use super::stepper::{Run, checked_moments, unit};
 use super::{Integrator, Phase, Stepper, Torque};
 use crate::error::Result;
@@ -119,7 +119,7 @@ impl<T: Real> Integrator<T> for FreeSplitting {
             Order::Four => S6,
             Order::Six => S10,
         };
-        Ok(Alternating::boxed(parts, run, &splitting, step))
+        Ok(Alternating::boxed(parts, run, splitting, step))
     }
 }
 
@@ -204,11 +204,11 @@ impl<T: Real, N: Torque<T>> Integrator<T> for HeavySplitting<N> {
             Order::Six => NYSTROM_11,
         };
         if unequal {
-            let parts: Kicked<T, N, true> = self.parts();
-            Ok(Alternating::boxed(parts, run, &splitting, step))
+            let parts = self.parts::<T, true>();
+            Ok(Alternating::boxed(parts, run, splitting, step))
         } else {
-            let parts: Kicked<T, N, false> = self.parts();
-            Ok(Alternating::boxed(parts, run, &splitting, step))
+            let parts = self.parts::<T, false>();
+            Ok(Alternating::boxed(parts, run, splitting, step))
         }
     }
 }
@@ -271,7 +271,8 @@ struct Kicked<'a, T, N, const UNEQUAL: bool> {
 impl<T: Real, N: Torque<T>, const UNEQUAL: bool> Kicked<'_, T, N, UNEQUAL> {
     #[inline(always)]
     fn kick(&self, run: &mut Run<T>, h: T) {
-        run.push(self.torque.torque(&run.phase()).map(|torque| torque * h));
+        let torque = self.torque.torque(&run.phase());
+        run.l.add_all(torque.map(|component| component * h));
     }
 }
 
@@ -316,10 +317,11 @@ struct Alternating<T, P> {
 }
 
 impl<'a, T: Real, P: Parts<T> + 'a> Alternating<T, P> {
-    fn boxed(parts: P, run: Run<T>, splitting: &Splitting, step: T) -> Box<dyn Stepper<T> + 'a> {
+    fn boxed(parts: P, run: Run<T>, splitting: &[f64], step: T) -> Box<dyn Stepper<T> + 'a> {
         let mut after = 0.0;
-        let stages = splitting.outer.iter().zip(splitting.inner);
-        let stages = stages.map(|(&outer, &inner)| {
+        let part_steps = part_steps(splitting);
+        let stages = part_steps.chunks_exact(2).map(|pair| {
+            let (outer, inner) = (pair[0], pair[1]);
             // A step and its mirror image in turn: the first of the two lasts as long as what it adds to the outer part.
             let before = outer - after;
             after = inner - before;

@@ -248,12 +248,6 @@ impl<T: Real> Run<T> {
         }
     }
 
-    /// Adds to L.
-    #[inline(always)]
-    pub fn push(&mut self, change: [T; 3]) {
-        self.l.add_all(change);
-    }
-
     /// Turns the body by a rotation whose quaternion, less 1, is `turn`: q becomes q(1 + turn), L becomes what a rider sees of it.
     ///
     /// `change` is that change of L: the caller has it with fewer roundings than the quaternion would give it.
@@ -268,10 +262,8 @@ impl<T: Real> Run<T> {
     /// # Errors
     /// [`Error::NotFinite`].
     pub fn settled(&self) -> Result<Phase<T>> {
-        let phase = Phase {
-            l: self.l.values,
-            q: unit(self.q.values),
-        };
+        let Phase { l, q } = self.phase();
+        let phase = Phase { l, q: unit(q) };
         phase.check()?;
         Ok(phase)
     }

@@ -33,12 +33,12 @@ impl<'a, const N: usize> Watch<'a, N> {
         }
     }
 
-    /// The way of the step just taken, and a part of it at which the quantity is no longer positive for the first time, if there is one: the end, or a place before it.
-    pub fn falls<S: System<N> + ?Sized>(
+    /// When within the step just taken the quantity falls through zero, if it does, and with which state.
+    pub fn fall<S: System<N> + ?Sized>(
         &mut self,
         walk: &mut Walk<'_, N, S>,
         taken: &Taken<N>,
-    ) -> Option<(Between<N>, f64)> {
+    ) -> Option<(f64, [f64; N])> {
         let before = self.value;
         let now = self.event.value(walk.time.values[0], &walk.state.values);
         self.value = now;
@@ -46,47 +46,51 @@ impl<'a, const N: usize> Watch<'a, N> {
             self.armed = now > 0.0;
             return None;
         }
-        let value = |between: &Between<N>, part: f64| {
-            let time = taken.time + part * taken.length;
-            self.event.value(time, &between.at(part))
-        };
         if now > 0.0 {
             // The cubic through both ends costs nothing; where nothing on it comes down to half the lower end, nothing dips.
             let (cubic, low) = (walk.cubic(taken), 0.5 * before.min(now));
-            if LOOKS.iter().all(|&part| value(&cubic, part) > low) {
+            if LOOKS
+                .iter()
+                .all(|&part| self.value_at(taken, &cubic, part) > low)
+            {
                 return None;
             }
         }
         let between = walk.between(taken);
         let mut inner = (1..PLACES).map(|n| f64::from(n) / f64::from(PLACES));
-        let dips = inner.find(|&part| value(&between, part) <= 0.0);
+        let dips = inner.find(|&part| self.value_at(taken, &between, part) <= 0.0);
+        // The first place at which it is no longer positive, or the end.
         let part = dips.or((now <= 0.0).then_some(1.0))?;
-        Some((between, part))
+        Some(self.located(walk, taken, &between, part))
+    }
+
+    fn value_at(&self, taken: &Taken<N>, between: &Between<N>, part: f64) -> f64 {
+        self.event.value(taken.at(part), &between.at(part))
     }
 
     /// When and with which state the quantity is zero, between the beginning of a step and this part of it.
-    pub fn located<S: System<N> + ?Sized>(
+    fn located<S: System<N> + ?Sized>(
         &self,
         walk: &mut Walk<'_, N, S>,
         taken: &Taken<N>,
-        (between, until): (Between<N>, f64),
+        between: &Between<N>,
+        until: f64,
     ) -> (f64, [f64; N]) {
-        let time = |part: f64| taken.time + part * taken.length;
         let reach = [until - 1.0 / f64::from(PLACES), until];
-        let mut part = self.on_the_polynomial(&between, taken, reach);
+        let mut part = self.on_the_polynomial(between, taken, reach);
         let mut state = walk.short(taken, part * taken.length);
         for _ in 0..NEWTON {
-            let here = self.event.value(time(part), &state);
-            let rate = walk.leg.system.rate(time(part), &state);
+            let here = self.event.value(taken.at(part), &state);
+            let rate = walk.leg.system.rate(taken.at(part), &state);
             walk.cost.evaluations += 1;
             // Towards the beginning: there the quantity has not fallen yet.
             let h = -PROBE * taken.length;
             let moved = core::array::from_fn(|n| state[n] + h * rate[n]);
-            let slope = (here - self.event.value(time(part) + h, &moved)) / PROBE;
+            let slope = (here - self.event.value(taken.at(part) + h, &moved)) / PROBE;
             let next = (part - here / slope).clamp(reach[0], until);
             let gain = (next - part).abs() * taken.length.abs();
             let falls = slope < 0.0;
-            let done = gain.is_nan() || gain <= f64::EPSILON * time(part).abs();
+            let done = gain.is_nan() || gain <= f64::EPSILON * taken.at(part).abs();
             if here == 0.0 || !falls || done {
                 break;
             }
@@ -96,7 +100,7 @@ impl<'a, const N: usize> Watch<'a, N> {
                 break;
             }
         }
-        (time(part), state)
+        (taken.at(part), state)
     }
 
     /// By secants within an enclosure, the value at an end that stays twice halved (the Illinois rule), and halving where that is slow.
@@ -106,10 +110,7 @@ impl<'a, const N: usize> Watch<'a, N> {
         taken: &Taken<N>,
         [mut low, mut high]: [f64; 2],
     ) -> f64 {
-        let value = |part: f64| {
-            let time = taken.time + part * taken.length;
-            self.event.value(time, &between.at(part))
-        };
+        let value = |part: f64| self.value_at(taken, between, part);
         let (mut above, mut below) = (value(low), value(high));
         let mut last = 0;
         for round in 0..MOST_ROUNDS {

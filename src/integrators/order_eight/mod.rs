@@ -13,7 +13,7 @@ mod tableau;
 mod walk;
 
 use super::{Cost, Effort, Event, Passage, Solution, Stop, System, both_ways};
-use crate::error::{Result, each_finite, finite, not_negative, positive};
+use crate::error::{Result, each_finite, not_negative, positive};
 use event::Watch;
 use walk::{MOST_STEPS, Taken, Walk, too_many};
 
@@ -129,7 +129,8 @@ impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
                 self.left().abs() / count.max(1.0)
             }
         };
-        while self.left() * self.sense > 0.0 {
+        let mut fall = None;
+        while fall.is_none() && self.left() * self.sense > 0.0 {
             let taken = match effort {
                 Effort::Step(_) => self.even(),
                 Effort::Tolerance(tolerance) => self.free(tolerance)?,
@@ -138,33 +139,28 @@ impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
             if self.cost.steps > MOST_STEPS {
                 return Err(too_many(taken.time));
             }
-            for &component in &self.state.values {
-                finite("the state after integration", component)?;
-            }
-            if let Some(watch) = &mut watch
-                && let Some(fall) = watch.falls(&mut self, &taken)
-            {
-                let (time, end) = watch.located(&mut self, &taken, fall);
-                self.sample(&taken, time);
-                return Ok(self.passage(time, end, Stop::AtTheEvent));
-            }
-            let now = self.time.values[0];
-            self.sample(&taken, now);
+            each_finite("the state after integration", self.state.values)?;
+            fall = watch
+                .as_mut()
+                .and_then(|watch| watch.fall(&mut self, &taken));
+            let until = fall.map_or(self.time.values[0], |(time, _)| time);
+            self.sample(&taken, until);
         }
-        let end = self.state.values;
-        // Samples at the very end.
-        self.states.resize(leg.times.len(), end);
-        Ok(self.passage(leg.end, end, Stop::AtTheEnd))
-    }
-
-    fn passage(self, time: f64, end: [f64; N], stopped: Stop) -> Passage<[f64; N]> {
-        Passage {
+        let (time, end, stopped) = match fall {
+            Some((time, end)) => (time, end, Stop::AtTheEvent),
+            None => (leg.end, self.state.values, Stop::AtTheEnd),
+        };
+        if stopped == Stop::AtTheEnd {
+            // Samples at the very end.
+            self.states.resize(leg.times.len(), end);
+        }
+        Ok(Passage {
             states: self.states,
             time,
             end,
             stopped,
             cost: self.cost,
-        }
+        })
     }
 
     /// The samples of a step up to this time within it.

@@ -33,6 +33,13 @@ pub(super) struct Taken<const N: usize> {
     pub(super) length: f64,
 }
 
+impl<const N: usize> Taken<N> {
+    /// The time after a part of it, 0…1.
+    pub(super) fn at(&self, part: f64) -> f64 {
+        self.time + part * self.length
+    }
+}
+
 impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
     pub(super) fn new(leg: &'a Leg<'a, N, S>) -> Self {
         let (time, state) = leg.start;
@@ -90,12 +97,7 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
             }
             self.cost.evaluations += STAGES - 1;
             // Not a number: as far off as can be.
-            let shrink = if growth > LEAST_GROWTH {
-                growth
-            } else {
-                LEAST_GROWTH
-            };
-            self.length = cut.abs() * shrink;
+            self.length = cut.abs() * growth.max(LEAST_GROWTH);
             most_growth = 1.0;
             let time = self.time.values[0];
             if self.length <= f64::EPSILON * time.abs() || self.length == 0.0 {
@@ -144,14 +146,8 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
 
     pub(super) fn between(&mut self, taken: &Taken<N>) -> Between<N> {
         self.cost.evaluations += 3;
-        let whole = (&taken.step, &self.rate);
-        Between::of(
-            self.leg.system,
-            taken.time,
-            &taken.state,
-            whole,
-            taken.length,
-        )
+        let (whole, h) = ((&taken.step, &self.rate), taken.length);
+        Between::of(self.leg.system, taken.time, &taken.state, whole, h)
     }
 
     pub(super) fn cubic(&self, taken: &Taken<N>) -> Between<N> {

@@ -315,20 +315,23 @@ fn with_derivative(coefficients: &[f64; 4], x: f64) -> [f64; 2] {
     [value, (d * x + (d * x + c)) * x + ((d * x + c) * x + b)]
 }
 
-/// Fills `states` with those at `times`: eight side by side where all are within reach, otherwise one by one.
-pub(crate) fn fill<S>(
+/// Fills `states` with those at `times`: of a motion given with its reach, eight side by side where all times are within reach; otherwise one by one.
+pub(crate) fn fill<S, B>(
     times: &[f64],
     states: &mut [S],
-    reach: f64,
+    moving: Option<(&B, f64)>,
     one: impl Fn(f64) -> Result<S>,
-    side_by_side: impl Fn(&[f64; LANES], &mut [S]),
+    side_by_side: impl Fn(&B, &[f64; LANES], &mut [S]),
 ) -> Result<()> {
     same_length(times.len(), states.len())?;
     for (times, states) in times.chunks(LANES).zip(states.chunks_mut(LANES)) {
-        if times.len() >= WORTHWHILE && times.iter().all(|t| t.abs() <= reach) {
+        if let Some((body, reach)) = moving
+            && times.len() >= WORTHWHILE
+            && times.iter().all(|t| t.abs() <= reach)
+        {
             // Lanes left over repeat the last time.
             let lanes = core::array::from_fn(|i| times[i.min(times.len() - 1)]);
-            side_by_side(&lanes, states);
+            side_by_side(body, &lanes, states);
         } else {
             for (t, state) in times.iter().zip(states) {
                 *state = one(*t)?;

@@ -19,7 +19,6 @@
 //! Ω and the attitude are exact for the doubles given, up to the last digits, without steps or series in time: every phase that
 //! grows with time is carried in 106 bits, and differences that could cancel are formed from the exact numbers.
 
-mod batch;
 pub mod earth;
 mod evaluation;
 mod motion;

@@ -5,7 +5,7 @@ use nalgebra::{Quaternion, UnitQuaternion};
 use super::evaluation::{Constants, Moving, State, vector};
 use super::preparation::{Quantity, Regime, Start, ascending, decide, decide_from, ratio};
 use crate::elliptic::Parameter;
-use crate::elliptic::lanes::turned;
+use crate::elliptic::lanes::{fill, turned};
 use crate::error::{Error, Result, finite, not_negative, positive};
 use crate::frame::{Attitude, BodyVector, SpaceVector, finite_vector};
 use crate::inertia::{InertiaMatrix, PrincipalMoments};
@@ -270,10 +270,8 @@ impl EulerTop {
             None => steady(moments, exact),
             Some(constants) => {
                 let rate = constants.course.rate.value().abs();
-                finite(
-                    "the rate of the motion",
-                    rate.max(constants.turning_rate.value()),
-                )?;
+                let rate = rate.max(constants.turning_rate.value());
+                finite("the rate of the motion", rate)?;
                 // L may swing onto an axis with a smaller moment, where Ω is greater than at the start, or round up.
                 let peaks = ratio(constants.axes.restore(constants.amplitudes), moments);
                 for peak in peaks {
@@ -397,6 +395,34 @@ impl EulerTop {
         times.into_iter().map(|t| self.at(t))
     }
 
+    /// Fills a slice with Ω, L and attitude at each of these times (s), which may be in any order; the slices have one length (6.6, 6.8).
+    ///
+    /// The states are those of [`at`](Self::at) to the last bit, with its domain and error. Eight times are computed side by side up to some 8·10⁶ turns from the
+    /// start, unless a rate is near the ends of the range of doubles; the others one by one. Different threads may fill parts of the slices.
+    ///
+    /// Cost a state, relative to [`at`](Self::at) in the same run (`cargo bench -p lab --bench ensembles`), with the instructions that every processor of the
+    /// family has: 0.35 where m ≤ 1/2, 0.42 where m > 1/2, 1 where Ω is constant; 1.1 for a batch of one time.
+    ///
+    /// # Errors
+    /// [`Error::Condition`] if the slices differ in length; otherwise that of the first time that [`at`](Self::at) refuses, with some of the states
+    /// written.
+    ///
+    /// ```
+    /// use spinning_bodies::euler_top::{EulerTop, State};
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// let start = BodyVector::new(1.8, 0.4, -0.9);
+    /// let top = EulerTop::new([0.6, 0.8, 1.0], start, Attitude::identity())?;
+    /// let times: Vec<f64> = (0..100).map(|k| 0.1 * f64::from(k)).collect();
+    /// let mut states = [State::default(); 100];
+    /// top.states_at(&times, &mut states)?;
+    /// assert_eq!(states[70], top.at(times[70])?);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn states_at(&self, times: &[f64], states: &mut [State]) -> Result<()> {
+        let moving = self.moving().map(|body| (body, body.reach));
+        fill(times, states, moving, |t| self.at(t), Moving::side_by_side)
+    }
+
     /// Kinetic energy ½⟨Ω, L⟩, J: constant (6.1).
     ///
     /// ```
@@ -431,6 +457,14 @@ impl EulerTop {
         SpaceVector::new(x, y, z)
     }
 
+    /// The motion, unless Ω is constant.
+    const fn moving(&self) -> Option<&Moving> {
+        match &self.motion {
+            Motion::Moving(body) => Some(body),
+            Motion::Steady { .. } => None,
+        }
+    }
+
     /// Period of Ω in the body, 4K/λ, s: once round the polhode (6.6). In general the attitude does not return with it.
     ///
     /// Infinite where Ω is constant, and on the separatrix. Error: 2 ulp.
@@ -444,10 +478,8 @@ impl EulerTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn period(&self) -> f64 {
-        match &self.motion {
-            Motion::Steady { .. } => f64::INFINITY,
-            Motion::Moving(Moving { constants, .. }) => constants.period(),
-        }
+        let moving = self.moving();
+        moving.map_or(f64::INFINITY, |body| body.constants.period())
     }
 
     /// The parameter m = k² of the elliptic functions in Ω, and its complement (6.6): 0 for a symmetric top, 1 on the separatrix. `None` where Ω
@@ -461,10 +493,8 @@ impl EulerTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn parameter(&self) -> Option<Parameter> {
-        match &self.motion {
-            Motion::Steady { .. } => None,
-            Motion::Moving(Moving { constants, .. }) => Some(constants.course.modulus.parameter),
-        }
+        let constants = &self.moving()?.constants;
+        Some(constants.course.modulus.parameter)
     }
 
     /// Mean rate, rad/s, at which the axis that L circles in the body goes round L in space, right-handed about L (6.5, 6.8).
@@ -498,20 +528,16 @@ impl EulerTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn geometric_phase(&self) -> Option<GeometricPhase> {
-        match &self.motion {
-            Motion::Moving(Moving { constants, .. }) if self.regime != Regime::Separatrix => {
-                // 2E/|L| is the component of Ω along L.
-                let size = self.angular_momentum.norm();
-                let l: [f64; 3] = self.angular_momentum.components().into();
-                let omega = ratio(l, self.moments);
-                let along: f64 = (0..3).map(|k| l[k] / size * omega[k]).sum();
-                Some(GeometricPhase {
-                    dynamical: along * constants.period(),
-                    geometric: -constants.solid_angle(),
-                })
-            }
-            _ => None,
-        }
+        let constants = &self.moving()?.constants;
+        // 2E/|L| is the component of Ω along L.
+        let size = self.angular_momentum.norm();
+        let l: [f64; 3] = self.angular_momentum.components().into();
+        let omega = ratio(l, self.moments);
+        let along: f64 = (0..3).map(|k| l[k] / size * omega[k]).sum();
+        (self.regime != Regime::Separatrix).then(|| GeometricPhase {
+            dynamical: along * constants.period(),
+            geometric: -constants.solid_angle(),
+        })
     }
 }
 

@@ -4,8 +4,7 @@ use nalgebra::Quaternion;
 
 use super::evaluation::{Body, Pull, State};
 use super::preparation::{
-    Exact, FASTEST, GivenIntegrals, Motion, Prepared, Start, moderate, prepare,
-    prepare_from_integrals,
+    Exact, FASTEST, GivenIntegrals, Prepared, Start, moderate, prepare, prepare_from_integrals,
 };
 use super::roots::{Nutation, Roots};
 use crate::elliptic::Parameter;
@@ -295,7 +294,7 @@ impl LagrangeTop {
     pub fn at(&self, t: f64) -> Result<State> {
         let t = finite("the time", t)?;
         match &self.prepared.motion {
-            Motion::Still => {
+            None => {
                 let half = DoubleDouble::product(self.start.omega.z(), t).scaled(0.5);
                 let (sine, cosine) = turned(half, t)?;
                 let turn = Quaternion::new(cosine, 0.0, 0.0, sine);
@@ -306,7 +305,7 @@ impl LagrangeTop {
                 let omega = BodyVector::new(0.0, 0.0, self.start.omega.z());
                 Ok(State::new(&self.body, omega, q, heights))
             }
-            Motion::Moving(constants) => constants.at(t, &self.body, self.start.omega.z()),
+            Some(constants) => constants.at(t, &self.body, self.start.omega.z()),
         }
     }
 
@@ -351,15 +350,13 @@ impl LagrangeTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn states_at(&self, times: &[f64], states: &mut [State]) -> Result<()> {
+        let (body, axial_rate) = (&self.body, self.start.omega.z());
+        let moving = self.prepared.motion.as_ref();
+        let moving = moving.map(|constants| (constants, constants.reach));
         let one = |t| self.at(t);
-        match &self.prepared.motion {
-            Motion::Moving(constants) => {
-                fill(times, states, constants.reach, one, |times, states| {
-                    constants.side_by_side(times, &self.body, self.start.omega.z(), states);
-                })
-            }
-            Motion::Still => fill(times, states, -1.0, one, |_, _| ()),
-        }
+        fill(times, states, moving, one, |constants, times, states| {
+            constants.side_by_side(times, body, axial_rate, states);
+        })
     }
 
     /// Period of the nutation, 2K/λ, s; infinite where the tilt is constant or never returns.
@@ -373,13 +370,11 @@ impl LagrangeTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn period(&self) -> f64 {
-        match &self.prepared.motion {
-            Motion::Still => f64::INFINITY,
-            Motion::Moving(constants) => {
-                let Course { modulus, rate, .. } = &constants.course;
-                2.0 * modulus.quarter_period() / rate.high().abs()
-            }
-        }
+        let moving = self.prepared.motion.as_ref();
+        moving.map_or(f64::INFINITY, |constants| {
+            let Course { modulus, rate, .. } = &constants.course;
+            2.0 * modulus.quarter_period() / rate.high().abs()
+        })
     }
 }
 
@@ -395,10 +390,8 @@ impl LagrangeTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn parameter(&self) -> Option<Parameter> {
-        match &self.prepared.motion {
-            Motion::Still => None,
-            Motion::Moving(constants) => Some(constants.course.modulus.parameter),
-        }
+        let constants = self.prepared.motion.as_ref()?;
+        Some(constants.course.modulus.parameter)
     }
 
     /// The angle by which the axis goes round the vertical in one period of nutation, radians (7.2); `None` where there is no period.
@@ -412,16 +405,13 @@ impl LagrangeTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn precession_per_nutation(&self) -> Option<f64> {
-        match &self.prepared.motion {
-            Motion::Moving(constants) if constants.course.modulus.quarter_period().is_finite() => {
-                let precession = constants.precession_per_nutation().value();
-                Some(match constants.pull {
-                    Pull::Down => precession,
-                    Pull::Up => -precession,
-                })
-            }
-            _ => None,
-        }
+        let constants = self.prepared.motion.as_ref()?;
+        let returns = constants.course.modulus.quarter_period().is_finite();
+        let precession = constants.precession_per_nutation().value();
+        returns.then_some(match constants.pull {
+            Pull::Down => precession,
+            Pull::Up => -precession,
+        })
     }
 
     /// Mean rate at which the axis goes round the vertical, rad/s (7.2); `None` where there is no period.

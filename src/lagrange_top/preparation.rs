@@ -16,23 +16,13 @@ use crate::precise::{
 /// Above this, in rad/s, sums of rates could overflow.
 pub(super) const FASTEST: f64 = 1e307;
 
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[allow(
-    clippy::large_enum_variant,
-    reason = "a top is one value without allocation; most tops move"
-)]
-pub(super) enum Motion {
-    /// The axis does not move: upright, hanging, or at rest without gravity.
-    Still,
-    Moving(Constants),
-}
-
 /// The kind of motion, the roots and the constants, decided once.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Prepared {
     pub(super) kind: Nutation,
     pub(super) roots: Roots,
-    pub(super) motion: Motion,
+    /// None where the axis stays: upright, hanging, or at rest without gravity.
+    pub(super) motion: Option<Constants>,
 }
 
 /// Ω and attitude at time 0.
@@ -95,7 +85,7 @@ pub(super) fn prepare<N: Number>(body: Body, start: Start, exact: &Exact) -> Res
         return Ok(Prepared {
             kind: Nutation::Spinning,
             roots: Roots::new([lower; 2], [upper; 2], f64::INFINITY),
-            motion: Motion::Still,
+            motion: None,
         });
     }
     let unit = power_of_two_below(fastest);
@@ -183,12 +173,8 @@ pub(super) fn prepare_from_integrals(
     let fastest = axial_rate
         .magnitude()
         .greater(above_bottom.greater(gravity).square_root());
-    within(
-        "the greatest of |Ω| and √(Mgl/I1)",
-        fastest.value(),
-        0.0,
-        FASTEST,
-    )?;
+    let value = fastest.value();
+    within("the greatest of |Ω| and √(Mgl/I1)", value, 0.0, FASTEST)?;
     // A unit of time in which the rates are moderate.
     let exponent = fastest.exponent;
     let [gravity, above_top, above_bottom] = squares.map(|x| x.raised(-2 * exponent));
@@ -284,8 +270,8 @@ impl<N: Number> Top<N> {
         (q, omega): (Quaternion<f64>, BodyVector),
     ) -> Result<Prepared> {
         let motion = match still {
-            Some(_) => Motion::Still,
-            None => Motion::Moving(self.constants(q, omega)?),
+            Some(_) => None,
+            None => Some(self.constants(q, omega)?),
         };
         Ok(Prepared {
             kind: still.unwrap_or_else(|| self.integrals.kind(drifts, &self.distances)),

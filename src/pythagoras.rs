@@ -12,10 +12,8 @@
 //! # Ok::<(), spinning_bodies::Error>(())
 //! ```
 
-use nalgebra::Vector3;
-
 use crate::error::{Result, each_finite, finite, positive, refused, within};
-use crate::precise::{DoubleDouble, Number, power_of_two_below};
+use crate::precise::{DoubleDouble, Extended, Number, power_of_two_below, sum_of_products};
 
 /// The sense in which the corners A, R, B run round the triangle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,26 +51,26 @@ type Edge = [DoubleDouble; 2];
 
 /// A box on a triangular base A R B, hinged at A.
 ///
-/// Edges are kept as exact differences of the corners, divided by a power of two, so that neither a needle nor
-/// a tiny or huge triangle loses digits.
+/// Edges are kept as exact differences of the corners, and their products are summed exactly and rounded once, so that neither a
+/// needle nor a tiny or huge triangle loses digits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GasBox {
     orientation: Orientation,
-    unit: f64,
     /// From A to R.
     ar: Edge,
     /// From R to B.
     rb: Edge,
-    /// Twice the area, in squared units, positive.
-    area: f64,
+    /// From A to B.
+    ab: Edge,
+    /// Twice the area, positive.
+    area: Extended,
 }
 
 impl GasBox {
     /// The box whose base has corners `a` (the hinge), `r` and `b`, m.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for a corner or an edge; [`Error::Condition`] if the corners lie on a line, as far as
-    /// 100 bits can tell.
+    /// [`Error::NotFinite`] for a corner or an edge; [`Error::Condition`] if the corners lie on a line.
     ///
     /// ```
     /// use spinning_bodies::pythagoras::GasBox;
@@ -81,33 +79,26 @@ impl GasBox {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(a: [f64; 2], r: [f64; 2], b: [f64; 2]) -> Result<Self> {
-        let spans = [r[0] - a[0], r[1] - a[1], b[0] - r[0], b[1] - r[1]];
-        let mut size: f64 = 0.0;
-        for span in spans {
-            size = size.max(finite("an edge of the triangle", span)?.abs());
-        }
-        let unit = power_of_two_below(size);
         let edge = |from: [f64; 2], to: [f64; 2]| {
-            [0, 1].map(|k| DoubleDouble::difference(to[k], from[k]).scaled(1.0 / unit))
+            let edge = [0, 1].map(|k| DoubleDouble::difference(to[k], from[k]));
+            each_finite("an edge of the triangle", edge.map(DoubleDouble::high))?;
+            Ok(edge)
         };
-        let (ar, rb) = (edge(a, r), edge(r, b));
-        let area = (ar[0] * rb[1] - ar[1] * rb[0]).value();
-        // Two products of magnitude below 4, each with a relative error of 2⁻¹⁰³ at most.
-        const ROUNDING: f64 = 8.0 / (1u128 << 103) as f64;
-        if area.abs() <= ROUNDING {
-            return refused("the triangle must enclose an area", area * unit * unit);
-        }
-        let orientation = if area > 0.0 {
+        let (ar, rb, ab) = (edge(a, r)?, edge(r, b)?, edge(a, b)?);
+        let area = wedge(ar, rb);
+        let orientation = if area.leading() > 0.0 {
             Orientation::Anticlockwise
-        } else {
+        } else if area.leading() < 0.0 {
             Orientation::Clockwise
+        } else {
+            return refused("the triangle must enclose an area", 0.0);
         };
         Ok(Self {
             orientation,
-            unit,
             ar,
             rb,
-            area: area.abs(),
+            ab,
+            area: area.magnitude(),
         })
     }
 
@@ -141,7 +132,7 @@ impl GasBox {
         self.orientation
     }
 
-    /// The lengths AR, RB, AB, m. Two units in the last place.
+    /// The lengths AR, RB, AB, m. One rounding each.
     ///
     /// ```
     /// use spinning_bodies::pythagoras::GasBox;
@@ -150,14 +141,13 @@ impl GasBox {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn sides(&self) -> [f64; 3] {
-        [self.ar, self.rb, self.ab()].map(|edge| length(edge) * self.unit)
+        [self.ar, self.rb, self.ab].map(|edge| length(edge).value())
     }
 
     /// Torques of the gas on the sides about A, from the pressure integrated along each: −(midpoint − A)·(edge) if the corners
     /// run anticlockwise (9.1). They are −½AR², −(½RB² − AR·RB cos γ) and +½AB², and their sum vanishes.
     ///
-    /// Each is one product of exact edges. Error: a unit in the last place, needles included; where the torque on RB changes sign,
-    /// 2⁻¹⁰⁰ AR·RB.
+    /// Each is rounded once, needles and RB at its change of sign included; infinite beyond the greatest double.
     ///
     /// ```
     /// use spinning_bodies::pythagoras::GasBox;
@@ -173,12 +163,11 @@ impl GasBox {
             Orientation::Anticlockwise => 1.0,
             Orientation::Clockwise => -1.0,
         };
-        let unit = self.unit * self.unit;
-        let scale = |product: DoubleDouble| sense * product.value() * unit;
+        let half = |product: Extended| product.times(0.5 * sense).value();
         SideTorques {
-            ar: scale(dot(self.ar, self.ar).scaled(-0.5)),
-            rb: scale(-self.rb_product()),
-            ab: scale(dot(self.ab(), self.ab()).scaled(0.5)),
+            ar: half(-dot(self.ar, self.ar)),
+            rb: half(-self.rb_product()),
+            ab: half(dot(self.ab, self.ab)),
         }
     }
     // ANCHOR_END: side-torques
@@ -194,15 +183,19 @@ impl GasBox {
     /// ```
     pub fn arms(&self) -> Arms {
         Arms {
-            ar: 0.5 * length(self.ar) * self.unit,
-            rb: self.rb_product().value() / length(self.rb) * self.unit,
-            ab: 0.5 * length(self.ab()) * self.unit,
+            ar: length(self.ar).times(0.5).value(),
+            rb: self
+                .rb_product()
+                .quotient(length(self.rb))
+                .times(0.5)
+                .value(),
+            ab: length(self.ab).times(0.5).value(),
         }
     }
 
     /// AR² + RB² − AB² = 2 AR·RB cos γ, m²: zero at a right angle, the term that the cosine law adds otherwise (9.2).
     ///
-    /// Formed without a difference of squares, as −2 (R−A)·(B−R) with exact edges and 106-bit products. Error: 2⁻¹⁰⁰ AR·RB for any triangle.
+    /// Formed without a difference of squares, as −2 (R−A)·(B−R), summed exactly and rounded once, for any triangle.
     ///
     /// ```
     /// use spinning_bodies::pythagoras::GasBox;
@@ -211,7 +204,7 @@ impl GasBox {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn right_angle_defect(&self) -> f64 {
-        dot(self.ar, self.rb).value() * -2.0 * self.unit * self.unit
+        dot(self.ar, self.rb).times(-2.0).value()
     }
 
     /// Angle γ at R, radians, in 0…π. Formed from sine and cosine together, so right to a few units in the last place near 0, π/2 and π alike.
@@ -223,17 +216,14 @@ impl GasBox {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn angle_at_r(&self) -> f64 {
-        self.area.atan2(-dot(self.ar, self.rb).value())
+        let size = length(self.ar) * length(self.rb);
+        let cosine = -dot(self.ar, self.rb).quotient(size).value();
+        self.area.quotient(size).value().atan2(cosine)
     }
 
-    fn ab(&self) -> Edge {
-        [self.ar[0] + self.rb[0], self.ar[1] + self.rb[1]]
-    }
-
-    /// (midpoint of RB − A)·(B − R), in squared units.
-    fn rb_product(&self) -> DoubleDouble {
-        let midpoint = [0, 1].map(|k| self.ar[k] + self.rb[k].scaled(0.5));
-        dot(midpoint, self.rb)
+    /// Twice (midpoint of RB − A)·(B − R), which is AB² − AR².
+    fn rb_product(&self) -> Extended {
+        combined(&[(1.0, self.ab, self.ab), (-1.0, self.ar, self.ar)])
     }
 }
 
@@ -283,7 +273,7 @@ pub fn reversal_angle(ar: f64, rb: f64) -> Result<Option<f64>> {
 /// Torques of a gas on the sides of any polygon about any hinge, per unit pressure × height, m², anticlockwise positive (9.1).
 ///
 /// Side k runs from vertex k to the next. The sum is zero: ½|P|² telescopes round the polygon. The vertices run anticlockwise
-/// with the gas inside; if they run clockwise all signs change. Error: a unit in the last place of |midpoint||side|.
+/// with the gas inside; if they run clockwise all signs change. Each is summed exactly and rounded once.
 ///
 /// # Errors
 /// [`Error::Condition`] for fewer than three vertices; [`Error::NotFinite`] for a coordinate or a torque that overflows.
@@ -308,21 +298,23 @@ pub fn polygon_torques(vertices: &[[f64; 2]], hinge: [f64; 2]) -> Result<Vec<f64
         .collect()
 }
 
+/// −(midpoint of the side)·(side), seen from the hinge: half of what the squared distance of its end is less than that of its beginning.
 fn side_torque(from: [f64; 2], to: [f64; 2], hinge: [f64; 2]) -> Result<f64> {
-    let mut torque = DoubleDouble::from(0.0);
-    for k in 0..2 {
-        let arm_from = DoubleDouble::difference(from[k], hinge[k]);
-        let arm_to = DoubleDouble::difference(to[k], hinge[k]);
-        let edge = DoubleDouble::difference(to[k], from[k]);
-        torque = torque - (arm_from + arm_to).scaled(0.5) * edge;
+    let [start, end] = [from, to].map(|p| [0, 1].map(|k| DoubleDouble::difference(p[k], hinge[k])));
+    for arm in [start, end] {
+        each_finite(
+            "an arm of the torque on a side",
+            arm.map(DoubleDouble::high),
+        )?;
     }
-    finite("the torque on a side", torque.value())
+    let twice = combined(&[(1.0, start, start), (-1.0, end, end)]);
+    finite("the torque on a side", twice.times(0.5).value())
 }
 
 /// Outward area vectors of the four faces of a tetrahedron, m²: face k is the one opposite vertex k (9.1, a dimension up).
 ///
 /// Multiplied by the pressure they are the forces of the gas; their sum is zero. At a corner with three right angles this
-/// is the theorem A² = A₁² + A₂² + A₃².
+/// is the theorem A² = A₁² + A₂² + A₃². Whether there is a volume, and which side is out, is told from exact sums; each component is rounded once.
 ///
 /// # Errors
 /// [`Error::NotFinite`] for an edge or an area; [`Error::Condition`] if the volume is zero.
@@ -335,42 +327,69 @@ fn side_torque(from: [f64; 2], to: [f64; 2], hinge: [f64; 2]) -> Result<f64> {
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn tetrahedron_areas(vertices: [[f64; 3]; 4]) -> Result<[[f64; 3]; 4]> {
-    let [u, v, w] = edges_from(vertices)?;
-    let volume = u.cross(&v).dot(&w);
+    let mut areas = [[0.0; 3]; 4];
+    let edge = |from: usize, to: usize| -> Result<[DoubleDouble; 3]> {
+        let edge = [0, 1, 2].map(|k| DoubleDouble::difference(vertices[to][k], vertices[from][k]));
+        each_finite("an edge of the tetrahedron", edge.map(DoubleDouble::high))?;
+        Ok(edge)
+    };
+    let [u, v, w] = [edge(0, 1)?, edge(0, 2)?, edge(0, 3)?];
+    let plane = |edge: [DoubleDouble; 3], k: usize| [edge[(k + 1) % 3], edge[(k + 2) % 3]];
+    // (u∧v)·w, which is det(u, v, w): six products of three differences of two words.
+    let mut products = Vec::new();
+    for (k, w) in w.into_iter().enumerate() {
+        let ([u1, u2], [v1, v2]) = (plane(u, k), plane(v, k));
+        for (a, b) in [(u1, v2), (-u2, v1)] {
+            for (x, y) in words(a, b) {
+                products.extend([w.high(), w.low()].map(|z| [x, y, z]));
+            }
+        }
+    }
+    let volume = sum_of_products(&products).leading();
     if volume == 0.0 {
         return refused("the tetrahedron must enclose a volume", volume);
     }
-    let mut areas = [[0.0; 3]; 4];
     for (k, area) in areas.iter_mut().enumerate() {
-        // The three corners of the face, and from the first of them the edges to the other two and to the apex.
+        // The three corners of the face in ascending order: with the apex last, that order is even or odd by turns.
         let face: Vec<usize> = (0..4).filter(|&j| j != k).collect();
-        let corner = |j: usize| vertices[face[j]];
-        let [u, v, apex] = edges_from([corner(0), corner(1), corner(2), vertices[k]])?;
-        let normal = u.cross(&v);
-        // The apex lies inside: outward is away from it.
-        let outward = if normal.dot(&apex) > 0.0 { -0.5 } else { 0.5 };
-        *area = (normal * outward).into();
+        let (u, v) = (edge(face[0], face[1])?, edge(face[0], face[2])?);
+        let outward = if k % 2 == 0 { 0.5 } else { -0.5 } * volume.signum();
+        *area = [0, 1, 2].map(|k| wedge(plane(u, k), plane(v, k)).times(outward).value());
         each_finite("a face of the tetrahedron", *area)?;
     }
     Ok(areas)
-}
-
-fn edges_from([first, others @ ..]: [[f64; 3]; 4]) -> Result<[Vector3<f64>; 3]> {
-    let edges = others.map(|vertex| Vector3::from(vertex) - Vector3::from(first));
-    for edge in edges {
-        each_finite("an edge of the tetrahedron", edge.iter().copied())?;
-    }
-    Ok(edges)
 }
 
 fn angle_of_triangle(gamma: f64) -> Result<f64> {
     within("the angle at R", gamma, 0.0, core::f64::consts::PI)
 }
 
-fn length(edge: Edge) -> f64 {
-    edge[0].value().hypot(edge[1].value())
+fn length(edge: Edge) -> Extended {
+    dot(edge, edge).square_root()
 }
 
-fn dot(u: Edge, v: Edge) -> DoubleDouble {
-    u[0] * v[0] + u[1] * v[1]
+fn dot(u: Edge, v: Edge) -> Extended {
+    combined(&[(1.0, u, v)])
+}
+
+/// u∧v, the area that both span, with its sign.
+fn wedge(u: Edge, v: Edge) -> Extended {
+    dot(u, [v[1], -v[0]])
+}
+
+/// The sum of scalar products, each with a weight ±1: 106 bits of it, whatever cancels.
+fn combined(terms: &[(f64, Edge, Edge)]) -> Extended {
+    let mut products = Vec::new();
+    for &(weight, u, v) in terms {
+        for k in 0..2 {
+            products.extend(words(u[k], v[k]).map(|(x, y)| [weight * x, y]));
+        }
+    }
+    sum_of_products(&products)
+}
+
+/// The words of two numbers in pairs, of which the product is the sum.
+fn words(a: DoubleDouble, b: DoubleDouble) -> [(f64, f64); 4] {
+    let ([x, rest], [y, other]) = ([a.high(), a.low()], [b.high(), b.low()]);
+    [(x, y), (x, other), (rest, y), (rest, other)]
 }

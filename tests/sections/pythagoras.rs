@@ -130,6 +130,22 @@ fn s9_1_pythagoras_for_a_tetrahedron() {
             assert!(dot(*area, height) > 0.0);
         }
     }
+    // Which side is out does not depend on the unit.
+    let areas = |unit: f64| {
+        let corners = [
+            [0.0, 0.0, 0.0],
+            [1.0, 0.1, 0.0],
+            [0.0, 1.0, 0.2],
+            [0.3, 0.0, 1.0],
+        ];
+        tetrahedron_areas(corners.map(|corner| corner.map(|x| x * unit))).unwrap()
+    };
+    for unit in [2f64.powi(400), 2f64.powi(-400)] {
+        assert_eq!(
+            areas(unit),
+            areas(1.0).map(|face| face.map(|x| x * unit * unit))
+        );
+    }
 }
 
 // claim: C9.2-1
@@ -208,6 +224,12 @@ fn s9_2_needles() {
     let [ar, rb, ab] = gas.sides();
     let naive = ar * ar + rb * rb - ab * ab;
     assert!(relative(naive, expected) > 1e-6);
+    // Far thinner than two words tell, and so great that squares overflow where the torque does not.
+    for [size, thin] in [[1.0, 1e-40], [2f64.powi(600), 1e-100]] {
+        let gas = GasBox::new([0.0, 0.0], [size, 0.0], [size, thin]).unwrap();
+        assert_eq!(gas.side_torques().rb, -0.5 * (thin * thin));
+        assert_eq!(gas.angle_at_r(), std::f64::consts::FRAC_PI_2);
+    }
 }
 
 #[test]

@@ -462,8 +462,9 @@ impl Attitude {
     /// ```
     pub fn euler_angles(&self) -> EulerAngles {
         let q = self.0.quaternion();
-        let half_sum = q.k.atan2(q.w);
-        let half_difference = q.j.atan2(q.i);
+        // A negative zero becomes one: next to it an arctangent is ±π.
+        let half_sum = (q.k + 0.0).atan2(q.w + 0.0);
+        let half_difference = (q.j + 0.0).atan2(q.i + 0.0);
         EulerAngles {
             theta: 2.0 * q.i.hypot(q.j).atan2(q.w.hypot(q.k)),
             phi: wrapped(half_sum + half_difference),
@@ -481,7 +482,8 @@ impl Attitude {
     /// ```
     pub fn angle_to(&self, other: &Self) -> f64 {
         let difference = self.0.inverse() * other.0;
-        2.0 * difference.imag().norm().atan2(difference.w.abs())
+        let sine = BodyVector::from_components(difference.imag()).norm();
+        2.0 * sine.atan2(difference.w.abs())
     }
 }
 

@@ -123,20 +123,22 @@ impl MaclaurinSpheroid {
         // ANCHOR: maclaurin
         let x = square / (2.0 * (1.0 + q)); // (1 − q)/2 from e², without the subtraction
         let series = hypergeometric_half_half_seven_halves(x);
-        let rotation = 8.0 / 15.0 * square * q * (2.0 / (1.0 + q)).powf(2.5) * series;
+        let shape = 8.0 / 15.0 * q * (2.0 / (1.0 + q)).powf(2.5) * series;
+        let rotation = square * shape;
         // ANCHOR_END: maclaurin
         let energy_ratio = if e == 0.0 {
             0.0
         } else {
             // arcsin e, accurate at both ends
-            rotation / q * e / (4.0 * e.atan2(q))
+            rotation / q * (e / (4.0 * e.atan2(q)))
         };
         Self {
             eccentricity: e,
             axis_ratio: q,
             rotation,
             energy_ratio,
-            angular_momentum: 3.0_f64.sqrt() / 5.0 * q.cbrt().powi(-2) * rotation.sqrt(),
+            // Of a star so round that the square of e underflows, the root does not.
+            angular_momentum: 3.0_f64.sqrt() / 5.0 * q.cbrt().powi(-2) * (e * shape.sqrt()),
         }
     }
 }
@@ -157,8 +159,8 @@ impl JacobiEllipsoid {
     /// [bifurcating spheroid](MaclaurinSpheroid::at_jacobi_bifurcation).
     ///
     /// The shortest axis solves a²b²A₁₂ = c²A₃ (Chandrasekhar 1969), written as one integral so that b = a needs no
-    /// limit. Observed error of c/a and Ω²: 10⁻¹⁵ relative for b/a ≥ 0.1, where it was compared
-    /// with 20 digits. Cost: about 55 bisections of 221 integrand values.
+    /// limit. Observed error of c/a and Ω²: 1.3·10⁻¹⁵ relative for b/a ≥ 0.01, and 1.3·10⁻¹⁴ at 0.001,
+    /// against Carlson's integrals in 45 digits. Cost: about 55 bisections of 221 integrand values.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::OutOfRange`](crate::Error::OutOfRange).

@@ -15,6 +15,12 @@ pub struct Particle {
     pub velocity: SpaceVector,
 }
 
+impl Particle {
+    fn motion(&self) -> [SpaceVector; 2] {
+        [self.position, self.velocity]
+    }
+}
+
 /// Kinetic energy in its two parts (tutorial 2.3), joules.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EnergyParts {
@@ -38,8 +44,9 @@ pub struct AngularMomentumParts {
 pub struct Particles {
     particles: Vec<Particle>,
     mass: f64,
-    center: SpaceVector,
-    velocity: SpaceVector,
+    /// Place and velocity of the centre of mass, rounded, and what they are more than that.
+    rounded: [SpaceVector; 2],
+    rest: [SpaceVector; 2],
 }
 
 impl Particles {
@@ -70,21 +77,24 @@ impl Particles {
             finite_vector("the velocity of a particle", particle.velocity)?;
         }
         let mass = finite("the total mass", particles.iter().map(|p| p.mass).sum())?;
-        let weighted = |part: fn(&Particle) -> SpaceVector| -> SpaceVector {
-            particles
+        // A mean and what it lacks, so that nothing is lost far away or at great speed.
+        let mean = |k: usize, from: SpaceVector| -> SpaceVector {
+            let parts = particles
                 .iter()
-                .map(|p| p.mass * part(p))
-                .sum::<SpaceVector>()
-                / mass
+                .map(|p| (p.mass / mass) * (p.motion()[k] - from));
+            parts.sum()
         };
-        let center = finite_vector("the centre of mass", weighted(|p| p.position))?;
-        let velocity = finite_vector("the velocity of the centre", weighted(|p| p.velocity))?;
-        Ok(Self {
+        let rounded = [0, 1].map(|k| mean(k, SpaceVector::zero()));
+        let rest = [0, 1].map(|k| mean(k, rounded[k]));
+        let particles = Self {
             particles,
             mass,
-            center,
-            velocity,
-        })
+            rounded,
+            rest,
+        };
+        finite_vector("the centre of mass", particles.center())?;
+        finite_vector("the velocity of the centre", particles.velocity())?;
+        Ok(particles)
     }
 
     /// Centre of mass C = Σmx/M, m.
@@ -97,7 +107,17 @@ impl Particles {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn center(&self) -> SpaceVector {
-        self.center
+        self.rounded[0] + self.rest[0]
+    }
+
+    fn velocity(&self) -> SpaceVector {
+        self.rounded[1] + self.rest[1]
+    }
+
+    /// Position and velocity of a particle less those of the centre of mass.
+    fn relative(&self, particle: &Particle) -> [SpaceVector; 2] {
+        let motion = particle.motion();
+        [0, 1].map(|k| (motion[k] - self.rounded[k]) - self.rest[k])
     }
 
     /// Momentum P = Σmv (tutorial 2.2), kg m/s.
@@ -145,14 +165,13 @@ impl Particles {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn angular_momentum_split(&self, point: SpaceVector) -> AngularMomentumParts {
-        let spin = self
-            .particles
-            .iter()
-            .map(|p| (p.position - self.center).cross(&(p.mass * (p.velocity - self.velocity))))
-            .sum();
+        let spin = self.particles.iter().map(|p| {
+            let [arm, velocity] = self.relative(p);
+            arm.cross(&(p.mass * velocity))
+        });
         AngularMomentumParts {
-            orbital: (self.center - point).cross(&(self.mass * self.velocity)),
-            spin,
+            orbital: (self.center() - point).cross(&(self.mass * self.velocity())),
+            spin: spin.sum(),
         }
     }
 
@@ -170,11 +189,11 @@ impl Particles {
     /// ```
     pub fn energy_split(&self) -> EnergyParts {
         let relative = self.particles.iter().map(|p| {
-            let v = p.velocity - self.velocity;
+            let [_, v] = self.relative(p);
             0.5 * p.mass * v.dot(&v)
         });
         EnergyParts {
-            translational: 0.5 * self.mass * self.velocity.dot(&self.velocity),
+            translational: 0.5 * self.mass * self.velocity().dot(&self.velocity()),
             relative: relative.sum(),
         }
     }

@@ -405,5 +405,14 @@ fn composing_far_away_loses_nothing() -> Result<()> {
     let there = MassProperties::compose(&[at(-1.0, far)?, at(1.0, far)?])?;
     assert_eq!(here.inertia(), there.inertia());
     assert_eq!(there.center(), BodyVector::new(far, far, -far));
+    // Next to nothing, 10¹⁰ m away, and the first of the list: m r² is all that it adds.
+    let particle = |mass, x| MassProperties::particle(mass, BodyVector::new(x, 0.0, 0.0));
+    let parts = [
+        particle(1e-30, 1e10)?,
+        particle(1.0, 0.3)?,
+        particle(1.0, -0.3)?,
+    ];
+    let moment = MassProperties::compose(&parts)?.inertia().matrix()[(2, 2)];
+    within((moment - 0.18 - 1e-10).abs(), 1e-16);
     Ok(())
 }

@@ -125,6 +125,20 @@ fn s3_2_momentum_changes_by_the_outside_force_alone() -> Result<()> {
 
 /// Splits of 2.2 and 2.3, which 3.2 builds on, and the rigid body as a special case of particles.
 #[test]
+fn a_fast_swarm_keeps_its_digits() -> Result<()> {
+    // Three equal masses whose velocities differ by 0, δ and 3δ: ½Σ(v − V)² = 7δ²/3.
+    let (fast, delta) = (2f64.powi(25), 2f64.powi(-20));
+    let swarm = [0.0, 1.0, 3.0].map(|part| Particle {
+        mass: 1.0,
+        position: V::new(part, 0.0, 0.0),
+        velocity: V::new(fast + part * delta, 0.0, 0.0),
+    });
+    let energy = Particles::new(swarm)?.energy_split().relative;
+    close!(energy, 7.0 / 3.0 * delta * delta, 1e-15);
+    Ok(())
+}
+
+#[test]
 fn s3_2_splits_and_the_rigid_body() {
     // Four masses fixed to a body: the rigid body composed of them, in motion, against the masses one by one.
     let parts = [
@@ -322,6 +336,16 @@ fn s3_5_maclaurin_spheroids() {
     }
     assert!(worst <= 4.5, "{worst} ulp");
     assert!(worst_ratio <= 4.5, "{worst_ratio} ulp");
+
+    // A star whose e² underflows: T/|W| goes as e², L as e.
+    let [round, rounder] =
+        [-40, -530].map(|n| MaclaurinSpheroid::from_eccentricity(2f64.powi(n)).unwrap());
+    assert_eq!(
+        rounder.angular_momentum,
+        round.angular_momentum * 2f64.powi(-490)
+    );
+    let round = MaclaurinSpheroid::from_eccentricity(1e-120).unwrap();
+    close!(round.energy_ratio, 2e-240 / 15.0, 1e-15);
 
     let rotation = |e| MaclaurinSpheroid::from_eccentricity(e).unwrap().rotation;
     close!(rotation(0.6), 0.201_352_059_619_914_088_2, 0.0..=4e-16);

@@ -56,6 +56,10 @@ fn s2_4_any_top_is_an_ellipsoid() -> Result<()> {
         // Ordered as Poinsot's ellipsoid, whose semi-axes are 1/√I, but not of its shape.
         assert!(axes[0] >= axes[1] && axes[1] >= axes[2]);
     }
+    // Squares of axes may leave the range of doubles, axes do not.
+    let unit = 2f64.powi(600);
+    let small = PrincipalMoments::new(2.0 / unit, 3.0 / unit, 4.0 / unit)?;
+    assert_eq!(ellipsoid_of_inertia(unit, &small)?, axes.map(|a| a / unit));
     // The condition: a lamina gives a flat ellipsoid; without the triangle inequality there is none.
     let lamina = PrincipalMoments::new(1.0, 2.0, 3.0)?;
     assert_eq!(ellipsoid_of_inertia(1.0, &lamina)?[2], 0.0);

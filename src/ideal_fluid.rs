@@ -82,7 +82,8 @@ impl TruncatedFluid {
 
     /// ω_m, and its conjugate at the opposite wave vector.
     fn put(&mut self, m: [i32; 2], value: C) {
-        let [at, mirror] = [m, m.map(i32::wrapping_neg)].map(|m| self.place(m));
+        let at = self.place(m);
+        let mirror = self.place(self.wave_vector(at).map(|k| -k));
         self.modes[at] = value;
         self.modes[mirror] = value.conj();
     }

@@ -390,6 +390,13 @@ fn what_is_refused() {
     let hit = strike(&planet, &meteorite, V::zero()).unwrap();
     refused!(hit.tilt(), ZeroVector);
     refused!(hit.closing_speed(), ZeroVector);
+    // A planet that is next to nothing is carried along.
+    let [dust, heavy] = [ball(1e-100, 1e-100), ball(1.0, 1.0)].map(|planet| planet.unwrap());
+    let meteorite = Meteorite::new(1e250, v()).unwrap();
+    for planet in [dust, heavy] {
+        let carried = strike(&planet, &meteorite, V::zero()).unwrap();
+        assert_eq!(carried.velocity_after, v());
+    }
     assert!(grazing_mass_ratio(0.4, 1.0, 1.0, 4.0).is_err());
 }
 

@@ -13,6 +13,13 @@ fn waves(size: usize) -> Vec<[i32; 2]> {
 }
 
 #[test]
+fn the_least_wave_vector_has_its_mirror_image() -> Result<()> {
+    let wave = |m| TruncatedFluid::new(5, &[([m, 0], Complex::new(1.0, 2.0))]);
+    assert_eq!(wave(i32::MIN)?, wave(2)?);
+    Ok(())
+}
+
+#[test]
 fn s5_2_the_matrix_is_the_sine_bracket() {
     // RK4 on the bracket, term by term, against the steps of the matrix: order 2, and the same motion.
     for size in [3, 5] {

@@ -10,6 +10,7 @@ use crate::integrators::real::{Real, cross, exponential, product};
 ///
 /// u′ = Ω + ½u∧Ω + u∧(u∧Ω)/12 is Munthe-Kaas' equation as far as order 4 needs it (Numer. Math. 1998); then q exp(u). Kept without torque:
 /// |L| and L in space, to rounding; the norm of the attitude. The energy drifts like step⁵ a step: explicit and neither symmetric nor symplectic.
+/// Domain: steps for which h|L| over the least moment is a radian or two, which for a thin body is far less than what it turns by.
 /// Cost: four torques, four sine pairs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MuntheKaas<N> {

@@ -5,6 +5,7 @@ use crate::euler_equations::AxisMoments;
 use crate::frame::{Attitude, BodyVector};
 use crate::integrators::Cost;
 use crate::integrators::real::{Real, Sums, product};
+use crate::precise::power_of_two_below;
 
 /// A body at one time: all that a geometric method carries.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -271,7 +272,10 @@ impl<T: Real> Run<T> {
 
 /// The same vector or quaternion with norm 1; of length zero, itself.
 pub(super) fn unit<T: Real, const N: usize>(v: [T; N]) -> [T; N] {
-    let zero = T::from_double(0.0);
+    let (zero, size) = (T::from_double(0.0), v.map(|x| x.to_double().abs()));
+    // Over a power of two, for the squares of any numbers are numbers then.
+    let unit = T::from_double(1.0 / power_of_two_below(size.into_iter().fold(0.0, f64::max)));
+    let v = v.map(|x| x * unit);
     let square = v.iter().fold(zero, |sum, &x| sum + x * x);
     if square == zero {
         return v;

@@ -42,6 +42,22 @@ fn extremes_neither_hang_nor_panic() {
 }
 
 #[test]
+fn a_quaternion_may_have_any_length() -> Result<()> {
+    let method = HeavySplitting::new(MOMENTS, Weight::new([0.3, 0.1, 1.0])?, Order::Four)?;
+    let end = |length: f64| {
+        let mut phase = start();
+        phase.q = phase.q.map(|x| x * length);
+        let mut run = method.start(&phase, 0.1)?;
+        run.advance(10)?;
+        run.phase()
+    };
+    for power in [-700, 700] {
+        assert_eq!(end(2f64.powi(power))?, end(1.0)?);
+    }
+    Ok(())
+}
+
+#[test]
 fn a_step_too_long_for_an_implicit_method_is_refused() {
     let method = MoserVeselov::new(MOMENTS, VeselovOrder::Ten).unwrap();
     let run = method.start(&start(), 50.0).and_then(|mut s| s.step());

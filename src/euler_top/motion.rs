@@ -499,7 +499,8 @@ impl EulerTop {
 
     /// Mean rate, rad/s, at which the axis that L circles in the body goes round L in space, right-handed about L (6.5, 6.8).
     ///
-    /// |L|/I₁ for a symmetric top. Where Ω is constant: the rate 2E/|L| at which the body turns about L; 0 at rest. Error: 2 ulp.
+    /// |L|/I₁ for a symmetric top. Where Ω is constant: the rate 2E/|L| at which the body turns about L; 0 at rest. Error: 2 ulp; for a needle that spins about its own axis, with
+    /// a moment of 10⁻¹⁶ of the others or less, 10⁻³² of the spin.
     ///
     /// ```
     /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};

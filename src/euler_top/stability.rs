@@ -37,7 +37,8 @@ pub struct Saddle {
 pub fn lambda(moments: &PrincipalMoments, omega2: f64) -> Result<f64> {
     let [i1, i2, i3] = checked(moments)?;
     let omega2 = finite("the angular velocity", omega2)?;
-    Ok((i2 - i1) / i1 * omega2 * ((i3 - i2) / i3 * omega2))
+    // The quotients first: where one is zero, nothing has overflowed yet.
+    Ok((i2 - i1) / i1 * ((i3 - i2) / i3) * omega2 * omega2)
 }
 
 /// Rate and directions of growth and decay next to the rotation Ω₂ about x₂ (6.7).

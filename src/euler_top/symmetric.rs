@@ -96,7 +96,7 @@ impl SymmetricTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn wobble_rate(&self, omega3: f64) -> f64 {
-        self.excess.value() * omega3
+        (self.excess * DoubleDouble::from(omega3)).value()
     }
 
     /// Period of that circle, seen from the body: 2π/|Ω₃(I₃/I₁ − 1)|, s, whatever Ω₁ and Ω₂ (6.5).

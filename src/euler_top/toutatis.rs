@@ -62,8 +62,9 @@ pub fn mode(moments: [f64; 3], ratio: f64) -> Result<EulerTop> {
     let greatest = i3 / i1;
     within("L² over 2E I₁", ratio, 1.0, greatest)?;
     // Sphere and ellipsoid with L₂ = 0: L₁² + L₃² = ratio I₁ and L₁²/I₁ + L₃²/I₃ = 1.
-    let share = i1 / (i3 - i1);
-    let l1 = (i1 * ((greatest - ratio) * share)).sqrt();
-    let l3 = (i3 * ((ratio - 1.0) * share)).sqrt();
+    // I₃ − L²/2E by one rounding: of a nearly round body the quotient above has few digits next to 1.
+    let share = |part: f64| part.max(0.0) / (i3 - i1);
+    let l1 = (i1 * share(ratio.mul_add(-i1, i3))).sqrt();
+    let l3 = (i3 * share((ratio - 1.0) * i1)).sqrt();
     EulerTop::new(moments, BodyVector::new(l1, 0.0, l3), Attitude::identity())
 }

@@ -255,7 +255,8 @@ impl LagrangeTop {
             axial,
             weight_moment,
         } = self.body;
-        0.5 * (transverse * (x * x + y * y) + axial * z * z) + weight_moment * height
+        let spin = (transverse * x) * x + (transverse * y) * y + (axial * z) * z;
+        0.5 * spin + weight_moment * height
     }
 
     /// The roots of the cubic.

@@ -208,6 +208,10 @@ pub(super) fn prepare_from_integrals(
     } else {
         drifts[0].square().quotient(top1 * bottom1)
     };
+    // Upright with less than the energy of the upright top.
+    if swing.leading() < 0.0 {
+        return Ok(None);
+    }
     // Upside down, the vertical lies on the other side of the axis.
     let across = swing.square_root().signed(drifts[0].leading()).signed(side);
     let halves = [bottom1, top1].map(|x| x.times(0.5).square_root().narrow().value());

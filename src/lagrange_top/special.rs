@@ -257,11 +257,12 @@ pub fn dip(transverse: f64, weight_moment: f64, l3: f64, tilt: f64) -> Result<Di
     let one_less = below + fall;
     let whole = one + lambda + root;
     let one_more = (lambda * above).times(2.0).quotient(whole);
-    let [less, more] = [one_less, one_more].map(|x| x.value());
-    let lowest_tilt = 2.0 * less.sqrt().atan2(more.sqrt());
+    // Twice sine and cosine of half the lowest tilt.
+    let [sine_half, cosine_half] = [one_less, one_more].map(|x| x.times(2.0).square_root());
+    let lowest_tilt = 2.0 * sine_half.value().atan2(cosine_half.value());
     // cos θ₀ − cos θ₁ = 2 sin((θ₁ − θ₀)/2) sin((θ₁ + θ₀)/2).
-    let middle = s * (0.5 * more).sqrt() + c * (0.5 * less).sqrt();
-    let half = 0.5 * fall.value() / middle;
+    let middle = (number(s) * cosine_half).add_alike(number(c) * sine_half);
+    let half = fall.quotient(middle).value();
     // For a deep fall the arcsine is ill-conditioned, while the difference of the tilts loses nothing: at 60° both are right to a few units.
     let depth = if half < 0.5 {
         2.0 * half.asin()
@@ -271,7 +272,7 @@ pub fn dip(transverse: f64, weight_moment: f64, l3: f64, tilt: f64) -> Result<Di
     };
     let sine = tilt.sin();
     Ok(Dip {
-        lowest_height: 0.5 * (more - less),
+        lowest_height: (one_more - one_less).times(0.5).value(),
         lowest_tilt,
         depth,
         cycloid: Cycloid {
@@ -355,7 +356,8 @@ pub fn tilt_after_kick(transverse: f64, weight_moment: f64, l3: f64, kick: f64) 
 /// The spherical pendulum that swings between two angles from the downward vertical, radians, starting at the smaller (7.6).
 ///
 /// A Lagrange top with I₁ = 1 and without spin; `gravity` is Mgl/I₁ (s⁻²), which is g over the length for a bob. At the start
-/// φ'² = gravity·sin²b/(sin²a cos((b−a)/2) cos((b+a)/2)). Equal angles make it a conical pendulum.
+/// φ'² = gravity·sin²b/(sin²a cos((b−a)/2) cos((b+a)/2)). Equal angles make it a conical pendulum. The rounding of that rate moves a
+/// greater angle next to π by some eps/(π − b).
 ///
 /// Domain: 4.5·10⁻³⁰⁸ ≤ a ≤ b, a + b < π (the mean height of a pendulum's turning points is below the pivot), gravity > 0.
 ///

@@ -5,8 +5,8 @@
 
 use spinning_bodies::Result;
 use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::lagrange_top::{LagrangeTop, State};
-use support::{greatest, near, observed, refused, vector};
+use spinning_bodies::lagrange_top::{LagrangeTop, State, dip};
+use support::{greatest, near, observed, refused, vector, within};
 
 use support::double_double::Dd;
 use support::table::{Cells, angle, apart, lines};
@@ -154,5 +154,22 @@ fn at_the_end_of_the_doubles_a_time_is_refused() -> Result<()> {
     let top = LagrangeTop::above_upright(1.4e-153, 0.0, 4.6e163, 0.0, 0.0, 0.0)?;
     assert_eq!(top.at(1e149)?.height, 1.0);
     refused!(top.at(1e150), OutOfRange);
+    Ok(())
+}
+
+/// Units in which squares overflow, tilts whose squares underflow, and an energy just below that of the least motion.
+#[test]
+fn the_ends_of_the_doubles() -> Result<()> {
+    let standing = LagrangeTop::above_upright(1e-134, 1e-134, 1e240, 0.0, 0.0, 0.0)?;
+    within((standing.energy() / 1e240 - 1.0).abs(), 1e-15);
+    // Next to upright θ₁²/θ₀² is λ/(λ − 1), λ = 9/4.
+    let sunk = dip(1.0, 1.0, 3.0, 1e-200)?;
+    let ratio = 3.0 / 5.0_f64.sqrt();
+    within((sunk.lowest_tilt / 1e-200 - ratio).abs(), 1e-15);
+    within((sunk.depth / 1e-200 - ratio + 1.0).abs(), 1e-15);
+    for missing in [1e-3, 1e-17, 1e-300] {
+        let asleep = LagrangeTop::above_upright(1.0, 0.5, 1.0, 2.5, 2.5, -missing);
+        refused!(asleep, Condition);
+    }
     Ok(())
 }

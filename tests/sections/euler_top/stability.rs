@@ -209,6 +209,8 @@ fn s6_7_growth_rate() {
             assert_eq!(printed_error < 1e-6, omega2 == 1.0, "Ω₂ = {omega2}");
         }
     }
+    // No rate for equal moments, even of a body so thin that the other quotient's would overflow.
+    assert_eq!(lambda(&moments([1e-200, 1.0, 1.0]), 1e150).unwrap(), 0.0);
 }
 
 // claim: C6.7-2

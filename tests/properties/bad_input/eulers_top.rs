@@ -23,6 +23,7 @@ fn what_is_no_body_is_named() {
     refused!(top([0.0, 1.0, 1.0], [1.0; 3]), Condition);
     refused!(top([1.0, 2.0, -2.0], [1.0; 3]), Negative);
     refused!(top([1.0, 2.0, 3.1], [1.0; 3]), TriangleInequality);
+    refused!(top([1.0, 2.0, 2.5], [1.5e308; 3]), NotFinite);
     // A needle whose own spin is too slow for any double.
     let (needle, slow) = ([1e-300, 1e-150, 1e-150], vector([7.7e-128, 2.2e-308, 0.0]));
     assert!(matches!(
@@ -41,7 +42,16 @@ fn long_times() -> Result<()> {
     for t in BAD {
         refused!(top.at(t), NotFinite);
     }
-    refused!(top.at(f64::MAX), OutOfRange);
+    // Up to the time that is told, and no further.
+    for moments in [[1.0, 2.0, 2.5], [1.0; 3], [1.0, 1.0, 1.5]] {
+        let top = EulerTop::new(moments, vector([0.3, 0.8, 0.4]), level())?;
+        let told = match top.at(f64::MAX) {
+            Err(Error::OutOfRange { greatest, .. }) => greatest,
+            other => panic!("{other:?}"),
+        };
+        assert!(top.at(0.999 * told).is_ok(), "{moments:?} {told:e}");
+        refused!(top.at(1.001 * told), OutOfRange);
+    }
     match top.at(1e18) {
         Ok(state) => assert!(state.omega.is_finite()),
         late => refused!(late, OutOfRange),

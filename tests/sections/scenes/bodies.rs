@@ -1,6 +1,6 @@
 //! Scene files: a body is given by what it is.
 
-use super::files::{last, mistakes, one_mistake, rows};
+use super::files::{last, mistakes, one_mistake};
 use super::*;
 use spinning_bodies::inertia::shapes::{ball_without_cap, torus};
 use spinning_bodies::scene::files::parse_with;
@@ -246,33 +246,6 @@ fn a_shape_gives_all_that_a_table_needs() {
     assert!(mistakes(&cube)[0].contains("smooth surface"));
     let more = by_shape.replace("cut = 0", "cut = 0\nsurface_center = [0, 0, 1]");
     assert!(mistakes(&more)[0].contains("`surface_center` in [body] is unknown"));
-}
-
-/// I = 2/5 · 2 kg · (0.1 m)², 30 rad/s, weight 20 N.
-#[test]
-fn a_ball_that_spins_on_a_table_tells_what_it_has() {
-    let text = "kind = 'table-top'\n[body]\nmass = 2\nshape = 'ball'\nradius = 0.1\n[initial]\ntilt = 0\naxial_spin = 30\n\
-                [effects]\ngravity = 10\n[run]\ntimes = [0.5]\n";
-    let spin = last(text, ["omega", "vertical_spin", "lz"]);
-    near!(spin[..], [30.0, 30.0, 0.24][..], 1e-12);
-    let energies = last(text, ["rotation", "translation", "potential"]);
-    near!(energies[..], [3.6, 0.0, 2.0][..], 1e-12);
-}
-
-/// Newton's law for the centre of mass, by second differences of its height.
-#[test]
-fn a_pivot_bears_what_moves_the_centre_of_mass() {
-    let h = 1e-3;
-    let text = format!(
-        "[body]\nmass = 1.5\nmoments = [1, 1.6, 2.1]\ncenter_of_mass = [0.1, -0.2, 0.3]\n[initial]\nattitude = [0.6, 0, 0.8, 0]\n\
-         omega = [0.5, 2, -1]\n[effects]\ngravity = 9.81\n[run]\ntimes = {:?}\naccuracy = 1e-12\n",
-        [0.7 - h, 0.7, 0.7 + h]
-    );
-    let [before, now, after] = rows(&text, ["height", "force_z"])[..] else {
-        panic!()
-    };
-    let acceleration = (before[0] - 2.0 * now[0] + after[0]) / (h * h);
-    near!(now[1], 1.5 * (9.81 + acceleration), 1e-5);
 }
 
 #[test]

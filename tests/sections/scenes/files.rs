@@ -19,17 +19,12 @@ pub(super) fn one_mistake(text: &str) -> String {
     told[0].clone()
 }
 
-/// The numbers of these names at each of the times.
-pub(super) fn rows<const N: usize>(text: &str, names: [&str; N]) -> Vec<[f64; N]> {
+/// The numbers of these names at the last of the times.
+pub(super) fn last<const N: usize>(text: &str, names: [&str; N]) -> [f64; N] {
     let (scene, request) = parse("mine.toml", text).unwrap_or_else(|told| panic!("{told}"));
     let scene = scene.telling(&names).unwrap();
     let table = scene.simulate(&request).unwrap();
-    table.numbers(names).unwrap()
-}
-
-/// The same at the last of the times.
-pub(super) fn last<const N: usize>(text: &str, names: [&str; N]) -> [f64; N] {
-    *rows(text, names).last().unwrap()
+    *table.numbers(names).unwrap().last().unwrap()
 }
 
 #[test]
@@ -198,7 +193,7 @@ fn what_nothing_moves_stays() {
         assert!(rows[1] == rows[0] && rows[2] == rows[0], "{rows:?}\n{text}");
     }
     // The hands have what they are moved with, and give it back.
-    let draw = "[effects.draw]\nto = 0.1\nduration = 1\n[run]\ntimes = [0.5, 2]\n";
+    let draw = "[effects.draw]\nto = 0.1\nduration = 1\npace = 'even'\n[run]\ntimes = [0.5, 2]\n";
     let (scene, request) = parse("mine.toml", &format!("{skater}{draw}")).unwrap();
     let table = scene.simulate(&request).unwrap();
     let numbers = table.numbers(["angle", "spin", "work", "energy"]).unwrap();

@@ -258,8 +258,11 @@ fn refusals_name_what_is_wrong() {
     let rubbed = heavy.with(PivotFriction::new(0.1).unwrap()).unwrap();
     let kicks = Solver::Geometric(Geometric::KickDrift(Order::Two));
     refused!(rubbed.plan(&by(kicks)), Solver);
-    let askew = heavy.with(TipFriction::new(0.1).unwrap());
-    refused!(askew, Condition);
+    // Neither with C beside the third axis, nor with C on it.
+    let upright = Top::new(body([0.01, 0.02, 0.025], [0.0, 0.0, 0.1]), start()).unwrap();
+    for askew in [heavy, upright] {
+        refused!(askew.with(TipFriction::new(0.1).unwrap()), Condition);
+    }
     let foreign = heavy.with(Viscous::new(0.1).unwrap());
     let named = |error| {
         matches!(

@@ -46,9 +46,8 @@ fn summary(ledger: &Ledger) -> String {
         "| Section | Claims | Computed | Spoken of | Not yet |\n|:---|---:|---:|---:|---:|\n",
     );
     for (number, title) in SECTIONS {
-        let counts = count(ledger, of_section(ledger, number));
+        let [claims, computed, spoken, open] = count(ledger, of_section(ledger, number));
         let anchor = mdbook_anchor(&format!("{number}. {title}"));
-        let [claims, computed, spoken, open] = counts;
         out.push_str(&format!(
             "| [{number}. {title}](#{anchor}) | {claims} | {computed} | {spoken} | {open} |\n"
         ));

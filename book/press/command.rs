@@ -61,13 +61,10 @@ fn obey(command: Option<Command>) -> Result<()> {
         Some(Command::Figures(asked)) => figures(root, asked),
         Some(Command::Sheets(asked)) => {
             can_be_written_into(&asked.out)?;
-            let paper = match asked.paper.as_str() {
-                "letter" => Paper::Letter,
-                _ => Paper::A4,
-            };
-            let sheets = drawings::sheets(paper, &asked.out)?;
-            let mut names = sheets.iter().map(|path| format!("{}\n", path.display()));
-            names.try_for_each(|name| say(&name))
+            let mut papers = Paper::ALL.into_iter();
+            let paper = papers.find(|paper| paper.name() == asked.paper);
+            let sheets = drawings::sheets(paper.unwrap_or(Paper::A4), &asked.out)?;
+            sheets.iter().try_for_each(|sheet| say_where(sheet))
         }
         Some(Command::Book(asked)) => book(root, &asked),
         Some(Command::Render) => {
@@ -156,12 +153,12 @@ fn book(root: &Path, asked: &usage::Book) -> Result<()> {
     if asked.epub {
         let file = page.with_file_name("spinning-bodies.epub");
         ebook::epub(root, &drawings, &file)?;
-        say(&format!("{}\n", file.display()))?;
+        say_where(&file)?;
     }
     if let Some(browser) = printer {
         let file = page.with_file_name("spinning-bodies.pdf");
         ebook::pdf(browser, folder_of(&page), &file)?;
-        say(&format!("{}\n", file.display()))?;
+        say_where(&file)?;
     }
     if asked.open {
         open_page(&page)?;
@@ -247,24 +244,25 @@ fn accuracy(root: &Path, asked: usage::Accuracy) -> Result<()> {
 
 fn print_book(root: &Path, drawings: &[Drawing]) -> Result<PathBuf> {
     let page = binding::bind(root, &root.join("book/build"), drawings)?;
-    say(&format!("{}\n", page.display()))?;
+    say_where(&page)?;
     Ok(page)
 }
 
+/// Prints where a file is.
+fn say_where(file: &Path) -> Result<()> {
+    say(&format!("{}\n", file.display()))
+}
+
 fn report(drawings: &[Drawing], changed: usize, folder: &Path) -> String {
-    format!(
-        "{} figure{} in {}, {changed} changed\n",
-        drawings.len(),
-        if drawings.len() == 1 { "" } else { "s" },
-        folder.display()
-    )
+    let (count, folder) = (drawings.len(), folder.display());
+    let s = if count == 1 { "" } else { "s" };
+    format!("{count} figure{s} in {folder}, {changed} changed\n")
 }
 
 /// Draws, and tells how far it is.
 fn draw(entries: &[Entry], values: &Values) -> Result<Vec<Drawing>> {
-    counted(entries.len(), "figures", |done| {
-        drawings::draw(entries, values, done)
-    })
+    let draw = |done: &(dyn Fn() + Sync)| drawings::draw(entries, values, done);
+    counted(entries.len(), "figures", draw)
 }
 
 /// All figures, as in the book.

@@ -160,15 +160,12 @@ impl Ledger {
     /// What a claim still lacks of what its verdict asks for: a test and a block, or a mention.
     pub fn missing(&self, claim: &Claim) -> Vec<&'static str> {
         let is_tested = self.in_tests(&claim.id).next().is_some();
-        let mut marks = self.in_chapters(&claim.id).map(|(_, mark)| mark);
+        let mut marks = self.in_chapters(&claim.id).map(|(_, mark)| mark.kind);
         let wanted = match claim.verdict.is_computed() {
-            true => vec![
-                ("a test", is_tested),
-                (
-                    "a block in a chapter",
-                    marks.any(|mark| mark.kind == MarkKind::Block),
-                ),
-            ],
+            true => {
+                let is_shown = marks.any(|kind| kind == MarkKind::Block);
+                vec![("a test", is_tested), ("a block in a chapter", is_shown)]
+            }
             false => vec![("a mention in a chapter", marks.next().is_some())],
         };
         let missing = wanted.into_iter().filter(|(_, there)| !there);

@@ -4,6 +4,7 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
+use figures::on_your_table::Paper;
 use spinning_bodies::scene::{Solver, files};
 
 use crate::pictures::Form;
@@ -184,7 +185,7 @@ pub struct Figures {
 #[derive(Debug, Args)]
 pub struct Sheets {
     /// The size of the paper
-    #[arg(long, value_parser = ["a4", "letter"], default_value = "a4")]
+    #[arg(long, value_parser = Paper::ALL.map(Paper::name), default_value = "a4")]
     pub paper: String,
     /// Folder for the files
     #[arg(long, value_name = "DIR", default_value = ".")]

@@ -213,13 +213,9 @@ fn line(row: &Measurement) -> String {
     };
     let [parameter, attitude, omega] =
         [row.parameter, row.error_attitude, row.error_omega].map(number);
+    let (seconds, status) = (number(row.seconds.unwrap_or(f64::NAN)), row.status.word());
     format!(
-        "{},{},{parameter},{attitude},{omega},{},{},{},{}\n",
-        row.problem,
-        row.method,
-        row.evaluations,
-        row.steps,
-        number(row.seconds.unwrap_or(f64::NAN)),
-        row.status.word()
+        "{},{},{parameter},{attitude},{omega},{},{},{seconds},{status}\n",
+        row.problem, row.method, row.evaluations, row.steps
     )
 }

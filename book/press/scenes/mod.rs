@@ -56,9 +56,8 @@ impl Motion {
     /// As for [`parse`].
     pub fn of(name: &str, text: &str) -> Result<Self> {
         let (scene, request) = parse(name, text)?;
-        let name = name.to_owned();
         Ok(Self {
-            name,
+            name: name.to_owned(),
             scene,
             request,
         })
@@ -89,11 +88,9 @@ impl Motion {
 
     /// The first and the last of the times that are asked for, s.
     pub fn ends(&self) -> [f64; 2] {
-        let times = self.request.times().iter();
-        let [least, greatest] = [f64::INFINITY, f64::NEG_INFINITY];
-        times.fold([least, greatest], |[low, high], &t| {
-            [low.min(t), high.max(t)]
-        })
+        let times = || self.request.times().iter().copied();
+        let first = times().fold(f64::INFINITY, f64::min);
+        [first, times().fold(f64::NEG_INFINITY, f64::max)]
     }
 
     /// The time from the first to the last, s, for an option that draws what goes on in it.
@@ -130,7 +127,15 @@ impl Motion {
     pub fn awaited(&self, times: &[f64]) -> Result<Table> {
         let progress = Progress::default();
         let request = self.asked(times)?.watched(&progress);
-        let how_far = || how_far(&progress);
+        let how_far = || {
+            let now = progress.reached();
+            let [ran, most] = [now.evaluations, now.most].map(|count| count as f64 / 1e6);
+            let told = format!(
+                "simulating: t = {:.4e} of {:.4e} s, {ran:.0} of at most {most:.0} million evaluations",
+                now.time, now.until
+            );
+            (now.time / now.until, told)
+        };
         watched(how_far, || run(&self.name, &self.scene, &request))
     }
 
@@ -153,17 +158,6 @@ impl Motion {
 pub fn stem(name: impl AsRef<Path>) -> String {
     let stem = name.as_ref().file_stem().unwrap_or_default();
     stem.display().to_string()
-}
-
-/// How far a motion has come, for a bar and in words.
-fn how_far(progress: &Progress) -> (f64, String) {
-    let now = progress.reached();
-    let [evaluations, most] = [now.evaluations, now.most].map(|count| count as f64 / 1e6);
-    let told = format!(
-        "simulating: t = {:.4e} of {:.4e} s, {evaluations:.0} of at most {most:.0} million evaluations",
-        now.time, now.until
-    );
-    (now.time / now.until, told)
 }
 
 /// Runs a scene, `name` being that of its file. Every number of what it gives back is finite.

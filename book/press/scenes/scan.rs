@@ -44,7 +44,8 @@ impl FromStr for Over {
         if over.count == 1 && over.ranges.iter().any(|(_, from, to)| from != to) {
             return refused("asks for one value of a range of many");
         }
-        if over.logarithmic && !over.ranges.iter().all(same_sign) {
+        let one_sign = |(_, a, b): &(_, f64, f64)| a.min(*b) > 0.0 || a.max(*b) < 0.0;
+        if over.logarithmic && !over.ranges.iter().all(one_sign) {
             return refused("asks for equal ratios: both ends must be positive, or both negative");
         }
         Ok(over)
@@ -59,11 +60,6 @@ fn finite(text: &str) -> Option<f64> {
 /// To fifteen digits: a tenth is 0.1 then, not an ulp less.
 fn rounded(value: f64) -> f64 {
     format!("{value:.14e}").parse().unwrap_or(value)
-}
-
-/// Whether both ends of a range are positive, or both negative.
-fn same_sign(&(_, from, to): &(String, f64, f64)) -> bool {
-    (from > 0.0 && to > 0.0) || (from < 0.0 && to < 0.0)
 }
 
 impl Over {

@@ -100,42 +100,29 @@ fn with<S>(
     Some(scene)
 }
 
-/// A kind of scene.
-#[derive(Clone, Copy)]
-struct Kind {
-    name: &'static str,
-    read: fn(&Reader<'_>) -> Option<(AnyScene, Request)>,
-}
+/// How a kind of scene is read.
+type Kind = fn(&Reader<'_>) -> Option<(AnyScene, Request)>;
 
-macro_rules! kinds {
-    ($($name:literal, $made:path;)*) => {
-        /// The kinds of scene, the first being the one without `kind`.
-        const KINDS: &[Kind] = &[$(Kind {
-            name: $name,
-            read: |file| read(file, $made),
-        }),*];
-    };
-}
-
-kinds! {
-    "top", top::top;
-    "meteorite", contact::meteorite;
-    "roller", contact::roller;
-    "spool", contact::spool;
-    "superball", contact::superball;
-    "yo-yo", yo_yo::yo_yo;
-    "strip", strip::strip;
-    "swivel", changing::swivel;
-    "skater", changing::skater;
-    "cat", changing::cat;
-    "paper-cat", changing::paper_cat;
-    "crawler", changing::crawler;
-    "table-top", table_top::table_top;
-}
+/// The kinds of scene, the first being the one without `kind`.
+const KINDS: [(&str, Kind); 13] = [
+    ("top", |file| read(file, top::top)),
+    ("meteorite", |file| read(file, contact::meteorite)),
+    ("roller", |file| read(file, contact::roller)),
+    ("spool", |file| read(file, contact::spool)),
+    ("superball", |file| read(file, contact::superball)),
+    ("yo-yo", |file| read(file, yo_yo::yo_yo)),
+    ("strip", |file| read(file, strip::strip)),
+    ("swivel", |file| read(file, changing::swivel)),
+    ("skater", |file| read(file, changing::skater)),
+    ("cat", |file| read(file, changing::cat)),
+    ("paper-cat", |file| read(file, changing::paper_cat)),
+    ("crawler", |file| read(file, changing::crawler)),
+    ("table-top", |file| read(file, table_top::table_top)),
+];
 
 impl Word for Kind {
     fn words() -> Vec<(&'static str, Self)> {
-        KINDS.iter().map(|kind| (kind.name, *kind)).collect()
+        KINDS.to_vec()
     }
 }
 
@@ -207,7 +194,7 @@ pub fn parse_with(
 ) -> Result<(AnyScene, Request), Mistakes> {
     let reader = Reader::new(name, text, open)?;
     let kind: Option<Kind> = Table::whole(&reader).value(&KIND, None);
-    let made = kind.and_then(|kind| (kind.read)(&reader));
+    let made = kind.and_then(|read| read(&reader));
     reader.finish(made)
 }
 
@@ -218,7 +205,7 @@ pub fn parse_with(
 /// assert_eq!(kinds().next(), Some("top"));
 /// ```
 pub fn kinds() -> impl ExactSizeIterator<Item = &'static str> {
-    KINDS.iter().map(|kind| kind.name)
+    KINDS.iter().map(|(name, _)| *name)
 }
 
 /// The keys of a kind in `[body]`, `[initial]` and `[effects]`; for `run` those that all kinds share, at the top and in `[run]`; for `shapes` the sizes
@@ -233,12 +220,10 @@ pub fn kinds() -> impl ExactSizeIterator<Item = &'static str> {
 pub fn keys(kind: &str) -> Option<Vec<KeyRow>> {
     let reader = Reader::listing(&out_of_reach).ok()?;
     // Those that all kinds share are read with the first.
-    let known = KINDS
-        .iter()
-        .find(|known| [known.name, "run"].contains(&kind));
+    let known = KINDS.iter().find(|known| [known.0, "run"].contains(&kind));
     match kind {
         "shapes" => body::read_all_shapes(&reader),
-        _ => drop((known?.read)(&reader)),
+        _ => drop(known?.1(&reader)),
     }
     let mut rows = reader.absent.into_inner();
     let is_shared = |row: &KeyRow| ["", "run"].contains(&row.section.as_str());
@@ -288,12 +273,11 @@ pub fn numbers(text: &str) -> Vec<String> {
 pub fn set(text: &str, path: &str, number: f64) -> Option<String> {
     let table = DeTable::parse(text).ok()?;
     let (_, value) = find(table.get_ref(), path)?;
-    let whole = matches!(value.get_ref(), DeValue::Integer(_));
     values::number(value.get_ref())?;
-    let written = if whole && number.fract() == 0.0 && number.abs() < 1e15 {
-        format!("{number}")
-    } else {
-        format!("{number:?}")
+    let whole = number.fract() == 0.0 && number.abs() < 1e15;
+    let written = match value.get_ref() {
+        DeValue::Integer(_) if whole => format!("{number}"),
+        _ => format!("{number:?}"),
     };
     let place = value.span();
     Some([text.get(..place.start)?, &written, text.get(place.end..)?].concat())

@@ -1,6 +1,6 @@
 //! The command `accuracy`: what it prints and writes, and what it refuses. These are debug runs: no times.
 
-use super::{book, printed, refused, text};
+use super::{book, mine, printed, refused, scratch, text};
 use std::path::{Path, PathBuf};
 use std::process::Output;
 
@@ -11,10 +11,6 @@ fn accuracy(arguments: &[&str]) -> Output {
     book(&[&["accuracy"], arguments].concat())
 }
 
-fn folder() -> tempfile::TempDir {
-    tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap()
-}
-
 fn csv(folder: &tempfile::TempDir) -> (PathBuf, String) {
     let path = folder.path().join("rows.csv");
     let name = path.to_str().unwrap().to_owned();
@@ -23,7 +19,7 @@ fn csv(folder: &tempfile::TempDir) -> (PathBuf, String) {
 
 #[test]
 fn one_problem_is_a_table_and_a_file() {
-    let folder = folder();
+    let folder = scratch();
     let (path, name) = csv(&folder);
     let output = accuracy(&["--scene", "heavy-body/1", "--csv", &name]);
     let (table, told) = (printed(&output), text(&output.stderr));
@@ -62,7 +58,7 @@ fn one_problem_is_a_table_and_a_file() {
 
 #[test]
 fn unknown_names_are_answered_with_the_known_ones() {
-    let folder = folder();
+    let folder = scratch();
     let (path, name) = csv(&folder);
     for wrong in ["free-tops", "free-top/2", "", "no/such.toml", "."] {
         let output = accuracy(&["--scene", wrong, "--csv", &name]);
@@ -74,7 +70,7 @@ fn unknown_names_are_answered_with_the_known_ones() {
 
 #[test]
 fn a_file_that_cannot_be_there_is_refused_before_anything_is_measured() {
-    let folder = folder();
+    let folder = scratch();
     let missing = folder.path().join("missing").join("rows.csv");
     let output = accuracy(&["--csv", missing.to_str().unwrap()]);
     refused(&output, &["missing", "no such folder"]);
@@ -93,19 +89,13 @@ fn errors<'a>(rows: &'a str, method: &str) -> Vec<(&'a str, &'a str, &'a str)> {
 
 #[test]
 fn a_scene_of_ones_own_is_measured() {
-    let folder = folder();
-    let file = folder.path().join("mine.toml");
     let scene = "[body]\nmass = 1.0\nmoments = [1.0, 1.5, 2.0]\ncenter_of_mass = [0.02, 0.01, 0.05]\n\
                  [initial]\nattitude = [0.8, 0.6, 0.0, 0.0]\nangular_momentum = [0.5, 0.4, 4.0]\n\
                  [effects]\ngravity = 9.81\n[run]\ntimes = [0.5, 2.0, 1.0]\n";
-    std::fs::write(&file, scene).unwrap();
+    let (folder, file) = mine(scene);
     let (path, name) = csv(&folder);
-    let table = printed(&accuracy(&[
-        "--scene",
-        file.to_str().unwrap(),
-        "--csv",
-        &name,
-    ]));
+    let scene_and_csv = ["--scene", file.to_str().unwrap(), "--csv", &name];
+    let table = printed(&accuracy(&scene_and_csv));
     for words in [
         "mine: 2 s, judged by dormand-prince-8 and verner98",
         "exact   failed: ",
@@ -137,10 +127,9 @@ fn a_scene_of_ones_own_is_measured() {
         (scene.replace(times, "[0.0]"), "until"),
         (slow, "judge"),
     ] {
-        let bad = folder.path().join("bad.toml");
-        std::fs::write(&bad, wrong).unwrap();
+        let (_folder, bad) = mine(&wrong);
         let output = accuracy(&["--scene", bad.to_str().unwrap()]);
-        refused(&output, &["bad.toml", word]);
+        refused(&output, &["mine.toml", word]);
     }
 }
 

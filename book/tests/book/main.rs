@@ -16,6 +16,7 @@ mod scene_prices;
 mod scenes;
 
 use press::drawings::{self, Drawing};
+use std::path::PathBuf;
 use std::process::{Command, Output};
 use std::sync::LazyLock;
 
@@ -58,6 +59,19 @@ fn saved(text: &str) -> tempfile::NamedTempFile {
     file
 }
 
+/// An empty folder.
+fn scratch() -> tempfile::TempDir {
+    tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap()
+}
+
+/// A scene file in a folder of its own.
+fn mine(text: &str) -> (tempfile::TempDir, PathBuf) {
+    let folder = scratch();
+    let file = folder.path().join("mine.toml");
+    std::fs::write(&file, text).unwrap();
+    (folder, file)
+}
+
 fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
 }
@@ -68,6 +82,11 @@ fn book(arguments: &[&str]) -> Output {
         .args(arguments)
         .output()
         .unwrap()
+}
+
+/// The same with the words of a line: two blanks hold an empty one.
+fn typed(line: &str) -> Output {
+    book(&line.split(' ').collect::<Vec<_>>())
 }
 
 /// Exit status 0, and what is printed.

@@ -288,7 +288,7 @@ fn a_failing_build_leaves_the_old_book() {
 
 #[test]
 fn a_missing_include_fails_the_build() {
-    let scratch = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let scratch = super::scratch();
     let source = scratch.path().join("book/src");
     std::fs::create_dir_all(&source).unwrap();
     let settings = "[book]\ntitle = \"T\"\n[output.html]\nhash-files = false\n";

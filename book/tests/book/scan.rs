@@ -9,11 +9,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 #[test]
 fn a_scan_is_its_scenes_one_by_one() {
-    let path = saved(RACKET);
-    let overs = ["initial.omega.0=0.0..0.5:3", "body.moments.2=2..4:3"].map(|o| o.parse().unwrap());
+    let overs = ["initial.omega.0=0.0..0.5:3", "body.moments.2=2..4:3"];
     let done = AtomicUsize::new(0);
     let count = || _ = done.fetch_add(1, Ordering::Relaxed);
-    let scan = Scan::new(path.path(), overs.into(), Vec::new()).unwrap();
+    let scan = asked(RACKET, &overs, &[]).unwrap();
     let (text, ran) = scan.run(Format::Csv, count);
     ran.unwrap();
     assert_eq!(done.into_inner(), 9);
@@ -73,11 +72,16 @@ fn a_scan_over_what_is_not_there_is_refused() {
     }
 }
 
-/// The one line with which a scan of the racket is refused.
-fn refusal(overs: &[&str], tells: &[&str]) -> String {
+/// A scan of a text.
+fn asked(text: &str, overs: &[&str], tells: &[&str]) -> press::Result<Scan> {
     let overs = overs.iter().map(|over| over.parse().unwrap()).collect();
     let tells = tells.iter().map(|tell| tell.parse().unwrap()).collect();
-    let error = Scan::new(saved(RACKET).path(), overs, tells).unwrap_err();
+    Scan::new(saved(text).path(), overs, tells)
+}
+
+/// The one line with which a scan of the racket is refused.
+fn refusal(overs: &[&str], tells: &[&str]) -> String {
+    let error = asked(RACKET, overs, tells).unwrap_err();
     assert_eq!(error.status(), 2);
     error.to_string()
 }
@@ -98,9 +102,7 @@ fn cells(line: &str) -> Vec<String> {
 
 /// What a scan of a text prints, and whether any of its points could be run.
 fn told(text: &str, overs: &[&str], tells: &[&str], format: Format) -> (String, bool) {
-    let overs = overs.iter().map(|over| over.parse().unwrap()).collect();
-    let tells = tells.iter().map(|tell| tell.parse().unwrap()).collect();
-    let scan = Scan::new(saved(text).path(), overs, tells).unwrap();
+    let scan = asked(text, overs, tells).unwrap();
     let (text, ran) = scan.run(format, || ());
     (text, ran.is_ok())
 }
@@ -211,10 +213,8 @@ fn a_jump_is_crossed_and_the_end_of_a_circle_is_not() {
     let (text, _) = told(spun, &["initial.omega.2=1..1:1"], &tells, Format::Csv);
     let line = cells(text.lines().nth(1).unwrap());
     for (cell, time) in line[1..3].iter().zip([1.0, 2.0 * (TAU - 3.0)]) {
-        assert!(
-            (cell.parse::<f64>().unwrap() - time).abs() < 1e-12,
-            "{line:?}"
-        );
+        let crossed: f64 = cell.parse().unwrap();
+        assert!((crossed - time).abs() < 1e-12, "{line:?}");
     }
 }
 
@@ -250,11 +250,8 @@ fn on_one_core_a_scan_is_the_same() {
     let scan = |cores: &str| {
         let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_book"));
         command.args(["scan", "racket", "--over", "initial.omega.0=1e-3..1:30:log"]);
-        command
-            .env("RAYON_NUM_THREADS", cores)
-            .output()
-            .unwrap()
-            .stdout
+        let command = command.env("RAYON_NUM_THREADS", cores);
+        command.output().unwrap().stdout
     };
     let one = scan("1");
     assert!(one.iter().filter(|&&byte| byte == b'\n').count() == 31 && one == scan("4"));

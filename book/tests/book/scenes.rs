@@ -399,7 +399,7 @@ fn every_solver_is_found_by_its_name() {
 /// Every scene but the free body's refuses a method for free bodies: it names the key, and no number stands where there is none to tell.
 #[test]
 fn a_solver_that_cannot_run_a_scene_is_refused_by_its_key() {
-    let scratch = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let scratch = super::scratch();
     for entry in Path::new("scenes").read_dir().unwrap() {
         let path = entry.unwrap().path();
         let name = path.file_name().unwrap();

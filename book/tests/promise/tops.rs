@@ -6,7 +6,7 @@ use super::door::{self, Answer};
 use super::kinds::line;
 use super::random::Random;
 use super::top_series::{AIR, BEARING, Frictions, PIVOT, TIP, Top, Whole, vertical};
-use super::verdict::{Given, Outcome};
+use super::verdict::{self, Given, Outcome};
 use support::double_double::Dd;
 use support::{greatest, multiplied, turned};
 
@@ -645,24 +645,22 @@ impl Case {
                 let cheapest = (smooth && self.times.len() == 1 && motion.evaluations > 0)
                     .then(|| self.cheapest(&truth.states[0], unit))
                     .flatten();
-                Given::Answer {
+                Given::Answer(verdict::Answer {
                     error,
                     estimate: motion.estimate,
                     evaluations: motion.evaluations,
                     cheapest,
                     solver: motion.solver,
-                }
+                })
             }
         };
+        // A fault is one only where the truth is beyond doubt.
+        let doubted = |answer: &verdict::Answer| {
+            answer.error > self.accuracy.min(answer.estimate)
+                && self.top.doubt(&start, &self.times, unit) > 0.1 * answer.error
+        };
         let given = match given {
-            // A fault is one only where the truth is beyond doubt.
-            Given::Answer {
-                error, estimate, ..
-            } if error > self.accuracy.min(estimate)
-                && self.top.doubt(&start, &self.times, unit) > 0.1 * error =>
-            {
-                Given::BeyondTheTruth
-            }
+            Given::Answer(answer) if doubted(&answer) => Given::BeyondTheTruth,
             given => given,
         };
         Outcome {

@@ -6,15 +6,7 @@ use std::fmt;
 /// What a scene gave back, judged by the truth.
 #[derive(Debug, Clone)]
 pub enum Given {
-    Answer {
-        /// The most over all rows.
-        error: f64,
-        estimate: f64,
-        evaluations: u64,
-        /// Those of the cheapest run of order 8 that would have done.
-        cheapest: Option<u64>,
-        solver: String,
-    },
+    Answer(Answer),
     Refused {
         /// By how much a small change of the start has grown, at most, at the times asked for.
         growth: f64,
@@ -22,6 +14,17 @@ pub enum Given {
     },
     /// Even thirty digits do not tell where such a motion goes.
     BeyondTheTruth,
+}
+
+#[derive(Debug, Clone)]
+pub struct Answer {
+    /// The most over all rows.
+    pub error: f64,
+    pub estimate: f64,
+    pub evaluations: u64,
+    /// Those of the cheapest run of order 8 that would have done.
+    pub cheapest: Option<u64>,
+    pub solver: String,
 }
 
 #[derive(Debug, Clone)]
@@ -58,18 +61,14 @@ impl Outcome {
     pub fn faults(&self) -> Vec<Fault> {
         let mut faults = Vec::new();
         match &self.given {
-            Given::Answer {
-                error, estimate, ..
-            } => {
+            Given::Answer(answer) => {
                 // An error that is not a number is told as an infinite one.
-                if *error > self.accuracy {
+                if answer.error > self.accuracy {
                     faults.push(Fault::Inexact);
                 }
                 // Nor an estimate that is none.
-                if error
-                    .partial_cmp(estimate)
-                    .is_none_or(|order| order.is_gt())
-                {
+                let order = answer.error.partial_cmp(&answer.estimate);
+                if order.is_none_or(|order| order.is_gt()) {
                     faults.push(Fault::Bold);
                 }
             }
@@ -89,22 +88,22 @@ impl Outcome {
         faults
     }
 
-    /// The error as a part of the accuracy asked for.
-    fn of_accuracy(&self) -> Option<f64> {
-        match self.given {
-            Given::Answer { error, .. } => Some(error / self.accuracy),
+    fn answer(&self) -> Option<&Answer> {
+        match &self.given {
+            Given::Answer(answer) => Some(answer),
             _ => None,
         }
     }
 
+    /// The error as a part of the accuracy asked for.
+    fn of_accuracy(&self) -> Option<f64> {
+        Some(self.answer()?.error / self.accuracy)
+    }
+
     /// The error as a part of the estimate.
     fn of_estimate(&self) -> Option<f64> {
-        match self.given {
-            Given::Answer {
-                error, estimate, ..
-            } => Some(error / estimate),
-            _ => None,
-        }
+        let answer = self.answer()?;
+        Some(answer.error / answer.estimate)
     }
 
     /// How bad a fault is.
@@ -122,14 +121,8 @@ impl Outcome {
 
     /// Evaluations over those of the cheapest.
     fn ratio(&self) -> Option<f64> {
-        match self.given {
-            Given::Answer {
-                evaluations,
-                cheapest: Some(cheapest),
-                ..
-            } => Some(evaluations as f64 / cheapest as f64),
-            _ => None,
-        }
+        let answer = self.answer()?;
+        Some(answer.evaluations as f64 / answer.cheapest? as f64)
     }
 }
 
@@ -137,18 +130,17 @@ impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let asked = self.accuracy;
         match &self.given {
-            Given::Answer {
-                error,
-                estimate,
-                evaluations,
-                cheapest,
-                solver,
-            } => write!(
-                f,
-                "{solver}: error {error:.2e}, {:.3} of the accuracy {asked:.2e}, {} of the estimate; {evaluations} evaluations, cheapest {cheapest:?}",
-                error / asked,
-                format_args!("{:.3} ({estimate:.2e})", error / estimate),
-            ),
+            Given::Answer(answer) => {
+                let Answer {
+                    error, estimate, ..
+                } = answer;
+                let [of_accuracy, of_estimate] = [error / asked, error / estimate];
+                write!(
+                    f,
+                    "{}: error {error:.2e}, {of_accuracy:.3} of the accuracy {asked:.2e}, {of_estimate:.3} ({estimate:.2e}) of the estimate; {} evaluations, cheapest {:?}",
+                    answer.solver, answer.evaluations, answer.cheapest
+                )
+            }
             Given::Refused { growth, why } => write!(
                 f,
                 "refused at accuracy {asked:.2e}; growth {growth:.2e}, so {:.2e} of the accuracy: {why}",
@@ -182,37 +174,23 @@ pub fn table(all: &[Judged]) -> String {
         strata.entry(judged.stratum).or_default().push(outcome);
         strata.entry("~ all").or_default().push(outcome);
     }
-    let mut text = format!(
-        "{:46} {:>5} {:>7} {:>5} {:>7} {:>7} {:>7} {:>9} {:>9} {:>6}\n",
-        "",
-        "cases",
-        "inexact",
-        "bold",
-        "refused",
-        "wrongly",
-        "unnamed",
-        "err/acc",
-        "err/est",
-        "cost"
-    );
+    let head = "cases inexact  bold refused wrongly unnamed   err/acc   err/est   cost";
+    let mut text = format!("{:46} {head}\n", "");
     for (name, all) in strata {
         let count = |fault: Fault| all.iter().filter(|o| o.faults().contains(&fault)).count();
-        let refused = all
-            .iter()
-            .filter(|o| matches!(o.given, Given::Refused { .. }));
-        let worst =
-            |of: fn(&Outcome) -> Option<f64>| all.iter().filter_map(|o| of(o)).fold(0.0, f64::max);
-        let ratio = median(all.iter().filter_map(|o| o.ratio()).collect());
+        let is_refused = |o: &&&Outcome| matches!(o.given, Given::Refused { .. });
+        let parts = |of: fn(&Outcome) -> Option<f64>| all.iter().filter_map(move |o| of(o));
+        let ratio = median(parts(Outcome::ratio).collect());
         text += &format!(
             "{name:46} {:>5} {:>7} {:>5} {:>7} {:>7} {:>7} {:>9.2e} {:>9.2e} {ratio:>6.2}\n",
             all.len(),
             count(Fault::Inexact),
             count(Fault::Bold),
-            refused.count(),
+            all.iter().filter(is_refused).count(),
             count(Fault::Refused),
             count(Fault::Unnamed),
-            worst(Outcome::of_accuracy),
-            worst(Outcome::of_estimate),
+            parts(Outcome::of_accuracy).fold(0.0, f64::max),
+            parts(Outcome::of_estimate).fold(0.0, f64::max),
         );
     }
     text
@@ -225,20 +203,12 @@ pub fn report(all: &[Judged], each: usize) -> String {
     strata.dedup();
     for stratum in strata {
         for fault in Fault::ALL {
-            let mut faulty: Vec<&Judged> = all
-                .iter()
-                .filter(|judged| {
-                    judged.stratum == stratum && judged.outcome.faults().contains(&fault)
-                })
-                .collect();
+            let here = all.iter().filter(|judged| judged.stratum == stratum);
+            let faulty = here.filter(|judged| judged.outcome.faults().contains(&fault));
+            let mut faulty: Vec<&Judged> = faulty.collect();
             faulty.sort_by(|a, b| b.outcome.size(fault).total_cmp(&a.outcome.size(fault)));
             for judged in faulty.iter().take(each) {
-                let Judged {
-                    number,
-                    outcome,
-                    text: scene,
-                    ..
-                } = judged;
+                let (number, outcome, scene) = (judged.number, &judged.outcome, &judged.text);
                 text += &format!("\n{fault:?}: {stratum} {number}\n{outcome}\n{scene}");
             }
         }
@@ -248,9 +218,6 @@ pub fn report(all: &[Judged], each: usize) -> String {
 
 /// The median over all that ran of evaluations over those of the cheapest.
 pub fn cost(all: &[Judged]) -> f64 {
-    median(
-        all.iter()
-            .filter_map(|judged| judged.outcome.ratio())
-            .collect(),
-    )
+    let ratios = all.iter().filter_map(|judged| judged.outcome.ratio());
+    median(ratios.collect())
 }

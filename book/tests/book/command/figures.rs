@@ -24,9 +24,9 @@ fn figures_are_listed_with_their_chapters() {
 
 #[test]
 fn a_program_is_told_what_a_figure_claims_and_takes() {
-    let named = ["spool-dial", "cat-film"];
-    let output = book(&[&["figures", "--list", "--format", "json"][..], &named].concat());
+    let output = typed("figures --list --format json spool-dial cat-film");
     let told: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let named = ["spool-dial", "cat-film"];
     assert_eq!([&told[0]["name"], &told[1]["name"]], named);
     assert_eq!(told[1]["parameters"], serde_json::json!([]));
     let (dial, axle) = (&told[0], &told[0]["parameters"][0]);
@@ -40,7 +40,7 @@ fn a_program_is_told_what_a_figure_claims_and_takes() {
 
 #[test]
 fn a_figure_is_drawn_as_it_is_wanted() {
-    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let folder = scratch();
     let [out, table] = ["svg", "dial.csv"].map(|name| folder.path().join(name));
     let [out_name, table_name] = [&out, &table].map(|path| path.to_str().unwrap());
     let listed = text(&book(&["figures", "--list", "spool-dial"]).stdout);
@@ -75,17 +75,14 @@ fn a_wrong_number_of_a_figure_is_refused_by_name() {
         assert_eq!(output.status.code(), Some(2));
         assert_eq!(text(&output.stderr), format!("error: --set: {told}\n"));
     }
-    for wrong in [
-        &["figures", "--set", "axle=0.5"][..],
-        &["figures", "ice", "spool", "--data", "x"],
-    ] {
-        assert_eq!(book(wrong).status.code(), Some(2));
+    for wrong in ["figures --set axle=0.5", "figures ice spool --data x"] {
+        assert_eq!(typed(wrong).status.code(), Some(2));
     }
 }
 
 #[test]
 fn figures_are_written_to_the_folder_asked_for() {
-    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let folder = scratch();
     let out = folder.path().join("svg");
     for entry in ::figures::all().iter().take(1) {
         let into = out.to_str().unwrap();

@@ -8,9 +8,8 @@ const FREE: &str = "[body]\nshape = \"ball-with-weight\"\nmass = 2.0\nradius = 1
 
 #[test]
 fn a_film_shows_the_axis_where_the_closed_form_has_it() {
-    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
-    let [scene, film] = ["free.toml", "free.svg"].map(|name| folder.path().join(name));
-    std::fs::write(&scene, FREE).unwrap();
+    let (folder, scene) = mine(FREE);
+    let film = folder.path().join("free.svg");
     let out = ["--output", film.to_str().unwrap()];
     let arguments = [&["--film", "--speed", "0.7"][..], &out].concat();
     printed(&super::scene(&scene, &arguments));
@@ -78,28 +77,24 @@ fn every_scene_of_the_book_is_filmed() {
         ("--frames src 10", "expected an empty folder or a new one"),
         ("--frames stills 0", "a whole number from 1 to 10000"),
     ] {
-        let wrong = ["scene", "racket"].into_iter().chain(wrong.split(' '));
-        refused(&book(&wrong.collect::<Vec<_>>()), &[told]);
+        refused(&typed(&format!("scene racket {wrong}")), &[told]);
     }
     // A single time is no motion.
-    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
-    let scene = folder.path().join("once.toml");
-    let once = FREE.replace("until = 7.0\nsamples = 2", "times = [1.0, 1.0]");
-    std::fs::write(&scene, once).unwrap();
+    let (_folder, scene) = mine(&FREE.replace("until = 7.0\nsamples = 2", "times = [1.0, 1.0]"));
     for options in [
         &["--film"][..],
         &["--plot", "tilt"],
         &["--frames", "stills", "2"],
     ] {
         let done = super::scene(&scene, options);
-        let told = "once.toml: key `until` or `times` in [run]: expected times that go on";
+        let told = "mine.toml: key `until` or `times` in [run]: expected times that go on";
         refused(&done, &[options[0], told]);
     }
 }
 
 #[test]
 fn stills_are_whole_and_numbered() {
-    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let folder = scratch();
     let stills = folder.path().join("stills");
     let wanted = ["scene", "spool", "--frames", stills.to_str().unwrap(), "12"];
     printed(&book(&wanted));

@@ -8,63 +8,44 @@ mod scene;
 #[cfg(unix)]
 mod unix;
 
-use super::{book, printed, refused, text};
+use super::{book, mine, printed, refused, scratch, text, typed};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
 
 #[test]
 fn wrong_usage_is_told_in_one_line_and_status_2() {
-    for (arguments, word) in [
-        (&["figure"][..], "'figure'"),
-        (&["figures", "--lits"], "'--lits'"),
-        (&["figures", "no-such-figure"], "'no-such-figure'"),
-        (&["figures", "--list", "no-such-figure"], "'no-such-figure'"),
-        (&["figures", "--out"], "--out"),
-        (&["figures", "--list", "--check"], "--check"),
-        (&["book", "extra"], "'extra'"),
-        (&["claims", "--all"], "'--all'"),
+    for (line, word) in [
+        ("figure", "'figure'"),
+        ("figures --lits", "'--lits'"),
+        ("figures no-such-figure", "'no-such-figure'"),
+        ("figures --list no-such-figure", "'no-such-figure'"),
+        ("figures --out", "--out"),
+        ("figures --list --check", "--check"),
+        ("book extra", "'extra'"),
+        ("claims --all", "'--all'"),
         // None of them begins to work.
-        (&["figures", "--data", "x.csv"], "the NAME of one figure"),
-        (&["figures", "spool-dial", "--data", "x.svg"], "`.csv`"),
+        ("figures --data x.csv", "the NAME of one figure"),
+        ("figures spool-dial --data x.svg", "`.csv`"),
         (
-            &["figures", "spool-dial", "--set", "axle=0.5,axle=0.6"],
+            "figures spool-dial --set axle=0.5,axle=0.6",
             "axle stands there twice",
         ),
+        ("figures spool-dial --as svg --width 100", "got 100"),
+        ("scene --keys run", "no kind `run`"),
+        ("scene racket --columns tilt,l,tilt", "column `tilt` twice"),
+        ("scene racket --film --speed -1", "expected a speed from"),
+        ("scene racket --frames  3", "DIR is ''"),
+        ("scene racket --frames stills -1", "N is '-1'"),
         (
-            &["figures", "spool-dial", "--as", "svg", "--width", "100"],
-            "got 100",
-        ),
-        (&["scene", "--keys", "run"], "no kind `run`"),
-        (
-            &["scene", "racket", "--columns", "tilt,l,tilt"],
-            "column `tilt` twice",
-        ),
-        (
-            &["scene", "racket", "--film", "--speed", "-1"],
-            "expected a speed from",
-        ),
-        (&["scene", "racket", "--frames", "", "3"], "DIR is ''"),
-        (
-            &["scene", "racket", "--frames", "stills", "-1"],
-            "N is '-1'",
-        ),
-        (
-            &[
-                "scan",
-                "racket",
-                "--over",
-                "body.moments.0=1..2:2",
-                "--tell",
-                "l,l",
-            ],
+            "scan racket --over body.moments.0=1..2:2 --tell l,l",
             "`l` stands twice",
         ),
     ] {
-        let output = book(arguments);
+        let output = typed(line);
         let told = text(&output.stderr);
         refused(&output, &[word]);
         let whole = told.starts_with("error: ") && !told.contains("Usage");
-        assert!(whole, "{arguments:?}: {told}");
+        assert!(whole, "{line}: {told}");
     }
 }
 
@@ -85,9 +66,9 @@ fn an_unwritable_folder_is_named_and_status_1() {
 
 #[test]
 fn help_teaches_and_is_no_error() {
-    for arguments in ["--help", "figures --help", "book --help", "help"] {
-        let output = book(&arguments.split(' ').collect::<Vec<_>>());
-        assert!(printed(&output).contains("cargo run --"), "{arguments}");
+    for line in ["--help", "figures --help", "book --help", "help"] {
+        let output = typed(line);
+        assert!(printed(&output).contains("cargo run --"), "{line}");
         assert!(output.stderr.is_empty());
     }
 }
@@ -101,27 +82,29 @@ fn every_claim_is_a_line_of_the_table() {
 
 #[test]
 fn a_reader_that_leaves_is_no_error() {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_book"))
-        .arg("claims")
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
+    let mut child = started(Path::new("."), &["claims"]);
     drop(child.stdout.take());
     let output = child.wait_with_output().unwrap();
     printed(&output);
     assert!(output.stderr.is_empty(), "{}", text(&output.stderr));
 }
 
-/// A scene file of this many rows, in a folder of its own.
+/// The command, still running in a folder.
+fn started(folder: &Path, arguments: &[&str]) -> Child {
+    Command::new(env!("CARGO_BIN_EXE_book"))
+        .args(arguments)
+        .current_dir(folder)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap()
+}
+
+/// One of this many rows.
 fn racket(rows: usize) -> (tempfile::TempDir, PathBuf) {
-    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
-    let file = folder.path().join("mine.toml");
-    let text = format!(
+    mine(&format!(
         "[body]\nmoments = [1.0, 2.0, 3.0]\n[initial]\nomega = [0.01, 1.0, 0.01]\n[run]\nuntil = 10.0\nsamples = {rows}\n"
-    );
-    std::fs::write(&file, text).unwrap();
-    (folder, file)
+    ))
 }
 
 fn scene(file: &Path, arguments: &[&str]) -> Output {

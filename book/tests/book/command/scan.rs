@@ -17,25 +17,20 @@ fn a_scan_is_drawn_over_one_range_or_two() {
     }
     let second = ["--over", "initial.omega.1=1..2:3"];
     let first = ["scan", "racket", "--over", "initial.omega.0=0.1..0.4:4"];
-    let svg = printed(&book(
-        &[&first[..], &second, &["--plot", "first:omega1"]].concat(),
-    ));
+    let plot = ["--plot", "first:omega1"];
+    let svg = printed(&book(&[&first[..], &second, &plot].concat()));
     // Four columns of three fields each, the darker the further to the right; then the scale.
     let shades = attributes(&svg, "polygon", "opacity");
     assert_eq!(shades.len(), 12 + 8);
     let columns: Vec<&[f64]> = shades[..12].chunks(3).collect();
-    let mut fields = columns
-        .iter()
-        .flat_map(|three| three.iter().map(|one| (*one, three[0])));
-    assert!(fields.all(|(one, first)| one == first), "{shades:?}");
+    let mut fields = columns.iter().flat_map(|three| three.array_windows());
+    assert!(fields.all(|[one, other]| one == other), "{shades:?}");
     let darker = columns.windows(2).all(|pair| pair[0][0] < pair[1][0]);
     assert!(darker, "{shades:?}");
     let third = ["--over", "initial.omega.2=1..2:2"];
     let thrice = book(&[&over[..], &second, &third, &["--plot", "tilt"]].concat());
-    refused(
-        &thrice,
-        &["--plot: expected one --over, or two for a map, got 3"],
-    );
+    let told = "--plot: expected one --over, or two for a map, got 3";
+    refused(&thrice, &[told]);
     let column = book(&[&over[..], &["--plot", "tlt"]].concat());
     refused(&column, &["has no column `tlt` to tell"]);
 }

@@ -4,7 +4,7 @@ use super::*;
 
 #[test]
 fn a_motion_is_drawn() {
-    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let folder = scratch();
     let path = folder.path().join("racket.svg");
     let output = ["--output", path.to_str().unwrap()];
     let wanted = ["scene", "racket", "--plot", "omega1:omega2,energy"];
@@ -17,18 +17,12 @@ fn a_motion_is_drawn() {
     let polhode = svg.split("<polyline").find(|line| line.contains("#0b6bcb"));
     assert!(polhode.unwrap().split(' ').count() > 1000);
     for (wrong, told) in [
-        (&["--plot", "omg1"][..], "has no column `omg1` to tell"),
-        (&["--plot", "omega1:"], "expected COLUMN, or X:Y"),
-        (
-            &["--plot", "tilt", "--format", "csv"],
-            "cannot be used with",
-        ),
-        (
-            &["--plot", "tilt", "--output", "x.csv"],
-            "`.svg` or `.pdf` or `.png`",
-        ),
+        ("omg1", "has no column `omg1` to tell"),
+        ("omega1:", "expected COLUMN, or X:Y"),
+        ("tilt --format csv", "cannot be used with"),
+        ("tilt --output x.csv", "`.svg` or `.pdf` or `.png`"),
     ] {
-        refused(&book(&[&["scene", "racket"], wrong].concat()), &[told]);
+        refused(&typed(&format!("scene racket --plot {wrong}")), &[told]);
     }
 }
 
@@ -67,15 +61,9 @@ fn the_name_of_the_output_tells_its_format() {
         refused(&scene(&file, arguments), &["x.", "should end with"]);
     }
     let (over, svg) = ("initial.omega.0=0..1:2", out("x.svg"));
-    let scan = [
-        "scan",
-        file.to_str().unwrap(),
-        "--over",
-        over,
-        "--output",
-        &svg,
-    ];
-    refused(&book(&scan), &["x.svg", ".csv"]);
+    let scan = ["scan", file.to_str().unwrap()];
+    let options = ["--over", over, "--output", &svg];
+    refused(&book(&[&scan[..], &options].concat()), &["x.svg", ".csv"]);
     assert_eq!(names(folder.path()), before);
 }
 
@@ -114,10 +102,8 @@ fn a_scene_of_the_book_is_found_by_its_name() {
 
 #[test]
 fn numbers_beyond_the_doubles_are_no_rows() {
-    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
-    let file = folder.path().join("swivel.toml");
-    let text_of = "kind = \"swivel\"\n[body]\nlower = 0.6\nupper = 2.0\n[initial]\nangular_momentum = 1e308\n[run]\nuntil = 1e3\n";
-    std::fs::write(&file, text_of).unwrap();
+    let swivel = "kind = \"swivel\"\n[body]\nlower = 0.6\nupper = 2.0\n[initial]\nangular_momentum = 1e308\n[run]\nuntil = 1e3\n";
+    let (_folder, file) = mine(swivel);
     let output = scene(&file, &[]);
     let told = text(&output.stderr);
     assert_ne!(output.status.code(), Some(0), "{told}");

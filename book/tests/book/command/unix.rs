@@ -42,10 +42,8 @@ fn the_module_of_the_live_pages_wants_a_compiler_for_browsers() {
     let mut command = Command::new(BOOK);
     let output = command.arg("live").env("RUSTC", "true").output().unwrap();
     assert_eq!(output.status.code(), Some(1));
-    let (told, cure) = (
-        text(&output.stderr),
-        "`rustup target add wasm32-unknown-unknown`",
-    );
+    let told = text(&output.stderr);
+    let cure = "`rustup target add wasm32-unknown-unknown`";
     assert!(told.contains(cure) && told.lines().count() == 1, "{told}");
 }
 
@@ -75,10 +73,8 @@ fn pipes_and_devices_stay_what_they_are() {
     // A file that the standard output leads to goes on where it was.
     let rows = folder.path().join("rows");
     let command = format!("{BOOK} scene {} --output /dev/stdout", quoted(&file));
-    let rows_name = quoted(&rows);
-    shell(&format!(
-        "(echo before; {command}; echo after) > {rows_name}"
-    ));
+    let into = quoted(&rows);
+    shell(&format!("(echo before; {command}; echo after) > {into}"));
     let expected = [b"before\n", plain.as_slice(), b"after\n"].concat();
     assert_eq!(std::fs::read(&rows).unwrap(), expected);
     let full = scene(&file, &["--output", "/dev/full"]);
@@ -103,10 +99,8 @@ fn the_input_is_not_overwritten() {
         spared(&scene(&output, &["--output", at(out).to_str().unwrap()]));
     }
     let other = at("..").join(name).join("mine.csv");
-    spared(&scene(
-        &at("soft.csv"),
-        &["--output", other.to_str().unwrap()],
-    ));
+    let out = ["--output", other.to_str().unwrap()];
+    spared(&scene(&at("soft.csv"), &out));
     let (from, over) = (quoted(&output), "--over initial.omega.0=0..1:2");
     for command in [
         format!("scene - --output {from} < {from}"),
@@ -123,12 +117,8 @@ fn the_input_is_not_overwritten() {
 fn files_get_the_rights_that_the_umask_leaves() {
     let (folder, file) = racket(3);
     let mode = |path: &Path| std::fs::metadata(path).unwrap().mode() & 0o777;
-    for (umask, rights) in [
-        ("022", 0o644),
-        ("027", 0o640),
-        ("002", 0o664),
-        ("077", 0o600),
-    ] {
+    let masks = ["022", "027", "002", "077"];
+    for (umask, rights) in masks.into_iter().zip([0o644, 0o640, 0o664, 0o600]) {
         let out = folder.path().join(format!("{umask}.csv"));
         let svg = folder.path().join(umask);
         let figure = ::figures::all()[0].name;
@@ -148,17 +138,11 @@ fn files_get_the_rights_that_the_umask_leaves() {
 
 /// Starts a long run, waits until it has made something beside its output, and sends the signal.
 fn interrupted(signal: &str, status: i32) {
-    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
-    let file = folder.path().join("long.toml");
-    std::fs::write(&file, CHIRAL).unwrap();
+    let (folder, _) = mine(CHIRAL);
     let out = folder.path().join("rows.csv");
     std::fs::write(&out, "old").unwrap();
-    let mut child = Command::new(BOOK)
-        .args(["scene", file.to_str().unwrap()])
-        .args(["--output", out.to_str().unwrap()])
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
+    let arguments = ["scene", "mine.toml", "--output", "rows.csv"];
+    let mut child = started(folder.path(), &arguments);
     let begin = Instant::now();
     while names(folder.path()).len() < 3 {
         assert!(begin.elapsed() < Duration::from_secs(20) && child.try_wait().unwrap().is_none());
@@ -167,7 +151,7 @@ fn interrupted(signal: &str, status: i32) {
     let kill = format!("kill -{signal} {}", child.id());
     assert!(shell(&kill).status.success());
     assert_eq!(child.wait().unwrap().code(), Some(status));
-    assert_eq!(names(folder.path()), ["long.toml", "rows.csv"]);
+    assert_eq!(names(folder.path()), ["mine.toml", "rows.csv"]);
     assert_eq!(std::fs::read_to_string(&out).unwrap(), "old");
 }
 
@@ -180,7 +164,7 @@ fn an_interrupted_run_leaves_nothing_behind() {
 #[test]
 fn a_saved_chapter_is_printed_again() {
     let root = press::paths::workspace_root().unwrap();
-    let copy = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+    let copy = scratch();
     for linked in ["src", "lab", "tests", "figures"] {
         symlink(root.join(linked), copy.path().join(linked)).unwrap();
     }
@@ -190,13 +174,7 @@ fn a_saved_chapter_is_printed_again() {
     let script = format!("cp -r {} {}", copied.join(" "), quoted(&book));
     assert!(shell(&script).status.success());
 
-    let mut child = Command::new(BOOK)
-        .args(["book", "--watch"])
-        .current_dir(copy.path())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
+    let mut child = started(copy.path(), &["book", "--watch"]);
     let mut told = BufReader::new(child.stdout.take().unwrap()).lines();
     let mut told = || told.next().unwrap().unwrap();
     let complaints = BufReader::new(child.stderr.take().unwrap()).lines();
@@ -288,14 +266,8 @@ fn memory_stays_small_up_to_the_largest_output() {
 
 #[test]
 fn a_long_run_tells_how_far_it_is() {
-    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
-    let file = folder.path().join("long.toml");
-    std::fs::write(&file, CHIRAL).unwrap();
-    let mut child = Command::new(BOOK)
-        .args(["scene", file.to_str().unwrap()])
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
+    let (folder, _) = mine(CHIRAL);
+    let mut child = started(folder.path(), &["scene", "mine.toml"]);
     let mut told = String::new();
     let mut lines = BufReader::new(child.stderr.take().unwrap());
     // After one second and a half; a run that is over by then says nothing.

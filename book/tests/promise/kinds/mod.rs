@@ -10,7 +10,7 @@ mod yo_yo;
 
 use super::door::{self, Answer};
 use super::random::Random;
-use super::verdict::{Given, Outcome};
+use super::verdict::{self, Given, Outcome};
 use core::fmt;
 use support::double_double::Dd;
 use support::{greatest, multiplied};
@@ -198,13 +198,13 @@ impl Case {
             Answer::Motion(motion) => {
                 let names: Vec<&str> = self.scene.columns.iter().map(|column| column.0).collect();
                 let rows = motion.rows(&names);
-                Given::Answer {
+                Given::Answer(verdict::Answer {
                     error: self.apart(&rows, &truth, &scales),
                     estimate: motion.estimate,
                     evaluations: motion.evaluations,
                     cheapest: None,
                     solver: motion.solver,
-                }
+                })
             }
         };
         Outcome {

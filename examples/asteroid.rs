@@ -13,7 +13,7 @@ fn main() -> spinning_bodies::Result<()> {
     let days = asteroid.period() / DAY;
     println!("It turns about its long axis in {days:.3} days.");
 
-    // The closed form asks nothing of the days before: the last line costs what the first one does.
+    // The closed form does not go through the days before: the last line costs as much as the first.
     println!("{:>12}  long axis in space", "day");
     for day in [0.0, 1.0, 7.35, 365.25, 3.6525e8] {
         let state = asteroid.at(day * DAY)?;

@@ -1,4 +1,4 @@
-//! Ten thousand asteroids at one time, on all cores: each prepared once, then in closed form.
+//! Ten thousand asteroids after a year, on all cores: each is prepared once and then evaluated in closed form.
 //!
 //! `cargo run --release --example many_bodies`
 

@@ -1,4 +1,4 @@
-//! A scene of one's own: a body, its start, the effects it calls for, and what the answer is worth.
+//! A scene of your own: a body, its start, its effects, and the accuracy of the result.
 //!
 //! `cargo run --release --example own_scene`
 
@@ -13,7 +13,7 @@ fn main() -> spinning_bodies::Result<()> {
     let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.3)?;
     let start = Start::with_omega(BodyVector::new(0.0, 0.0, 120.0), tilted);
 
-    // Effects are values: what is not given is not computed.
+    // Effects are values: an effect that is not added is not computed.
     let heavy = Top::new(body, start)?.with(Gravity::new(9.80665)?)?;
     let rubbed = heavy.with(AirDrag::new(1e-5)?)?;
 

@@ -1,4 +1,4 @@
-//! A tennis racket thrown about its middle axis: when it flips, for ever smaller errors of the hand.
+//! A tennis racket thrown about its middle axis: the time to its flip, for smaller and smaller errors of the throw.
 //!
 //! `cargo run --release --example racket`
 
@@ -7,7 +7,7 @@ use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::inertia::shapes;
 
 fn main() -> spinning_bodies::Result<()> {
-    // A hoop of a head and a rod of a handle: mass in kg, lengths in m.
+    // The head is a hoop, the handle a rod: mass in kg, lengths in m.
     let racket = shapes::racket(0.34, 0.13, 0.4)?;
     let moments = racket.inertia().principal_axes().moments;
     println!("principal moments {moments:?} kg m²");

@@ -1,4 +1,4 @@
-//! A heavy top inside a simulation of one's own: one step at a time, each at the price of a step in a run.
+//! A heavy top inside a simulation of your own: one step at a time, each as cheap as a step of a whole run.
 //!
 //! `cargo run --release --example step_by_step`
 

@@ -25,7 +25,7 @@ fn main() -> spinning_bodies::Result<()> {
         );
     }
 
-    // The same ball with its weight between floor and table top, 0.6 m apart: 0.05 kg, thrown from 0.3 m.
+    // A ball of 0.05 kg under gravity, between a floor and a table top 0.6 m above it, thrown from a height of 0.3 m.
     let motion = Motion {
         velocity: 2.0,
         rim_speed: 0.0,

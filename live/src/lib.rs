@@ -1,15 +1,15 @@
-//! The module of the live pages: a page asks for a figure of other numbers, and gets the picture that the press would have printed.
+//! The WebAssembly module of the live pages: a page asks for a figure with changed parameters and gets the same picture as the press would print.
 //!
-//! There is no generator of bindings between the two. The page writes its question into the memory of the module, at the place that
-//! `room` gives, and reads the answer of `draw` from there; both are UTF-8. The question is what stands behind `#fig-` in the address,
+//! No generated bindings are used. The page writes its question into the memory of the module, where
+//! `room` points, and reads the answer where `draw` points; both are UTF-8. The question is what follows `#fig-` in the address,
 //!
 //! ```text
 //! spool-dial?axle=0.6&tension=0.5
 //! ```
 //!
-//! and the answer is the picture, the claim, the details of the caption and a line `KEY X Y` for each point of the picture that a hand can take,
-//! with a zero byte between them; or one line that says what is wrong. A hand that drags such a point asks with a second line, `KEY X Y`, and
-//! is answered the value that this place stands for.
+//! and the answer is the picture, the claim, the details of the caption and a line `KEY X Y` for each point of the picture that can be dragged,
+//! with a zero byte between them; or one line that says what is wrong. While such a point is dragged, the question has a second line, `KEY X Y`, and
+//! the answer is the value of the parameter for that place.
 
 use std::cell::RefCell;
 use std::fmt::Write as _;
@@ -21,12 +21,12 @@ thread_local! {
     static ANSWER: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
-/// What a page calls. No pointer is followed here: the page does that, within the module's memory.
-#[expect(unsafe_code, reason = "nobody else may give a function such a name")]
+/// The functions that a page calls. None of them dereferences a pointer; the page reads and writes the memory of the module.
+#[expect(unsafe_code, reason = "an exported name needs an unsafe attribute")]
 mod called {
     use super::{ANSWER, QUESTION, answer};
 
-    /// Where to write a question of so many bytes.
+    /// Returns where to write a question of `length` bytes.
     #[unsafe(no_mangle)]
     extern "C" fn room(length: usize) -> *mut u8 {
         QUESTION.with_borrow_mut(|question| {
@@ -35,7 +35,7 @@ mod called {
         })
     }
 
-    /// Answers it, and says where the answer begins.
+    /// Answers the question and returns where the answer begins.
     #[unsafe(no_mangle)]
     extern "C" fn draw() -> *const u8 {
         let question = QUESTION.take();
@@ -43,7 +43,7 @@ mod called {
         ANSWER.with_borrow(|answer| answer.as_ptr())
     }
 
-    /// How many bytes the answer has.
+    /// The number of bytes of the answer.
     #[unsafe(no_mangle)]
     extern "C" fn length() -> usize {
         ANSWER.with_borrow(String::len)
@@ -60,7 +60,7 @@ fn answer(question: &str) -> String {
     answered.unwrap_or_else(|told| told)
 }
 
-/// The figure that is meant, and its numbers.
+/// The figure that an address names, and its parameters.
 fn chosen(address: &str) -> Result<(&'static Entry, Values), String> {
     let (name, set) = address.split_once('?').unwrap_or((address, ""));
     let entry = figures::all().iter().find(|entry| entry.name == name);
@@ -123,7 +123,7 @@ mod tests {
             });
             core::iter::once(entry.name.to_owned()).chain(each)
         });
-        // There the crossing of two ellipses is met so nearly that the last bit decides which way a polhode turns.
+        // There a polhode comes so close to the crossing of two ellipses that the last bit decides which way it turns.
         asked
             .filter(|question| question != "polhodes?largest=2.6")
             .collect()

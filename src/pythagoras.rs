@@ -70,7 +70,7 @@ impl GasBox {
     /// The box whose base has corners `a` (the hinge), `r` and `b`, m.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for a corner or an edge; [`Error::Condition`] if the corners lie on a line.
+    /// [`Error::NotFinite`](crate::Error::NotFinite) for a corner or an edge; [`Error::Condition`](crate::Error::Condition) if the corners lie on a line.
     ///
     /// ```
     /// use spinning_bodies::pythagoras::GasBox;
@@ -105,7 +105,7 @@ impl GasBox {
     /// The box with sides AR and RB (m) and the angle `gamma` between them at R (radians), A at the origin, R on the x-axis.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::NotPositive`] for a side; [`Error::OutOfRange`] unless 0 ≤ γ ≤ π; otherwise as [`Self::new`], which refuses γ = 0.
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive) for a side; [`Error::OutOfRange`](crate::Error::OutOfRange) unless 0 ≤ γ ≤ π; otherwise as [`Self::new`], which refuses γ = 0.
     ///
     /// ```
     /// use spinning_bodies::pythagoras::GasBox;
@@ -233,7 +233,7 @@ impl GasBox {
 /// last place; AR and RB may be huge or tiny.
 ///
 /// # Errors
-/// [`Error::NotFinite`], [`Error::NotPositive`] for a side; [`Error::OutOfRange`] unless 0 ≤ γ ≤ π.
+/// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive) for a side; [`Error::OutOfRange`](crate::Error::OutOfRange) unless 0 ≤ γ ≤ π.
 ///
 /// ```
 /// use spinning_bodies::pythagoras::opposite_side;
@@ -253,7 +253,7 @@ pub fn opposite_side(ar: f64, rb: f64, gamma: f64) -> Result<f64> {
 /// Formed as 2 arctan √((2AR−RB)/(2AR+RB)), accurate down to γ = 0.
 ///
 /// # Errors
-/// [`Error::NotFinite`], [`Error::NotPositive`] for a side.
+/// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive) for a side.
 ///
 /// ```
 /// use spinning_bodies::pythagoras::reversal_angle;
@@ -276,7 +276,7 @@ pub fn reversal_angle(ar: f64, rb: f64) -> Result<Option<f64>> {
 /// with the gas inside; if they run clockwise all signs change. Each is summed exactly and rounded once.
 ///
 /// # Errors
-/// [`Error::Condition`] for fewer than three vertices; [`Error::NotFinite`] for a coordinate or a torque that overflows.
+/// [`Error::Condition`](crate::Error::Condition) for fewer than three vertices; [`Error::NotFinite`](crate::Error::NotFinite) for a coordinate or a torque that overflows.
 ///
 /// ```
 /// use spinning_bodies::pythagoras::polygon_torques;
@@ -317,7 +317,7 @@ fn side_torque(from: [f64; 2], to: [f64; 2], hinge: [f64; 2]) -> Result<f64> {
 /// is the theorem A² = A₁² + A₂² + A₃². Whether there is a volume, and which side is out, is told from exact sums; each component is rounded once.
 ///
 /// # Errors
-/// [`Error::NotFinite`] for an edge or an area; [`Error::Condition`] if the volume is zero.
+/// [`Error::NotFinite`](crate::Error::NotFinite) for an edge or an area; [`Error::Condition`](crate::Error::Condition) if the volume is zero.
 ///
 /// ```
 /// use spinning_bodies::pythagoras::tetrahedron_areas;

@@ -393,7 +393,7 @@ pub fn rc(x: f64, y: f64) -> Result<f64> {
 ///
 /// # Errors
 ///
-/// If x or y is negative, both are zero, z is not positive, or one is not finite; [`Error::NotFinite`] for a value beyond the greatest double.
+/// If x or y is negative, both are zero, z is not positive, or one is not finite; [`Error::NotFinite`](crate::Error::NotFinite) for a value beyond the greatest double.
 ///
 /// ```
 /// use spinning_bodies::elliptic::rd;
@@ -415,7 +415,7 @@ pub fn rd(x: f64, y: f64, z: f64) -> Result<f64> {
 ///
 /// # Errors
 ///
-/// If one of x, y, z is negative, two of them are zero, p is zero, or one is not finite; [`Error::NotFinite`] for a value beyond the
+/// If one of x, y, z is negative, two of them are zero, p is zero, or one is not finite; [`Error::NotFinite`](crate::Error::NotFinite) for a value beyond the
 /// greatest double.
 ///
 /// ```

@@ -40,7 +40,7 @@ pub fn top() -> Result<EulerTop> {
 /// moments, on which the ratio of the two periods depends. Error: six roundings in L.
 ///
 /// # Errors
-/// [`Error::NotPositive`] or [`Error::NotFinite`] for a moment; [`Error::Condition`] if they do not ascend; [`Error::OutOfRange`] for the ratio; those of [`EulerTop::new`].
+/// [`Error::NotPositive`](crate::Error::NotPositive) or [`Error::NotFinite`](crate::Error::NotFinite) for a moment; [`Error::Condition`](crate::Error::Condition) if they do not ascend; [`Error::OutOfRange`](crate::Error::OutOfRange) for the ratio; those of [`EulerTop::new`].
 ///
 /// ```
 /// use spinning_bodies::euler_top::toutatis::mode;

@@ -180,16 +180,11 @@ mod tests {
     use crate::precise::Number;
 
     #[test]
-    fn a_third_has_106_digits_of_ones_and_zeros() {
-        let third = DoubleDouble::from(1.0) / DoubleDouble::from(3.0);
-        let rest = DoubleDouble::from(1.0) - third * DoubleDouble::from(3.0);
+    fn three_thirds_are_one_and_root_two_squares_to_two() {
+        let [one, two, three] = [1.0, 2.0, 3.0].map(DoubleDouble::from);
+        let rest = one - one / three * three;
         assert!(rest.value().abs() < 2f64.powi(-104), "{rest:?}");
-    }
-
-    #[test]
-    fn root_two_squares_to_two() {
-        let root = DoubleDouble::from(2.0).square_root();
-        let rest = root * root - DoubleDouble::from(2.0);
+        let rest = two.square_root().square() - two;
         assert!(rest.value().abs() < 2f64.powi(-102), "{rest:?}");
     }
 

@@ -230,10 +230,8 @@ mod tests {
         let tilt = Extended::from_double(5e-324);
         assert_eq!(tilt.value(), 5e-324);
         assert_eq!(tilt.square().square_root().value(), 5e-324);
-        assert_eq!(
-            Extended::difference(1.0f64.next_up(), 1.0).value(),
-            f64::EPSILON
-        );
+        let gap = Extended::difference(1.0f64.next_up(), 1.0);
+        assert_eq!(gap.value(), f64::EPSILON);
         assert_eq!(shifted(3.0, -1074), 1.5e-323);
     }
 }

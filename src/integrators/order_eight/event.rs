@@ -68,7 +68,8 @@ impl<'a, const N: usize> Watch<'a, N> {
         self.event.value(taken.at(part), &between.at(part))
     }
 
-    /// When and with which state the quantity is zero, between the beginning of a step and this part of it.
+    /// When and with which state the quantity is zero, between the beginning of a step and this part of it: once a run at most.
+    #[cold]
     fn located<S: System<N> + ?Sized>(
         &self,
         walk: &mut Walk<'_, N, S>,

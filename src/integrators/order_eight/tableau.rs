@@ -281,11 +281,9 @@ mod tests {
         b[5..].copy_from_slice(&B[1..]);
         for power in 0..8 {
             let sum: f64 = (0..12).map(|i| b[i] * C[i].powi(power)).sum();
+            let exact = 1.0 / f64::from(power + 1);
             // Observed 4.5e-16.
-            assert!(
-                (sum - 1.0 / f64::from(power + 1)).abs() < 6e-16,
-                "{power}: {sum}"
-            );
+            assert!((sum - exact).abs() < 6e-16, "{power}: {sum}");
         }
         // Σ a c^k = c^(k+1)/(k+1) for every stage that counts: k up to 3 from the sixth stage on.
         for (n, row) in a.iter().enumerate().skip(5) {

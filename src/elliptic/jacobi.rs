@@ -30,7 +30,7 @@ impl Modulus {
     ///
     /// Error: relative, in units in the last place, over 9700 arguments of the committed table and six like it
     /// (|u| to 10¹⁵, m and mc to 10⁻³⁰⁰, neighbours of multiples of K): sn 4.0, cn 3.2, dn 2.9, am 2.6 at most, with no
-    /// allowance for exponentially small values; 2.8·10⁻¹⁶ absolute. am never decreases from one float to the next across
+    /// allowance for exponentially small values; 3.6·10⁻¹⁶ absolute. am never decreases from one float to the next across
     /// multiples of K.
     ///
     /// Cost: 24–40 ns, beyond 2²⁵ quarter periods 40–50 ns. With unlucky arguments (one in 10⁴ at |u| = 10¹¹, most at 10¹⁵)

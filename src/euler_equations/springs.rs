@@ -1,8 +1,8 @@
 //! Euler's equations without Euler: six masses on stiff springs, and Newton's law for each (tutorial 5.1).
 
 use super::AxisMoments;
-use crate::error::{Error, Result, finite, positive};
-use crate::frame::BodyVector;
+use crate::error::{Result, finite, positive};
+use crate::frame::{BodyVector, finite_vector};
 use nalgebra::{Matrix3, Vector3};
 
 /// Mass of a particle, kg.
@@ -28,7 +28,7 @@ impl SpringBody {
     /// begins to vibrate, with an amplitude of about m|Ω|²/stiffness of its size.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for the stiffness or for a lamina, whose pairs coincide; [`Error::NotFinite`].
+    /// [`Error::NotPositive`](crate::Error::NotPositive) for the stiffness or for a lamina, whose pairs coincide; [`Error::NotFinite`](crate::Error::NotFinite).
     ///
     /// ```
     /// use spinning_bodies::{euler_equations::{AxisMoments, SpringBody}, frame::BodyVector};
@@ -39,7 +39,7 @@ impl SpringBody {
     /// ```
     pub fn new(moments: AxisMoments, stiffness: f64, omega: BodyVector) -> Result<Self> {
         positive("the stiffness", stiffness)?;
-        crate::frame::finite_vector("the angular velocity", omega)?;
+        finite_vector("the angular velocity", omega)?;
         let [i1, i2, i3] = moments.values();
         let squares = [i2 - i1 + i3, i3 - i2 + i1, i1 - i3 + i2];
         let mut positions = [Vector3::zeros(); 6];
@@ -66,7 +66,7 @@ impl SpringBody {
     /// The springs limit the step: below 2/√(12·stiffness/mass) it is stable, a tenth of that is accurate. Cost: fifteen springs a step.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] if the step was too long and the body flew apart.
+    /// [`Error::NotFinite`](crate::Error::NotFinite) if the step was too long and the body flew apart.
     ///
     /// ```
     /// use spinning_bodies::{euler_equations::{AxisMoments, SpringBody}, frame::BodyVector};
@@ -122,7 +122,7 @@ impl SpringBody {
     /// order: about m|Ω|²/stiffness, relative.
     ///
     /// # Errors
-    /// [`Error::ZeroVector`] if the body has collapsed.
+    /// [`Error::ZeroVector`](crate::Error::ZeroVector) if the body has collapsed, [`Error::NotFinite`](crate::Error::NotFinite) on overflow.
     ///
     /// ```
     /// use spinning_bodies::{euler_equations::{AxisMoments, SpringBody}, frame::BodyVector};
@@ -135,16 +135,15 @@ impl SpringBody {
         let l: Vector3<f64> = (0..6)
             .map(|k| self.positions[k].cross(&self.velocities[k]) * MASS)
             .sum();
-        let first = self.positions[0] - self.positions[1];
-        let second = self.positions[2] - self.positions[3];
-        let third = first.cross(&second);
-        let collapsed = Error::ZeroVector {
-            quantity: "an axis of the body",
+        let name = "an axis of the body";
+        let pair = |k: usize| {
+            let axis = self.positions[2 * k] - self.positions[2 * k + 1];
+            BodyVector::from_components(axis).direction(name)
         };
-        let e3 = third.try_normalize(0.0).ok_or(collapsed.clone())?;
-        let e1 = first.try_normalize(0.0).ok_or(collapsed)?;
-        let axes = Matrix3::from_columns(&[e1, e3.cross(&e1), e3]);
-        let seen = BodyVector::from_components(axes.tr_mul(&l));
-        Ok(self.moments.angular_velocity(seen))
+        let (e1, second) = (pair(0)?, pair(1)?);
+        let e3 = e1.cross(&second).direction(name)?;
+        let axes = [e1, e3.cross(&e1), e3].map(|axis| axis.components());
+        let seen = BodyVector::from_components(Matrix3::from_columns(&axes).tr_mul(&l));
+        finite_vector("the angular velocity", self.moments.angular_velocity(seen))
     }
 }

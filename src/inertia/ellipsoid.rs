@@ -9,8 +9,7 @@ use crate::precise::{Extended, Number};
 /// a_i² = (5/2M)(I_j + I_k − I_i), a₁ ≥ a₂ ≥ a₃: long where the moment is small. A lamina gives a₃ = 0,
 /// a rod a₂ = a₃ = 0. Not Poinsot's ellipsoid, whose semi-axes go as 1/√I_i.
 ///
-/// Error: a₁ and a₂ to 2 ulp, whatever the quotients and their squares. The difference I₃ − I₂ is exact for every admissible triple, so a₃² loses
-/// only what the moments themselves do not say: one rounding of I₁ − (I₃ − I₂). Cost: three roots.
+/// Error: one rounding each, of a₃ too: I₁ − (I₃ − I₂) is formed in 106 bits. Cost: three roots of 106 bits.
 ///
 /// # Errors
 /// [`NotPositive`](crate::Error::NotPositive) or [`NotFinite`](crate::Error::NotFinite) for the mass, the latter if a semi-axis overflows.
@@ -23,14 +22,14 @@ use crate::precise::{Extended, Number};
 /// ```
 pub fn ellipsoid_of_inertia(mass: f64, moments: &PrincipalMoments) -> Result<[f64; 3]> {
     positive("the mass", mass)?;
-    let [i1, i2, i3] = moments.values();
-    // Twice the second moments ∫x_i²ρ; I3 − I2 is exact because I2 ≤ I3 ≤ 2 I2.
-    let flatness = i3 - i2;
-    let doubled = [i3 + (i2 - i1), i1 + flatness, (i1 - flatness).max(0.0)];
+    // Squares and sums may leave the range of doubles where an axis does not.
+    let [mass, flat] = [mass, 0.0].map(Extended::from_double);
+    let [i1, i2, i3] = moments.values().map(Extended::from_double);
+    // Twice the second moments ∫x_i²ρ.
+    let doubled = [i3 + (i2 - i1), i1 + (i3 - i2), flat.greater(i1 - (i3 - i2))];
     let mut axes = [0.0; 3];
     for (axis, second_moment) in axes.iter_mut().zip(doubled) {
-        // The square may leave the range of doubles where the axis does not.
-        let square = Extended::from_double(second_moment).times(2.5) / Extended::from_double(mass);
+        let square = second_moment.times(2.5).quotient(mass);
         *axis = finite("a semi-axis", square.square_root().value())?;
     }
     Ok(axes)

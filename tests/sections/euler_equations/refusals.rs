@@ -12,6 +12,12 @@ fn s5_what_is_refused() {
     refused!(still, NotPositive);
     let lamina = moments([1.0, 2.0, 3.0]);
     refused!(SpringBody::new(lamina, 1e6, OMEGA), NotPositive);
+    // Pairs so far apart that the product of two has no square.
+    let omega = |unit: f64| {
+        let body = SpringBody::new(moments(PLATE.map(|x| x * unit)), 4e6, OMEGA);
+        body.and_then(|body| body.omega()).unwrap()
+    };
+    assert_eq!(omega(2f64.powi(600)), omega(1.0));
     let mut wild = SpringBody::new(moments(PLATE), 4e6, OMEGA).unwrap();
     refused!(wild.advance(200.0, 1000), NotFinite);
     let top = heavy([2.0, 2.0, 1.0], [1.0, 0.0, 0.0]);

@@ -60,6 +60,12 @@ fn s2_4_any_top_is_an_ellipsoid() -> Result<()> {
     let unit = 2f64.powi(600);
     let small = PrincipalMoments::new(2.0 / unit, 3.0 / unit, 4.0 / unit)?;
     assert_eq!(ellipsoid_of_inertia(unit, &small)?, axes.map(|a| a / unit));
+    let great = PrincipalMoments::new(1.7e308, 1.7e308, 1.7e308)?;
+    close!(
+        ellipsoid_of_inertia(2.5, &great)?[0],
+        1.7e308_f64.sqrt(),
+        EPS
+    );
     // The condition: a lamina gives a flat ellipsoid; without the triangle inequality there is none.
     let lamina = PrincipalMoments::new(1.0, 2.0, 3.0)?;
     assert_eq!(ellipsoid_of_inertia(1.0, &lamina)?[2], 0.0);

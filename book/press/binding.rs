@@ -2,10 +2,9 @@
 
 use crate::drawings::{self, Drawing};
 use crate::error::one_line;
-use crate::interrupt::Unfinished;
 use crate::ledger::Ledger;
 use crate::typesetter::{Medium, Typesetter, without_code};
-use crate::writer::{folder_of, followed};
+use crate::writer::{folder_of, followed, whole};
 use crate::{Error, Result};
 use figures::on_your_table::Paper;
 use mdbook_driver::MDBook;
@@ -46,29 +45,25 @@ pub fn render(told: &RenderContext, drawings: &[Drawing]) -> Result<()> {
 
 fn bind_as(settings: Config, root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<PathBuf> {
     let folder = &followed(folder).map_err(Error::file(folder))?;
-    let parent = folder_of(folder);
-    std::fs::create_dir_all(parent).map_err(Error::file(parent))?;
-    let beside = Unfinished::within(parent).map_err(Error::file(parent))?;
-
-    // mdBook reports a missing include in no other way.
-    let log = beside.path().join("log");
-    let subscriber = tracing_subscriber::fmt()
-        .with_max_level(tracing::Level::WARN)
-        .without_time()
-        .with_ansi(false)
-        .with_target(false)
-        .with_writer(File::create(&log).map_err(Error::file(&log))?)
-        .finish();
-    tracing::subscriber::with_default(subscriber, || {
-        build(settings, root, &beside.new_one(), drawings)
-    })?;
-    let warnings = std::fs::read_to_string(&log).map_err(Error::file(&log))?;
-    if !warnings.is_empty() {
+    whole(folder, |new| {
+        // mdBook reports a missing include in no other way.
+        let log = new.with_extension("log");
+        let subscriber = tracing_subscriber::fmt()
+            .with_max_level(tracing::Level::WARN)
+            .without_time()
+            .with_ansi(false)
+            .with_target(false)
+            .with_writer(File::create(&log).map_err(Error::file(&log))?)
+            .finish();
+        let build = || build(settings, root, new, drawings);
+        tracing::subscriber::with_default(subscriber, build)?;
+        let warnings = std::fs::read_to_string(&log).map_err(Error::file(&log))?;
         let warnings: Vec<&str> = warnings.lines().map(str::trim).collect();
-        let warnings = warnings.join("; ");
-        return Err(Error::Input(format!("mdBook warns: {warnings}")));
-    }
-    beside.take(folder).map_err(Error::file(folder))?;
+        match warnings.join("; ") {
+            none if none.is_empty() => Ok(()),
+            warnings => Err(Error::Input(format!("mdBook warns: {warnings}"))),
+        }
+    })?;
     Ok(folder.join("index.html"))
 }
 

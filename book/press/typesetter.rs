@@ -284,12 +284,11 @@ impl<'a> Typesetter<'a> {
     fn caption(&mut self, text: &str) -> Told<String> {
         let mut out = String::new();
         for (i, part) in text.split('$').enumerate() {
-            if i % 2 == 0 {
+            out += &match i % 2 {
                 // A typewriter's apostrophe is none; mdBook sets those of the chapters.
-                out.push_str(&inert(&unbroken(&part.replace('\'', "’"))));
-            } else {
-                out.push_str(&self.formula(part, Style::Inline)?);
-            }
+                0 => inert(&unbroken(&part.replace('\'', "’"))),
+                _ => self.formula(part, Style::Inline)?,
+            };
         }
         Ok(out)
     }

@@ -148,6 +148,18 @@ pub fn write_if_changed(path: &Path, contents: &[u8]) -> Result<bool> {
     Ok(true)
 }
 
+/// Makes a folder, and those that it is in: whole, as this writes it elsewhere, or not at all.
+///
+/// # Errors
+/// [`Error::File`]; what the writing says.
+pub fn whole(folder: &Path, written: impl FnOnce(&Path) -> Result<()>) -> Result<()> {
+    let parent = folder_of(folder);
+    std::fs::create_dir_all(parent).map_err(Error::file(parent))?;
+    let beside = Unfinished::within(parent).map_err(Error::file(parent))?;
+    written(&beside.new_one())?;
+    beside.take(folder).map_err(Error::file(folder))
+}
+
 /// Whether files can be written into this folder, which need not be there yet; nothing is left of the trial.
 ///
 /// # Errors

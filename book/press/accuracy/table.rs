@@ -165,11 +165,7 @@ fn duration(seconds: f64) -> String {
         s if s < 1.0 => (s * 1e3, "ms"),
         s => (s, "s"),
     };
-    let places = if value < 9.995 {
-        2
-    } else {
-        usize::from(value < 99.95)
-    };
+    let places = usize::from(value < 9.995) + usize::from(value < 99.95);
     format!("{value:.places$} {unit}")
 }
 

@@ -9,10 +9,9 @@ use nalgebra::{UnitQuaternion, Vector3};
 use spinning_bodies::scene::Sight;
 
 use super::{Motion, stem};
-use crate::interrupt::Unfinished;
 use crate::pictures::{Form, can_be_made, file};
 use crate::progress::counted;
-use crate::writer::{can_be_written_into, ending, folder_of, tell};
+use crate::writer::{can_be_written_into, ending, folder_of, tell, whole};
 use crate::{Error, Result};
 
 /// The motion at so many equal steps from the first of its times to the last, and the picture of it. The scene tells all of its columns.
@@ -131,32 +130,30 @@ pub fn stills(
             "DIR is '{folder}', expected an empty folder or a new one"
         ));
     }
-    let parent = folder_of(folder);
-    can_be_written_into(parent)?;
+    can_be_written_into(folder_of(folder))?;
     let motion = motion()?;
     if count > 1 {
         motion.span("--frames")?;
     }
     let title = stem(&motion.name);
     let film = filmed(&motion, &title, count, 1.0)?;
-    std::fs::create_dir_all(parent).map_err(Error::file(parent))?;
-    let beside = Unfinished::within(parent).map_err(Error::file(parent))?;
-    let stills = beside.new_one();
-    std::fs::create_dir(&stills).map_err(Error::file(&stills))?;
-    let digits = count.to_string().len();
-    counted(count, "stills", |done| {
-        for (k, figure) in film.stills().enumerate() {
-            let path = stills.join(format!("{:0digits$}.{}", k + 1, ending(&form)));
-            std::fs::write(&path, file(&figure, form.into())?).map_err(Error::file(&path))?;
-            done();
+    whole(folder, |stills| {
+        std::fs::create_dir(stills).map_err(Error::file(stills))?;
+        let digits = count.to_string().len();
+        counted(count, "stills", |done| {
+            for (k, figure) in film.stills().enumerate() {
+                let path = stills.join(format!("{:0digits$}.{}", k + 1, ending(&form)));
+                std::fs::write(&path, file(&figure, form.into())?).map_err(Error::file(&path))?;
+                done();
+            }
+            Ok::<_, Error>(())
+        })?;
+        // One that was empty gives way if it is so still.
+        match folder.exists() {
+            true => std::fs::remove_dir(folder).map_err(Error::file(folder)),
+            false => Ok(()),
         }
-        Ok::<_, Error>(())
     })?;
-    if folder.exists() {
-        // It was empty, and gives way if it is so still.
-        std::fs::remove_dir(folder).map_err(Error::file(folder))?;
-    }
-    beside.take(folder).map_err(Error::file(folder))?;
     let stills = if count == 1 { "still" } else { "stills" };
     Ok(format!("{count} {stills} in {}\n", folder.display()))
 }

@@ -135,10 +135,8 @@ fn a_scene_of_ones_own_is_measured() {
 
 #[test]
 fn every_scene_of_the_book_is_measured() {
-    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
     let without = "roller spool superball yo-yo strip swivel skater paper-cat crawler";
-    for entry in std::fs::read_dir(scenes).unwrap() {
-        let file = entry.unwrap().path();
+    for file in press::paths::files_below(Path::new("scenes")).unwrap() {
         let told = std::fs::read_to_string(&file).unwrap();
         let report = press::accuracy::measured(&file, 5e-3, |_, _| ()).unwrap();
         let name = file.file_stem().unwrap().to_str().unwrap();

@@ -3,6 +3,7 @@
 use super::none;
 use press::chapters::{CHAPTERS, Chapter};
 use press::ledger::{is_rust, markdown_options};
+use press::paths::files_below;
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Parser, Tag, TagEnd};
 use std::collections::{BTreeMap, HashSet};
 
@@ -153,8 +154,7 @@ fn the_foot_of_a_page_names_files_that_exist() {
             named.insert(path);
         }
     }
-    for scene in std::fs::read_dir(root.join("book/scenes")).unwrap() {
-        let scene = scene.unwrap().path();
+    for scene in files_below(&root.join("book/scenes")).unwrap() {
         if !named.contains(&scene) {
             faults.push(format!("no chapter names {}", scene.display()));
         }

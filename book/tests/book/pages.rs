@@ -25,19 +25,12 @@ static BOOK: LazyLock<PathBuf> = LazyLock::new(|| build("book"));
 
 /// All files of a folder and of those in it.
 fn files(base: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
-    let (mut found, mut folders) = (BTreeMap::new(), vec![base.to_owned()]);
-    while let Some(folder) = folders.pop() {
-        for entry in std::fs::read_dir(folder).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                folders.push(path);
-            } else {
-                let bytes = std::fs::read(&path).unwrap();
-                found.insert(path.strip_prefix(base).unwrap().to_owned(), bytes);
-            }
-        }
-    }
-    found
+    let read = |path: PathBuf| {
+        let bytes = std::fs::read(&path).unwrap();
+        (path.strip_prefix(base).unwrap().to_owned(), bytes)
+    };
+    let files = press::paths::files_below(base).unwrap();
+    files.into_iter().map(read).collect()
 }
 
 /// Name, text and parse tree.

@@ -4,6 +4,7 @@ use super::RACKET;
 use std::path::Path;
 
 use press::chapters::CHAPTERS;
+use press::paths::files_below;
 use press::scenes::prices::PRICED;
 use press::scenes::{Motion, output, parse, prices, simulate};
 use spinning_bodies::integrators::Method;
@@ -12,15 +13,12 @@ use spinning_bodies::scene::{Progress, Solver};
 
 #[test]
 fn every_scene_of_the_book_runs_and_its_ledger_balances() {
-    let folder = Path::new("scenes");
     let mut count = 0;
-    for entry in folder.read_dir().unwrap() {
-        let path = entry.unwrap().path();
+    for path in files_below(Path::new("scenes")).unwrap() {
         let (table, _) = simulate(&path).unwrap_or_else(|error| panic!("{error}"));
         assert!(!table.ledger.entries().is_empty(), "{}", path.display());
-        let wide = table
-            .rows()
-            .all(|(_, row)| row.len() == table.columns.len());
+        let width = table.columns.len();
+        let wide = table.rows().all(|(_, row)| row.len() == width);
         assert!(wide, "{}", path.display());
         count += 1;
     }
@@ -34,8 +32,7 @@ fn every_scene_of_the_book_is_run_by_a_chapter() {
     let chapters = CHAPTERS.iter().filter(|chapter| chapter.name != "scenes");
     let sources = chapters.map(|chapter| chapter.source(Path::new("..")).unwrap());
     let sources: Vec<_> = sources.collect();
-    for entry in Path::new("scenes").read_dir().unwrap() {
-        let path = entry.unwrap().path();
+    for path in files_below(Path::new("scenes")).unwrap() {
         let name = path.file_stem().unwrap().to_str().unwrap();
         let told = |block: &str| {
             let whole = block.contains(&format!("\"scenes/{name}.toml\""));
@@ -390,18 +387,15 @@ fn every_solver_is_found_by_its_name() {
     for method in Method::ALL {
         assert!(all.contains(&Solver::General(method)), "{}", method.name());
     }
-    let geometric = all
-        .iter()
-        .filter(|solver| matches!(solver, Solver::Geometric(_)));
-    assert_eq!(geometric.count(), 12);
+    let is_geometric = |solver: &&Solver| matches!(solver, Solver::Geometric(_));
+    assert_eq!(all.iter().filter(is_geometric).count(), 12);
 }
 
 /// Every scene but the free body's refuses a method for free bodies: it names the key, and no number stands where there is none to tell.
 #[test]
 fn a_solver_that_cannot_run_a_scene_is_refused_by_its_key() {
     let scratch = super::scratch();
-    for entry in Path::new("scenes").read_dir().unwrap() {
-        let path = entry.unwrap().path();
+    for path in files_below(Path::new("scenes")).unwrap() {
         let name = path.file_name().unwrap();
         if name == "racket.toml" {
             continue;

@@ -48,13 +48,8 @@ fn a_film_shows_the_axis_where_the_closed_form_has_it() {
 
 #[test]
 fn every_scene_of_the_book_is_filmed() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut filmed = 0;
-    for scene in std::fs::read_dir(root.join("scenes")).unwrap() {
-        let path = scene.unwrap().path();
-        if path.extension().is_none_or(|ending| ending != "toml") {
-            continue;
-        }
+    for path in press::paths::files_below(Path::new("scenes")).unwrap() {
         let svg = printed(&super::scene(&path, &["--film"]));
         filmed += 1;
         assert!(svg.len() < 400_000 && svg.ends_with("</svg>\n"), "{path:?}");

@@ -59,7 +59,7 @@ fn summary(ledger: &Ledger) -> String {
     out
 }
 
-/// How many claims there are, are computed, are spoken of (where there is nothing to compute), are still to come.
+/// Numbers of claims: all, computed, discussed (where there is nothing to compute), still missing.
 pub fn count<'a>(ledger: &Ledger, claims: impl Iterator<Item = &'a Claim>) -> [usize; 4] {
     let mut counts = [0; 4];
     for claim in claims {

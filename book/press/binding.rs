@@ -1,4 +1,4 @@
-//! Builds the book, whole or not at all: for the command, and as a renderer for mdBook's own.
+//! Builds the book, whole or not at all: for the command, and as a renderer for mdBook itself.
 
 use crate::drawings::{self, Drawing};
 use crate::error::one_line;
@@ -24,20 +24,20 @@ pub fn bind(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<PathBuf>
     bind_as(settings.map_err(wrong)?, root, folder, drawings)
 }
 
-/// What mdBook tells a renderer on its standard input.
+/// The context that mdBook passes to a renderer on its standard input.
 ///
 /// # Errors
-/// [`Error::Input`] if it is no such thing.
+/// [`Error::Input`] if the input is anything else.
 pub fn told_by_mdbook(input: impl Read) -> Result<RenderContext> {
     RenderContext::from_json(input).map_err(|error| {
         let error = one_line(&format!("{error:#}"));
         Error::Input(format!(
-            "`render` is for mdBook, which tells it of a book: {error}"
+            "`render` is called by mdBook, which passes it a book: {error}"
         ))
     })
 }
 
-/// Builds the book for mdBook, where it wants it and as it was told to on its own command line.
+/// Builds the book for mdBook, in the folder and with the options that it passes.
 pub fn render(told: &RenderContext, drawings: &[Drawing]) -> Result<()> {
     let settings = told.config.clone();
     bind_as(settings, folder_of(&told.root), &told.destination, drawings).map(drop)
@@ -67,7 +67,7 @@ fn bind_as(settings: Config, root: &Path, folder: &Path, drawings: &[Drawing]) -
     Ok(folder.join("index.html"))
 }
 
-/// The book with its chapters set, their pieces left with the typesetter.
+/// The book with its chapters typeset; the typesetter keeps their pieces.
 pub(crate) fn typeset(
     settings: Config,
     root: &Path,
@@ -79,7 +79,7 @@ pub(crate) fn typeset(
     Ok(book)
 }
 
-/// Sets chapters in the order of reading, in which figures are numbered.
+/// Typesets chapters in the order of reading, in which figures are numbered.
 fn set(items: &mut [BookItem], typesetter: &mut Typesetter<'_>) -> Result<()> {
     for item in items {
         if let BookItem::Chapter(chapter) = item {
@@ -107,7 +107,7 @@ fn build(settings: Config, root: &Path, folder: &Path, drawings: &[Drawing]) -> 
         drawings::sheets(paper, &folder.join("sheets"))?;
     }
 
-    // Once more without code, for the search index: it would hold every hidden line.
+    // Once more without code, for the search index, which would otherwise contain every hidden line.
     book.book
         .for_each_chapter_mut(|chapter| chapter.content = without_code(&chapter.content));
     let aside = folder.with_extension("prose");
@@ -116,7 +116,7 @@ fn build(settings: Config, root: &Path, folder: &Path, drawings: &[Drawing]) -> 
     book.build().map_err(|e| Error::Failed(format!("{e:#}")))?;
     let (fat, index) = (aside.join("searchindex.js"), folder.join("searchindex.js"));
     let words = std::fs::read_to_string(&fat).map_err(Error::file(&fat))?;
-    // The tree of letters says at every node that no word ends there; the reader of the index takes silence for that.
+    // The tree of letters states at every node that no word ends there; the reader of the index assumes so anyway.
     let words = words.replace(r#""docs":{},"df":0,"#, "");
     std::fs::write(&index, words).map_err(Error::file(&index))
 }

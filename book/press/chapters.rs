@@ -1,4 +1,4 @@
-//! The chapters, once: this list drives the doctests, the ledger of claims and the checks of the book.
+//! The list of chapters, which drives the doctests, the ledger of claims and the checks of the book.
 
 use crate::{Error, Result};
 use std::path::Path;
@@ -8,13 +8,13 @@ use std::path::Path;
 pub struct Chapter {
     /// Name of its Markdown file in `book/src`, without the ending.
     pub name: &'static str,
-    /// What it is made of beside the module, the test and the figures of its own name, from the root of the workspace. Folders end in a slash.
+    /// Its files besides the module, the test and the figures of its own name, relative to the root of the workspace. Folders end in a slash.
     beside: &'static [&'static str],
     /// The scenes to play with: the names of their files.
     scenes: &'static [&'static str],
 }
 
-/// What the foot of a page says of its files, by the folder they are in.
+/// The words at the foot of a page for its files, by the folder they are in.
 const FOOT: [(&str, &[&str]); 4] = [
     ("Computed in", &["src/", "lab/src/"]),
     (
@@ -25,7 +25,7 @@ const FOOT: [(&str, &[&str]); 4] = [
     ("to play with:", &["book/scenes/"]),
 ];
 
-/// Where what a chapter is made of has the name of the chapter.
+/// The folders in which files have the name of their chapter.
 const NAMESAKES: [&str; 3] = ["src", "tests/sections", "figures/src"];
 
 /// The cover. It may show a figure that belongs to a chapter; there it has no number.
@@ -44,7 +44,7 @@ impl Chapter {
         CHAPTERS.iter().find(|chapter| chapter.name == name)
     }
 
-    /// What it is made of, from the root of the workspace: modules, tests, figures, scenes. Folders end in a slash.
+    /// Its files, relative to the root of the workspace: modules, tests, figures, scenes. Folders end in a slash.
     pub fn files(&self, root: &Path) -> Vec<String> {
         let name = self.name.replace('-', "_");
         let own = NAMESAKES.iter().flat_map(|folder| {
@@ -58,7 +58,7 @@ impl Chapter {
             .collect()
     }
 
-    /// The last line of the page: where its computations live. `None` if it has none of its own.
+    /// The last line of the page, which names the files of its computations. `None` if it has none of its own.
     pub fn foot(&self, root: &Path) -> Option<String> {
         let files = self.files(root);
         let groups = FOOT.iter().filter_map(|(word, folders)| {

@@ -1,4 +1,4 @@
-//! The command line: what is done at each command.
+//! The command line: carries out each command.
 
 use crate::drawings::{self, Drawing};
 use crate::error::one_line;
@@ -37,7 +37,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     ExitCode::from(error.status())
 }
 
-/// Clap tells an error in paragraphs; its first one and its tips, on one line.
+/// The first paragraph of clap's error message and its tips, on one line.
 fn condensed(message: &str) -> String {
     let told = message.split("\nUsage:").next().unwrap_or_default();
     let told = one_line(told.trim_start_matches("error:"));
@@ -211,10 +211,10 @@ fn scan(root: &Path, asked: usage::Scan) -> Result<()> {
     ran
 }
 
-/// What is written then.
-const DRAWN: &str = "drawn is a picture";
+/// The word for such output in messages.
+const DRAWN: &str = "a picture";
 
-/// Draws a picture into a file, in the form that its name ends with. Where and how is settled before anything is computed.
+/// Draws a picture into a file, in the form that its ending names. Place and form are checked before anything is computed.
 fn drawn(
     output: Option<&Path>,
     input: Option<&Path>,
@@ -259,7 +259,7 @@ fn report(drawings: &[Drawing], changed: usize, folder: &Path) -> String {
     format!("{count} figure{s} in {folder}, {changed} changed\n")
 }
 
-/// Draws, and tells how far it is.
+/// Draws figures, showing the progress.
 fn draw(entries: &[Entry], values: &Values) -> Result<Vec<Drawing>> {
     let draw = |done: &(dyn Fn() + Sync)| drawings::draw(entries, values, done);
     counted(entries.len(), "figures", draw)
@@ -270,11 +270,11 @@ fn draw_all() -> Result<Vec<Drawing>> {
     draw(figures::all(), &Values::default())
 }
 
-/// The file that is meant.
+/// The scene file that a name stands for.
 fn scene_file(root: &Path, name: PathBuf) -> Result<PathBuf> {
     match scenes::file(root, &name) {
         Some(file) if name != Path::new("-") => Ok(file),
-        // Whoever reads it says what it is.
+        // Reading it will report what is wrong.
         _ if name == Path::new("-") || name.exists() => Ok(name),
         _ => Err(Error::Input(scenes::not_found(root, &name, &[]))),
     }

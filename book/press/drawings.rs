@@ -35,7 +35,7 @@ pub fn chosen(names: &[String]) -> Result<Vec<Entry>> {
     names.map(named).collect()
 }
 
-/// Writes the things of the page "On your table" for this paper into a folder, and returns where they are.
+/// Writes the sheets of the page "On your table" for this paper size into a folder, and returns their paths.
 ///
 /// # Errors
 /// [`Error::Failed`] for what the library refuses, and those of writing.
@@ -65,8 +65,8 @@ pub fn list(entries: &[Entry], parameters: bool) -> String {
     for entry in entries {
         let count = match entry.parameters.len() {
             0 => String::new(),
-            1 => "  1 number to choose".into(),
-            n => format!("  {n} numbers to choose"),
+            1 => "  1 parameter".into(),
+            n => format!("  {n} parameters"),
         };
         text += &format!("{:width$}  {}.md{count}\n", entry.name, entry.chapter);
         if parameters {
@@ -77,7 +77,7 @@ pub fn list(entries: &[Entry], parameters: bool) -> String {
     text
 }
 
-/// A parameter, as programs are told of it.
+/// A parameter as JSON, for programs.
 pub fn parameter(one: &Parameter) -> Json {
     json!({
         "key": one.key, "symbol": one.symbol, "meaning": one.meaning, "unit": one.unit,
@@ -85,7 +85,7 @@ pub fn parameter(one: &Parameter) -> Json {
     })
 }
 
-/// What a program wants to know of each figure: its claim as the book shows it, with formulas in dollars, and what may be chosen.
+/// Each figure as JSON, for programs: its claim as the book shows it, with formulas in dollars, and its parameters.
 pub fn described(drawings: &[Drawing]) -> Json {
     let figure = |Drawing { entry, figure }: &Drawing| {
         json!({
@@ -96,7 +96,7 @@ pub fn described(drawings: &[Drawing]) -> Json {
     drawings.iter().map(figure).collect()
 }
 
-/// The one of which an option tells.
+/// The only figure of the list, for an option that needs exactly one.
 ///
 /// # Errors
 /// [`Error::Input`] for none or several.
@@ -121,7 +121,7 @@ pub fn values(entries: &[Entry], set: &[String]) -> Result<Values> {
         let bare = || told(format!("'{set}' has no value, expected KEY=VALUE"));
         let (key, value) = set.split_once('=').ok_or_else(bare)?;
         if !keys.insert(key) {
-            return Err(told(format!("{key} stands there twice")));
+            return Err(told(format!("{key} is given twice")));
         }
         let known = entry.parameters.iter().map(|parameter| parameter.key);
         let meant = |unknown| told(format!("{unknown}{}", files::meant(key, known)));
@@ -148,7 +148,7 @@ pub fn data(drawings: &[Drawing]) -> Result<String> {
     Ok(text)
 }
 
-/// Draws figures of these values on every processor; `done` is called after each. The order of the entries is kept.
+/// Draws figures with these values on all processors; `done` is called after each. The order of the entries is kept.
 pub fn draw(entries: &[Entry], values: &Values, done: impl Fn() + Sync) -> Result<Vec<Drawing>> {
     let draw = |&entry: &Entry| {
         let drawn = entry.draw(values);
@@ -173,7 +173,7 @@ pub fn write(drawings: &[Drawing], copying: Copying, folder: &Path) -> Result<us
     Ok(changed)
 }
 
-/// Where a file differs from this SVG. Another processor may round a coordinate the other way, and nobody sees it.
+/// The difference of a file from this SVG, if there is one. Coordinates may differ by one unit, as another processor may round them.
 fn difference(path: &Path, name: &str, drawn: &str) -> Option<String> {
     let old = std::fs::read_to_string(path);
     let old = old.map_err(|error| format!("{}: {error}", path.display()));

@@ -1,4 +1,4 @@
-//! The book as one file: an EPUB for devices that read, a PDF as a browser prints it.
+//! The book as one file: an EPUB for e-readers, a PDF printed by a browser.
 
 use crate::appendix::mdbook_anchor;
 use crate::binding::{self, wrong};
@@ -21,9 +21,9 @@ use std::process::{Command, Stdio};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
-/// What every EPUB begins with.
+/// The first entry of every EPUB.
 const CONTAINER: &str = include_str!("epub/container.xml");
-/// The time is that of no clock: equal chapters give equal bytes.
+/// Its time is fixed, so that equal chapters give equal bytes.
 const PACKAGE: &str = include_str!("epub/book.opf");
 const PAGE: &str = include_str!("epub/page.xhtml");
 const STYLE: &str = include_str!("epub/book.css");
@@ -65,13 +65,13 @@ pub fn pdf(browser: &str, pages: &Path, file: &Path) -> Result<()> {
     let beside = Unfinished::within(folder_of(file)).map_err(Error::file(file))?;
     let printed = beside.path().join("book.pdf");
     let mut command = Command::new(browser);
-    // Only these pages are opened, which allow no script but their own; without privileges of the system a sandbox cannot be had.
+    // Only these pages are opened, which allow no script but their own; a sandbox would need privileges of the system.
     command.args(["--headless", "--disable-gpu", "--no-sandbox"]);
     command.args(["--no-pdf-header-footer", "--generate-pdf-document-outline"]);
     command.arg(format!("--user-data-dir={}", beside.path().display()));
     command.arg(format!("--print-to-pdf={}", printed.display()));
     command.arg(pages.join("print.html"));
-    // What it says is about itself; whether it printed is seen from the file.
+    // Its output is about itself; the file shows whether it has printed.
     let _ = command.stdout(Stdio::null()).stderr(Stdio::null()).status();
     let bytes = std::fs::read(&printed)
         .map_err(|error| Error::Failed(format!("{browser} printed no PDF: {error}")))?;
@@ -153,7 +153,7 @@ fn packed(drawings: &[Drawing], book: &Book, pieces: &Pieces) -> anyhow::Result<
     Ok(zip.finish()?.into_inner())
 }
 
-/// A chapter as its reader sees it: no hidden lines, headings with the ids that links lead to, links to chapters and to the world.
+/// A chapter as its reader sees it: without hidden lines, headings with the ids for links, links to chapters and to the web.
 fn xhtml(chapter: &str) -> String {
     let mut events: Vec<Event<'_>> = Vec::new();
     let (mut in_rust, mut leads) = (false, false);
@@ -194,7 +194,7 @@ fn xhtml(chapter: &str) -> String {
     out
 }
 
-/// The lines of an example that are not hidden: a hash and a blank hide one, two hashes stand for one.
+/// The lines of an example that are not hidden: a hash and a blank hide a line, two hashes stand for one.
 fn shown(code: &str) -> String {
     let line = |line: &str| {
         let text = line.trim_start();

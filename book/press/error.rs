@@ -1,10 +1,10 @@
-//! What can go wrong at the press, and the exit status that says so.
+//! The errors of the press, and their exit statuses.
 
 use std::path::{Path, PathBuf};
 
 use spinning_bodies::scene::{UnknownColumn, files::Mistakes};
 
-/// A failure, told in one line; a scene file in one line for each mistake.
+/// An error, reported in one line; for a scene file in one line for each mistake.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The command line or a source of the book is wrong: exit status 2.
@@ -18,13 +18,13 @@ pub enum Error {
     File {
         /// The file.
         path: PathBuf,
-        /// What the system said.
+        /// The error of the system.
         source: std::io::Error,
     },
     /// Anything else: exit status 1.
     #[error("{}", one_line(.0))]
     Failed(String),
-    /// Whoever reads our output has closed it. Not a failure: exit status 0.
+    /// The reader of our output has closed it. Not a failure: exit status 0.
     #[error("the output was closed")]
     OutputClosed,
 }

@@ -5,7 +5,7 @@ use regex::{Captures, Regex};
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
-/// How a formula is set.
+/// The style in which a formula is typeset.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Style {
     /// In the line.
@@ -14,7 +14,7 @@ pub enum Style {
     Display,
 }
 
-/// Sets formulas; a formula that occurs again is not set again.
+/// Typesets formulas, each of them only once.
 #[derive(Default)]
 pub struct Formulas {
     context: KatexContext,
@@ -22,7 +22,7 @@ pub struct Formulas {
 }
 
 impl Formulas {
-    /// HTML and hidden MathML of a formula, or what is wrong with it.
+    /// HTML and hidden MathML of a formula, or a message of what is wrong with it.
     pub fn set(&mut self, latex: &str, style: Style) -> Result<String, String> {
         let key = (latex.to_owned(), style);
         if let Some(html) = self.known.get(&key) {
@@ -48,7 +48,7 @@ fn has_bare_root(latex: &str) -> bool {
     behind.any(|after| !after.trim_start().starts_with(['{', '[']))
 }
 
-/// Attributes as they follow each other in a tag; in text a quote is an entity.
+/// The attributes of a tag; in text a quote is an entity.
 static ATTRIBUTES: LazyLock<Regex> =
     LazyLock::new(|| Regex::new(r#"(?: [^ =<>"]+="[^"]*")+"#).expect("it is well formed"));
 

@@ -1,13 +1,13 @@
-//! What is half-written goes when the command is interrupted.
+//! Removes half-written files when the command is interrupted.
 
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-/// Folders that nobody has asked for: a signal removes them, holding the lock to the end, so that no other one begins.
+/// Temporary folders that a signal removes; it holds the lock to the end, so that no new one is made.
 static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// A folder for what is half-written, beside the place where that will stand; removed with all that is in it.
+/// A folder for half-written output, beside its final place; it is removed with everything in it.
 #[derive(Debug)]
 pub struct Unfinished(PathBuf);
 
@@ -29,27 +29,27 @@ impl Unfinished {
         }
     }
 
-    /// Where it is.
+    /// Its path.
     pub fn path(&self) -> &Path {
         &self.0
     }
 
-    /// Where to write what will [`take`](Self::take) its place: a file or a folder.
+    /// The path for the new file or folder, which [`take`](Self::take) will put in its place.
     pub fn new_one(&self) -> PathBuf {
         self.0.join("new")
     }
 
-    /// The new one takes the place of whatever stands there.
+    /// Puts the new file or folder in place of whatever is there.
     pub fn take(self, place: &Path) -> io::Result<()> {
         let _held = unfinished();
         if !place.is_dir() {
             return std::fs::rename(self.new_one(), place);
         }
-        // Between the two there is nothing.
+        // Between these two renamings the place is empty.
         let old = self.0.join("old");
         std::fs::rename(place, &old)?;
         std::fs::rename(self.new_one(), place).inspect_err(|_| {
-            // The error to tell is the first.
+            // The error to report is the first.
             let _ = std::fs::rename(&old, place);
         })
     }
@@ -84,7 +84,7 @@ pub fn tidy_up_when_interrupted() {
     if !ignored(SIGHUP) {
         signals.push(SIGHUP);
     }
-    // Where signals cannot be heard, they do what they always do.
+    // If signals cannot be caught, they have their default effect.
     let Ok(mut signals) = signal_hook::iterator::Signals::new(signals) else {
         return;
     };

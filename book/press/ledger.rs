@@ -24,13 +24,13 @@ pub struct Claim {
     pub section: String,
     /// A few words.
     pub title: String,
-    /// What was found when it was examined.
+    /// The verdict on it.
     pub verdict: Verdict,
     /// What the tutorial says.
     pub statement: String,
 }
 
-/// What was found when a claim was examined; shown by the words that the register has for it.
+/// The verdict on a claim, displayed by the words that the register has for it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Verdict {
     /// It holds.
@@ -60,7 +60,7 @@ impl fmt::Display for Verdict {
 }
 
 impl Verdict {
-    /// Whether a claim of this verdict is computed, or only spoken of.
+    /// Whether a claim of this verdict is computed, or only discussed.
     pub fn is_computed(self) -> bool {
         !matches!(self, Verdict::OpenQuestion | Verdict::Context)
     }
@@ -73,11 +73,11 @@ pub struct Mark {
     pub claims: Vec<String>,
     /// Line of the opening fence or of the comment, counted from 1.
     pub line: usize,
-    /// Whether code proves the claims, or prose speaks of them.
+    /// Whether code proves the claims, or prose discusses them.
     pub kind: MarkKind,
 }
 
-/// Whether code proves the claims of a mark, or prose speaks of them.
+/// Whether code proves the claims of a mark, or prose discusses them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MarkKind {
     /// A comment in a Rust block.
@@ -157,7 +157,7 @@ impl Ledger {
         self.tests.iter().filter(move |place| place.claim == id)
     }
 
-    /// What a claim still lacks of what its verdict asks for: a test and a block, or a mention.
+    /// What a claim still lacks of what its verdict requires: a test and a block, or a mention.
     pub fn missing(&self, claim: &Claim) -> Vec<&'static str> {
         let is_tested = self.in_tests(&claim.id).next().is_some();
         let mut marks = self.in_chapters(&claim.id).map(|(_, mark)| mark.kind);

@@ -4,15 +4,15 @@
 //! |---|---|
 //! | [`chapters`] | the list of chapters; includes them as doctests |
 //! | [`paths`] | where the workspace is |
-//! | `writer` | how anything is written |
-//! | `interrupt` | what is half-written goes when a signal ends it |
-//! | `progress` | how far a long run is |
+//! | `writer` | writes files whole or not at all |
+//! | `interrupt` | removes half-written files when a signal ends the command |
+//! | `progress` | shows the progress of a long run |
 //! | [`drawings`] | draws the figures, writes and compares their files |
 //! | [`pictures`] | figures as PDF and PNG |
 //! | `formulas` | LaTeX to HTML, at build time |
-//! | `pieces` | what is put into the pages after mdBook wrote them |
+//! | `pieces` | HTML that is put into the pages after mdBook has written them |
 //! | `typesetter` | formulas, figures and claim tags of one chapter |
-//! | `live` | the numbers of a figure on its page, and the module that draws it there |
+//! | `live` | the parameters of a figure on its page, and the module that redraws it there |
 //! | [`ledger`] | the claims of the tutorial, and where each is computed |
 //! | [`appendix`] | the ledger as a page and as a table |
 //! | [`binding`] | builds the book, whole or not at all |

@@ -1,4 +1,4 @@
-//! The live pages: what a page is told of a figure's numbers, and the module that draws it again when they are moved.
+//! The live pages: the parameters of a figure as its page gets them, and the module that redraws it when they change.
 
 use crate::writer::write_if_changed;
 use crate::{Error, Result, drawings};
@@ -10,7 +10,7 @@ use std::process::Command;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// The parameters of a figure as its page reads them, in JSON; of one that can be dragged, where its point stands, units of the design.
+/// The parameters of a figure as its page reads them, in JSON; for one that can be dragged, with the position of its point, units of the design.
 pub fn parameters(entry: &Entry) -> Value {
     let each = entry.parameters.iter().map(|parameter| {
         let mut told = drawings::parameter(parameter);
@@ -22,8 +22,8 @@ pub fn parameters(entry: &Entry) -> Value {
     each.collect()
 }
 
-/// Builds the module and writes it where the book keeps it, as a script: a page that was opened from disk may load one, and nothing else. Returns
-/// where it is, and how many bytes the module has.
+/// Builds the module and writes it where the book keeps it, as a script, the only thing that a page opened from disk may load. Returns
+/// its path, and the number of bytes of the module.
 ///
 /// # Errors
 /// [`Error::Failed`] if the compiler cannot build for a browser, and those of writing.
@@ -46,7 +46,7 @@ pub fn build(root: &Path) -> Result<(PathBuf, usize)> {
         .args(how.split(' '))
         .args([TARGET, "--target-dir"])
         .arg(&target)
-        // Where a panic happened is told by the path of a source: that of a crate, not of this machine.
+        // A panic names the path of its source: it should be that within the crate, not on this machine.
         .env("CARGO_ENCODED_RUSTFLAGS", remapped().join("\x1f"))
         .status();
     let status = status.map_err(|error| Error::Failed(format!("cargo: {error}")))?;
@@ -64,7 +64,7 @@ pub fn build(root: &Path) -> Result<(PathBuf, usize)> {
     Ok((committed, module.len()))
 }
 
-/// Flags that take the folders of this machine out of the paths of sources.
+/// Flags that remove the folders of this machine from the paths of sources.
 fn remapped() -> Vec<String> {
     let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
     let home = home.or_else(|| Some(std::env::home_dir()?.join(".cargo")));

@@ -1,4 +1,4 @@
-//! Where the workspace is, and what is in a folder.
+//! The root of the workspace, and the files in a folder.
 
 use crate::{Error, Result};
 use std::path::{Path, PathBuf};
@@ -18,7 +18,7 @@ pub fn workspace_root() -> Result<PathBuf> {
     })
 }
 
-/// Every file in a folder and below, by their names; a file is its own, and nothing where there is none.
+/// Every file in a folder and below, sorted by name; for a file, itself; an empty list if there is neither.
 pub fn files_below(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     if !folder.is_dir() {

@@ -1,6 +1,6 @@
 //! A figure's file in other forms than SVG: PDF and PNG.
 //!
-//! They are made by resvg and svg2pdf, behind the feature `pictures`, so that whoever builds the book does not build these.
+//! They are made by resvg and svg2pdf, behind the feature `pictures`, so that building the book does not require these crates.
 
 use figures::{Figure, Look};
 
@@ -19,14 +19,14 @@ pub enum Form {
     Png,
 }
 
-/// How a figure is written: its look, its form, and how wide it is if it is no SVG, which has any width.
+/// The way a figure is written: its look, its form, and its width unless it is SVG, which scales.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Copying {
     /// Colours and paper.
     pub look: Look,
     /// Form of the file.
     pub form: Form,
-    /// Points or dots; by itself 432 points, six inches, or 1200 dots.
+    /// Width in points or dots; by default 432 points, six inches, or 1200 dots.
     pub width: Option<u16>,
 }
 
@@ -40,7 +40,7 @@ impl From<Form> for Copying {
     }
 }
 
-/// Nothing, if this build makes pictures of this form: to be asked before any work is done for them.
+/// Checks that this build can make pictures of this form, before any work is done for them.
 ///
 /// # Errors
 /// [`Error::Input`] for another form than SVG in a build without the feature `pictures`.
@@ -86,7 +86,7 @@ fn converted(svg: &str, form: Form, copying: Copying) -> Result<Vec<u8>> {
 
     let failed = |told: String| Error::Failed(format!("--as {}: {told}", ending(&form)));
     let paper = copying.look.theme.color(figures::style::Role::Paper);
-    // The paper of an SVG is a style of the page that shows it; these need a sheet.
+    // The background of an SVG is a style of the page that shows it; these forms need a rectangle.
     let sheet = format!("</title>\n<rect width=\"100%\" height=\"100%\" fill=\"{paper}\"/>\n");
     let svg = match copying.look.transparent {
         true => svg.to_owned(),
@@ -95,7 +95,7 @@ fn converted(svg: &str, form: Form, copying: Copying) -> Result<Vec<u8>> {
     let mut options = Options::default();
     let fonts = options.fontdb_mut();
     fonts.load_system_fonts();
-    // The figure asks for the type of the book, or for any with serifs; which is installed nobody knows.
+    // The figure asks for the typeface of the book, or else for any with serifs that is installed.
     let there = |name: &&str| {
         let mut families = fonts.faces().flat_map(|face| &face.families);
         families.any(|(family, _)| family == name)
@@ -104,7 +104,7 @@ fn converted(svg: &str, form: Form, copying: Copying) -> Result<Vec<u8>> {
     let any = || Some(fonts.faces().next()?.families.first()?.0.clone());
     let serif = serif.or_else(any);
     fonts.set_serif_family(
-        serif.ok_or_else(|| failed("no font is installed, the letters would be missing".into()))?,
+        serif.ok_or_else(|| failed("no font is installed, so letters would be missing".into()))?,
     );
     let tree = Tree::from_str(&svg, &options).map_err(|error| failed(error.to_string()))?;
     let size = tree.size();

@@ -1,4 +1,4 @@
-//! Pieces of HTML that are put into the pages after mdBook wrote them.
+//! Pieces of HTML that are put into the pages after mdBook has written them.
 //!
 //! mdBook reads everything a preprocessor hands it as Markdown, and puts every text in the search index. A formula's
 //! HTML would be mangled by the first and indexed three times by the second; so would the tick labels of a figure.
@@ -39,7 +39,7 @@ impl Pieces {
             match piece(number) {
                 None => found[0].to_owned(),
                 Some(piece) if marks.is_empty() => piece.clone(),
-                // A browser breaks a line behind whatever is no text, before a full stop as well.
+                // A browser may break a line after anything that is not text, even before a full stop.
                 Some(piece) => {
                     let marks = marks.replace(' ', "\u{a0}");
                     format!("<span class=\"unbroken\">{piece}{marks}</span>")
@@ -65,7 +65,7 @@ impl Pieces {
     }
 }
 
-/// The page with each piece of quoted source moved to the left edge: a method is written indented, and quoted so.
+/// The page with each piece of quoted source moved to the left edge, since methods are indented in their files.
 pub fn flush_left(page: &str) -> String {
     const SOURCE: &str = "<code class=\"language-rs\">";
     let mut parts = page.split(SOURCE);
@@ -106,7 +106,7 @@ pub fn unbroken(text: &str) -> String {
         .replace("N m", "N\u{a0}m")
 }
 
-/// Text in which Markdown finds nothing: everything but letters, digits and spaces is written as an entity.
+/// Text without any Markdown: everything except letters, digits and spaces is written as an entity.
 pub fn inert(text: &str) -> String {
     let mut out = String::with_capacity(4 * text.len());
     for c in text.chars() {

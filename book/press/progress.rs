@@ -1,4 +1,4 @@
-//! How far a long run is, told on standard error: by a bar on a terminal, elsewhere by a line now and then.
+//! The progress of a long run, on standard error: a bar on a terminal, elsewhere a line now and then.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
@@ -8,13 +8,13 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::writer::tell;
 
-/// A run that is over by now says nothing.
+/// A run that ends before this shows nothing.
 const PATIENCE: Duration = Duration::from_millis(1500);
-/// How often a bar moves.
+/// Interval between updates of a bar.
 const TICK: Duration = Duration::from_millis(100);
 
-/// Does the work. If it takes longer than a moment, `how_far` is asked for the part that is done and for words that say so: for a bar
-/// ten times a second, otherwise for a line whenever twice the time is over.
+/// Does the work. If it takes longer than a moment, `how_far` gives the fraction done and a text: for a bar
+/// ten times a second, otherwise for a line each time the elapsed time has doubled.
 pub fn watched<T>(how_far: impl Fn() -> (f64, String) + Send, work: impl FnOnce() -> T) -> T {
     let (running, over) = channel::<()>();
     std::thread::scope(|scope| {
@@ -42,7 +42,7 @@ pub fn watched<T>(how_far: impl Fn() -> (f64, String) + Send, work: impl FnOnce(
     })
 }
 
-/// Does work in so many parts, telling how many of them are done: `9 of 24 stills`. What it is given is called after each.
+/// Does work in this many parts and shows how many are done: `9 of 24 stills`. The work calls the function it is given after each part.
 pub fn counted<T>(parts: usize, what: &str, work: impl FnOnce(&(dyn Fn() + Sync)) -> T) -> T {
     let done = AtomicUsize::new(0);
     let how_far = || {

@@ -1,4 +1,4 @@
-//! Sets one chapter: formulas, figures and claim tags become HTML or placeholders for it.
+//! Typesets one chapter: formulas, figures and claim tags become HTML, or placeholders for it.
 
 use crate::appendix;
 use crate::chapters::{COVER, Chapter};
@@ -12,7 +12,7 @@ use std::collections::HashSet;
 use std::ops::Range;
 use std::path::Path;
 
-/// What all chapters share: the drawings and their numbers, the ledger, the pieces.
+/// The typesetter, with what all chapters share: the drawings and their numbers, the ledger, the pieces.
 pub struct Typesetter<'a> {
     root: &'a Path,
     drawings: &'a [Drawing],
@@ -24,22 +24,22 @@ pub struct Typesetter<'a> {
     medium: Medium,
 }
 
-/// Where the chapters will be read.
+/// The medium in which the chapters will be read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Medium {
-    /// In a browser: formulas by its fonts, pictures in the page, which themes and the hand can change.
+    /// A browser: formulas in its fonts, pictures in the page, where themes and sliders can change them.
     Pages,
-    /// On a device that reads: formulas as MathML, pictures as files.
+    /// An e-reader: formulas as MathML, pictures as files.
     Ebook,
 }
 
-/// What stops a figure that moves: for a finger, a mouse or a key.
+/// The control that stops a moving figure, by finger, mouse or key.
 const PAUSE: &str = "<label class=\"pause\"><input type=\"checkbox\"> Pause</label>";
 
 /// The ids of pictures in the gallery.
 const SMALL: &str = "small";
 
-/// What is set, or what is wrong with it.
+/// The result, or the message of what is wrong.
 type Told<T> = std::result::Result<T, String>;
 
 impl<'a> Typesetter<'a> {
@@ -66,7 +66,7 @@ impl<'a> Typesetter<'a> {
         self.pieces
     }
 
-    /// The chapter as mdBook is to read it; `file` is its name in `book/src`. Chapters must come in the order of the book, which numbers the figures.
+    /// The chapter in the form that mdBook reads; `file` is its name in `book/src`. Chapters must come in the order of the book, in which figures are numbered.
     pub fn set(&mut self, file: &str, source: &str) -> Result<String> {
         let fault = |before: &str, why: String| {
             let line = before.matches('\n').count() + 1;
@@ -74,7 +74,7 @@ impl<'a> Typesetter<'a> {
         };
         let source = self.with_values(source, fault)?;
         let chapter = file.trim_end_matches(".md");
-        // Where a heading ends, and what is done.
+        // The end of the last heading, and the end of the text already done.
         let (mut heading, mut done) = (0, 0);
         let mut seen = HashSet::new();
         let mut edits: Vec<(Range<usize>, String)> = Vec::new();
@@ -86,8 +86,7 @@ impl<'a> Typesetter<'a> {
             if let Some(mark) = Mark::of(&event, span.clone(), &source) {
                 let tags = self.tags(chapter, &mark, &mut seen).map_err(fault)?;
                 if !source[..span.start].ends_with('\n') && span.start > 0 {
-                    let why =
-                        "what names claims stands at the left margin, not in a list or a line";
+                    let why = "a block or comment that names claims must start at the left margin, not in a list or within a line";
                     return Err(fault(why.into()));
                 }
                 edits.push(match mark.kind {
@@ -109,16 +108,16 @@ impl<'a> Typesetter<'a> {
                 Event::Start(Tag::Paragraph) => self.directive(chapter, text.trim()),
                 Event::InlineMath(latex) | Event::DisplayMath(latex) if span.start < heading => {
                     Err(format!(
-                        "a heading holds the formula ${latex}$; headings have none"
+                        "a heading has the formula ${latex}$, but headings must have none"
                     ))
                 }
                 Event::InlineMath(latex) => self.formula(&latex, Style::Inline).map(Some),
                 Event::DisplayMath(latex) => self.formula(&latex, Style::Display).map(Some),
                 Event::Text(_) if text.contains("{{") => {
-                    Err("a directive stands on a line of its own, between blank lines".into())
+                    Err("a directive must be on a line of its own, between blank lines".into())
                 }
                 Event::Text(_) if text.contains('$') => {
-                    Err("a dollar that neither opens nor closes a formula".into())
+                    Err("this dollar sign neither opens nor closes a formula".into())
                 }
                 Event::Text(_) => Ok(Some(unbroken(text))),
                 Event::Start(Tag::Link { dest_url, .. }) => {
@@ -168,7 +167,7 @@ impl<'a> Typesetter<'a> {
     fn formula(&mut self, latex: &str, style: Style) -> Told<String> {
         let told = |error| format!("in the formula ${}$: {error}", latex.trim());
         let html = self.formulas.set(latex, style).map_err(told)?;
-        // A letter with its index can be searched for, LaTeX cannot.
+        // A letter with its index can be searched for, but not LaTeX.
         let plain = match latex.contains('\\') {
             true => "…",
             false => latex.trim(),
@@ -189,13 +188,13 @@ impl<'a> Typesetter<'a> {
             ["claims"] => Ok(Some(appendix::page(self.ledger) + "\n")),
             ["figure", name] => self.figure(chapter, name).map(Some),
             ["gallery"] => self.gallery().map(Some),
-            // What code includes is left to mdBook.
+            // Other includes are left to mdBook.
             ["#include", file] if file.starts_with("tables/") => self.table(file).map(Some),
             _ => Ok(None),
         }
     }
 
-    /// A generated table: its formulas are set as well.
+    /// A generated table, with its formulas typeset.
     fn table(&mut self, file: &str) -> Told<String> {
         let path = self.root.join("book/src").join(file);
         let table = std::fs::read_to_string(&path);
@@ -236,8 +235,8 @@ impl<'a> Typesetter<'a> {
         ))
     }
 
-    /// A figure without its frame; one that moves can be stopped, but for a small one. The print page shows all chapters: where a figure is shown again,
-    /// its ids begin otherwise.
+    /// A figure without its frame; one that moves can be stopped, unless it is small. The print page shows all chapters, so where a figure is shown again
+    /// its ids have another prefix.
     fn picture(&mut self, Drawing { entry, figure }: &Drawing, ids: &str) -> String {
         let name = entry.name;
         let html = match self.medium {
@@ -285,7 +284,7 @@ impl<'a> Typesetter<'a> {
         let mut out = String::new();
         for (i, part) in text.split('$').enumerate() {
             out += &match i % 2 {
-                // A typewriter's apostrophe is none; mdBook sets those of the chapters.
+                // A straight apostrophe becomes a curved one, as mdBook does in the chapters.
                 0 => inert(&unbroken(&part.replace('\'', "’"))),
                 _ => self.formula(part, Style::Inline)?,
             };
@@ -293,7 +292,7 @@ impl<'a> Typesetter<'a> {
         Ok(out)
     }
 
-    /// Links to the claims appendix, for those that a block or a comment names; `seen` are those that the chapter has named already.
+    /// Links to the claims appendix for the claims that a block or a comment names; `seen` are those that the chapter has named before.
     fn tags(&self, chapter: &str, mark: &Mark, seen: &mut HashSet<String>) -> Told<String> {
         let mut links = Vec::new();
         for id in &mark.claims {
@@ -319,7 +318,7 @@ pub fn without_code(chapter: &str) -> String {
     edited(chapter, blocks.map(|(_, span)| (span, "\n".into())))
 }
 
-/// The text with other words in these places, which come in its order.
+/// The text with replacements at these places, given in order.
 fn edited(source: &str, edits: impl IntoIterator<Item = (Range<usize>, String)>) -> String {
     let mut out = String::with_capacity(2 * source.len());
     let mut at = 0;

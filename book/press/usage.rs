@@ -1,4 +1,4 @@
-//! What may be typed: the commands, their options, and what `--help` says of them.
+//! The command line: commands, options and their help texts.
 
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -29,12 +29,12 @@ Examples:
   cargo run -- book --open               builds the book and opens it in the browser
   cargo run -- figures --list            the names of the figures and their chapters
   cargo run -- scene book/scenes/racket.toml    simulates a scene file
-  cargo run -- help scene                what a scene file may say; most commands have examples
+  cargo run -- help scene                what a scene file may contain; most commands have examples
   cargo test                             runs every example of the book
 
-Exit status: 0 success, 2 wrong usage or a wrong source (one line says which), 1 anything else.";
+Exit status: 0 success, 2 an error in the command line or in a source file (one line says which), 1 any other error.";
 
-/// What `scene --help` says after the options: a file, and every kind and solver.
+/// The help text of `scene` after the options: a scene file, and every kind and solver.
 fn scene_help() -> String {
     let names =
         |names: &mut dyn Iterator<Item = &'static str>| names.collect::<Vec<_>>().join(", ");
@@ -42,7 +42,7 @@ fn scene_help() -> String {
     let solvers = names(&mut Solver::all().map(Solver::name));
     format!(
         "\
-A scene file, in TOML and SI units; nothing acts that [effects] does not name:
+A scene file, in TOML and SI units; only the effects that [effects] names act:
 
   title = \"A racket\"
   [body]
@@ -56,10 +56,10 @@ A scene file, in TOML and SI units; nothing acts that [effects] does not name:
   samples = 101
   accuracy = 1e-10                 # relative
   solver = \"auto\"                  # or one of those below
-  columns = [\"tilt\", \"energy\"]     # what a row tells after the time; the usual numbers of the kind if it is not there
+  columns = [\"tilt\", \"energy\"]     # the columns of a row after the time; if absent, the usual ones of the kind
 
-A run gives up after 200 million evaluations of its equations, and has ten million rows at most; one that takes more than a
-moment tells how far it is. A body under gravity also needs mass and center_of_mass. Other kinds of scene name their kind at the top;
+A run stops after 200 million evaluations of its equations and has at most ten million rows; if it takes more than a moment,
+it shows its progress. A body under gravity also needs mass and center_of_mass. Other kinds of scene name their kind at the top;
 book/scenes has a file for each scene of the book.
 
 Kinds: {kinds}.
@@ -67,21 +67,21 @@ Solvers: {solvers}.
 
 Examples:
   cargo run -- scene book/scenes/racket.toml
-  cargo run -- scene --keys roller    the keys of a kind; `--keys shapes` those of bodies by what they are
+  cargo run -- scene --keys roller    the keys of a kind; `--keys shapes` has the shapes that a body can have
   cargo run -- scene sleeping-top --columns tilt,lz,force --format json --output motion.json
   cargo run -- scene tippe-top --plot tilt,energy --output motion.svg
   cargo run -- scene racket --plot omega1:omega2 --output polhode.svg
   cargo run -- scene racket --film --speed 0.5 --output racket.svg
   cargo run --features book/pictures -- scene racket --frames stills 250 --as png
-  ffmpeg -framerate 25 -i stills/%03d.png -pix_fmt yuv420p racket.mp4    makes a video of them"
+  ffmpeg -framerate 25 -i stills/%03d.png -pix_fmt yuv420p racket.mp4    makes a video of these stills"
     )
 }
 
 const SCAN: &str = "\
-A line for each point of the grid: the varied numbers, the last row of the motion, and `ok`, or why there is none. Numbers are named as
-in the file, joined by dots, places in a list from 0. --tell asks for other numbers than the last row: of any column (`scene --columns`) its
-first, last, least or greatest value, or the time (s) when it is first at a level, to the accuracy of the scene. In JSON the
-refused points stand apart, with their reasons. Exit status 1 if no point could be run.
+Each point of the grid gives one line: the varied numbers, the last row of the motion, and `ok`, or the reason why there is none. A
+number is named by its keys, joined by dots; places in a list count from 0. --tell asks for other numbers than the last row: the first,
+last, least or greatest value of any column (`scene --columns`), or the time (s) at which it first reaches a level, to the accuracy of
+the scene. In JSON refused points are listed separately, with their reasons. Exit status 1 if no point could be run.
 
 Examples:
   cargo run -- scan racket --over initial.omega.0=0.001..0.1:25
@@ -92,8 +92,8 @@ Examples:
   cargo run -- scan strip --over initial.angle=0..1.5:30 --over body.width=0.01..0.05:30 --plot x --output map.svg";
 
 const FIGURES: &str = "\
-Many figures are functions of numbers that may be chosen: `--list NAME` tells them, their ranges and what the book shows. The caption
-is computed from the same numbers, and printed. Files have plain colours, for any program.
+Many figures have parameters: `--list NAME` shows them, with their ranges and the values of the book. The caption is computed
+from the same numbers, and printed. Files have plain colours that any program can read.
 
 Examples:
   cargo run -- figures
@@ -105,19 +105,19 @@ Examples:
 
 const ACCURACY: &str = "\
 Errors are those at the end of the run: the angle between the attitudes in radians, and the relative error of the
-angular velocity. Times are the least of repeated runs. Below each table stand, for 1e-3, 1e-6, 1e-9 and 1e-12, the
-cheapest method, the next one, and dop853. Efforts that would take much of a second a run are left out, and counted.
-Times need a release build; a debug build tells errors and evaluations.
+angular velocity. Times are the least of repeated runs. Below each table, for errors of 1e-3, 1e-6, 1e-9 and 1e-12, are the
+cheapest method, the next one, and dop853. Efforts for which a run would take much of a second are left out, and counted.
+Times need a release build; a debug build gives only errors and evaluations.
 
 Problems: free-top, near-separatrix, cusped-top, near-sleeping, kovalevskaya, kovalevskaya-level, heavy-body,
-tippe-top; each over 1, 10 and 1000 turns, the first four over 1000000 (the tippe top: 1, 10, 100): free-top/1000 is one of them.
-They are judged by motions known to 30 digits, and all together take about ten minutes.
+tippe-top; each over 1, 10 and 1000 turns, the first four also over 1000000 (the tippe top: 1, 10, 100). free-top/1000 is one
+length of one. They are judged by motions known to 30 digits; all together they take about ten minutes.
 
-Or a scene file of any kind, by its path or by its name in book/scenes, over its whole run; it takes seconds. Every solver
-runs that can, the others say why not. Two methods of different families judge at their tightest: the closed form if there
-is one, order 8, verner98. Where they agree no better than to 1e-3 the scene is refused; errors that their disagreement
-does not let be told from none are marked `floor`. Of a kind without an attitude the errors are those of its rates, angular
-velocities or else velocities, over the greatest of the motion.
+Or a scene file of any kind, by its path or by its name in book/scenes, over its whole run; this takes seconds. Every solver
+that can run it does; the others give the reason why they cannot. Two methods of different families, at their tightest
+tolerances, are the judges: the closed form if there is one, order 8, verner98. If they disagree by more than 1e-3 the scene
+is refused; errors too small to be distinguished from their disagreement are marked `floor`. For a kind without an attitude
+the errors are those of its angular velocities, or else of its velocities, over the greatest in the motion.
 
 Examples:
   cargo run --release -- accuracy --scene near-separatrix/1000
@@ -125,7 +125,7 @@ Examples:
   cargo run --release -- accuracy --scene strip
   cargo run --release -- accuracy --scene racket --plot racket.svg";
 
-/// What the command can be told to do.
+/// The subcommands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
     Figures(Figures),
@@ -136,7 +136,7 @@ pub enum Command {
     Scene(Scene),
     Scan(Scan),
     Accuracy(Accuracy),
-    /// Builds the module of the live pages again: it draws a figure when a reader moves its numbers
+    /// Rebuilds the module of the live pages, which redraws a figure when its reader moves a slider
     Live,
     /// Lists every claim of the tutorial, its verdict, and where it is computed
     Claims,
@@ -146,16 +146,16 @@ pub enum Command {
 #[derive(Debug, Args)]
 #[command(after_help = FIGURES)]
 pub struct Figures {
-    /// Names of figures; none means all
+    /// Names of figures; all if none is given
     #[arg(value_name = "NAME")]
     pub names: Vec<String>,
-    /// Lists the figures instead of drawing them; of those named, what may be chosen
+    /// Lists the figures instead of drawing them; for those named, with their parameters
     #[arg(long, conflicts_with_all = ["out", "check", "set", "data", "theme", "transparent", "form"])]
     pub list: bool,
-    /// Form of the list; as JSON it tells claim and parameters of each, for programs
+    /// Form of the list; JSON has the claim and the parameters of each figure, for programs
     #[arg(long, value_parser = ["text", "json"], default_value = "text", requires = "list")]
     pub format: String,
-    /// Numbers of one figure, other than the book's
+    /// Parameters of one figure with other values than the book's
     #[arg(long, value_name = "KEY=VALUE,…", value_delimiter = ',')]
     pub set: Vec<String>,
     /// Writes the numbers that one figure draws, as CSV
@@ -173,15 +173,15 @@ pub struct Figures {
     /// Width of a PDF in points [default: 432], or of a PNG in pixels [default: 1200]
     #[arg(long, value_name = "N", requires = "form", value_parser = clap::value_parser!(u16).range(16..=16384))]
     pub width: Option<u16>,
-    /// Folder for the files [default: figures/svg in the workspace; the current folder for a drawing unlike the book's]
+    /// Folder for the files [default: figures/svg in the workspace; the current folder for a drawing that differs from the book's]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Writes nothing; compares fresh drawings with the files, one canvas unit allowed
+    /// Writes nothing; compares fresh drawings with the files, to within one canvas unit
     #[arg(long, conflicts_with_all = ["set", "data", "theme", "transparent", "form"])]
     pub check: bool,
 }
 
-/// Writes strips and a cat of paper to cut out at true size, as SVG, and a chiral top for a printer of solids, as STL
+/// Writes paper strips and a paper cat to cut out, at true size, as SVG, and a chiral top for a 3D printer, as STL
 #[derive(Debug, Args)]
 pub struct Sheets {
     /// The size of the paper
@@ -201,7 +201,7 @@ pub struct Book {
     /// Also prints all of it to book/build/spinning-bodies.pdf, by an installed Chromium, Chrome or Edge
     #[arg(long)]
     pub pdf: bool,
-    /// Also writes book/build/spinning-bodies.epub, for devices that read
+    /// Also writes book/build/spinning-bodies.epub, for e-readers
     #[arg(long)]
     pub epub: bool,
     /// Keeps running, and prints a page again whenever its chapter is saved; the figures are not drawn again
@@ -219,7 +219,7 @@ pub struct Scene {
     /// Prints the keys of a kind of scene, and reads no file
     #[arg(long, value_name = "KIND", conflicts_with_all = ["file", "columns", "plot", "film", "frames", "format", "output"])]
     pub keys: Option<String>,
-    /// The columns of a row after the time; an unknown name gets you the list of them all [default: the usual ones of the kind]
+    /// The columns of a row after the time; an unknown name prints the list of all [default: the usual ones of the kind]
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     pub columns: Vec<String>,
     /// Draws a picture instead: a panel for each COLUMN against time, or X:Y for one column against another
@@ -228,7 +228,7 @@ pub struct Scene {
     /// Films the moving body instead: one SVG that plays in any browser
     #[arg(long, conflicts_with_all = ["columns", "plot", "format"])]
     pub film: bool,
-    /// Seconds of the motion in a second of the film [default: so that it takes ten seconds]
+    /// Seconds of the motion in a second of the film [default: such that the film takes ten seconds]
     #[arg(long, value_name = "RATE", allow_negative_numbers = true, requires = "film", conflicts_with_all = ["plot", "frames"])]
     pub speed: Option<f64>,
     /// Draws N pictures of the moving body into a new folder, at equal steps of time
@@ -247,21 +247,21 @@ pub struct Scene {
 pub struct Scan {
     /// The scene file, or the name of one in book/scenes; `-` reads standard input
     pub file: PathBuf,
-    /// A number of the file, its range, and how many values, :log behind them for equal ratios; KEY=FROM..TO,KEY=FROM..TO:COUNT varies two
+    /// A number of the file, its range, and how many values; :log after these for equal ratios; KEY=FROM..TO,KEY=FROM..TO:COUNT varies two
     /// together. May be given more than once
     #[arg(long, value_name = "KEY=FROM..TO:COUNT", required = true)]
     pub over: Vec<Over>,
     /// What to write of each motion: COLUMN, first:COLUMN, least:COLUMN, greatest:COLUMN, crossing:COLUMN=LEVEL [default: its last row]
     #[arg(long, value_name = "WHAT,…", value_delimiter = ',')]
     pub tell: Vec<Tell>,
-    /// Draws one number instead, told as for --tell: a line over one --over, a map over two
+    /// Draws one number instead, named as for --tell: a line over one --over, a map over two
     #[arg(long, value_name = "WHAT", conflicts_with_all = ["tell", "format"])]
     pub plot: Option<Tell>,
     #[command(flatten)]
     pub written: Written,
 }
 
-// Where the rows or the picture of a scene go, and in which form. A comment of documentation would stand in `--help`.
+// The destination and form of the rows or the picture of a scene. A doc comment here would appear in `--help`.
 #[derive(Debug, Args)]
 pub struct Written {
     /// Form of the rows [default: by the ending of the output's name, otherwise csv]

@@ -11,11 +11,11 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant, SystemTime};
 
-/// How often the files are looked at; what is alike twice is saved. Where the system tells of changes by itself, editors that write beside and
-/// rename, network folders and virtual machines each need care of their own.
+/// Interval at which the files are checked; a file that is the same twice in succession counts as saved. Change notifications of the system are not used,
+/// because editors that rename, network folders and virtual machines would each need care of their own.
 const PAUSE: Duration = Duration::from_millis(120);
 
-/// What pages are made of.
+/// The sources of the pages.
 const SOURCES: [&str; 5] = [
     "book/src",
     "book/scenes",
@@ -23,7 +23,7 @@ const SOURCES: [&str; 5] = [
     "book/book.toml",
     "tests",
 ];
-/// The same where it is compiled in, so that only another run has it.
+/// Sources that are compiled in, so that only another run shows their changes.
 const COMPILED_IN: [&str; 5] = [
     "book/claims.toml",
     "book/press",
@@ -33,7 +33,7 @@ const COMPILED_IN: [&str; 5] = [
 ];
 
 /// Prints the book of the workspace at `root` into `folder` again, with the same drawings, whenever one of its files changes, until a
-/// signal ends the command. What went wrong is told, and mended by the next change.
+/// signal ends the command. Errors are reported, and the next change can mend them.
 ///
 /// # Errors
 /// [`Error::File`] if the chapters cannot be read at the start, [`Error::OutputClosed`].
@@ -49,7 +49,7 @@ pub fn watch(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
         let is_stale = |file: &&PathBuf| COMPILED_IN.iter().any(|source| file.starts_with(source));
 
         let start = Instant::now();
-        // Read before the pages: what is told of an example is on its page, even if the file is saved again meanwhile.
+        // Read before the pages are printed, so that a reported example is on its page even if the file is saved again meanwhile.
         let fresh = examples_of_all(root);
         let outcome = bind(root, folder, drawings).and_then(|_| {
             if let Some(first) = changed.first() {
@@ -58,12 +58,12 @@ pub fn watch(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
             }
             if let Some(file) = changed.iter().find(is_stale) {
                 let file = file.display();
-                say(&format!("{file}: is compiled in; run again for what it draws and computes\n"))?;
+                say(&format!("{file}: is compiled in; run the command again to see its change\n"))?;
             }
             let fresh = fresh?;
             for (chapter, _) in fresh.iter().filter(|(name, code)| examples[*name] != **code) {
                 say(&format!(
-                    "book/src/{chapter}.md: an example changed; `cargo test -p book --doc -- {chapter}` computes it\n"
+                    "book/src/{chapter}.md: an example changed; `cargo test -p book --doc -- {chapter}` runs it\n"
                 ))?;
             }
             examples = fresh;
@@ -80,7 +80,7 @@ pub fn watch(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
 /// Files with their times and lengths.
 type Files = BTreeMap<PathBuf, (Option<SystemTime>, u64)>;
 
-/// The files, as soon as they are others than these and are saved: one that is may be seen half-written.
+/// The files, as soon as they differ from these and have been saved completely.
 fn changed(root: &Path, printed: &Files) -> Files {
     let mut before = files(root);
     loop {
@@ -93,7 +93,7 @@ fn changed(root: &Path, printed: &Files) -> Files {
     }
 }
 
-/// Every file that pages are made of, from the root. What is not there, or not any more, is no file.
+/// Every source file of the pages, relative to the root. Files that do not exist are left out.
 fn files(root: &Path) -> Files {
     let sources = SOURCES.iter().chain(&COMPILED_IN);
     let files = sources.flat_map(|source| files_below(&root.join(source)).unwrap_or_default());

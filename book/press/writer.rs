@@ -1,4 +1,4 @@
-//! The one way in which the press writes: a file whole or not at all, whatever else as it is.
+//! All writing by the press: files whole or not at all, devices and pipes directly.
 
 use clap::ValueEnum;
 use std::fmt::Display;
@@ -9,13 +9,13 @@ use std::path::{Path, PathBuf};
 use crate::interrupt::Unfinished;
 use crate::{Error, Result};
 
-/// Where something will be written; asked before any work is done for it.
+/// The destination of some output, checked before any work is done for it.
 ///
-/// A regular file is written beside and renamed, so that it is there whole or not at all; links are followed to it, and it keeps its
-/// rights, or gets those that the process gives to new files. Devices and pipes are opened and written as they are.
+/// A regular file is written under another name beside it and renamed, so that it is there whole or not at all; links are followed to it, and it keeps its
+/// permissions, or gets those that the process gives to new files. Devices and pipes are opened and written directly.
 #[derive(Debug)]
 pub struct Target {
-    /// As the user calls it.
+    /// The name given by the user.
     name: PathBuf,
     place: Place,
 }
@@ -31,7 +31,7 @@ enum Place {
 type Writing<'a> = &'a mut dyn Write;
 
 impl Target {
-    /// This file, or without one, or for `-`, the standard output. `input` is what it must not overwrite; `-` stands for the standard input.
+    /// This file, or the standard output if none is given or for `-`. It must not be the file `input`, where `-` stands for the standard input.
     ///
     /// # Errors
     /// [`Error::Input`] for a folder, a file in a folder that is not there, and the input itself; [`Error::File`].
@@ -59,7 +59,7 @@ impl Target {
     /// Writes it.
     ///
     /// # Errors
-    /// [`Error::File`]; [`Error::OutputClosed`] if whoever reads a pipe has left.
+    /// [`Error::File`]; [`Error::OutputClosed`] if the reader of a pipe has closed it.
     pub fn write(self, contents: impl FnOnce(Writing<'_>) -> io::Result<()>) -> Result<()> {
         let written = match self.place {
             Place::StandardOutput => into(io::stdout().lock(), contents),
@@ -72,7 +72,7 @@ impl Target {
             }
         };
         written.map_err(|error| match error.downcast::<Error>() {
-            // What was to be written could not be had.
+            // The contents could not be computed.
             Ok(refused) => refused,
             Err(error) if error.kind() == ErrorKind::BrokenPipe => Error::OutputClosed,
             Err(error) => Error::file(&self.name)(error),
@@ -86,25 +86,25 @@ impl Place {
         let there = std::fs::metadata(path).ok();
         let is_folder = there.as_ref().map(Metadata::is_dir);
         if is_folder.unwrap_or(path.file_name().is_none()) {
-            return refused("a file is expected, not a folder");
+            return refused("expected a file, this is a folder");
         }
         match &there {
             Some(_) if are_one(path, Path::new("/dev/stdout")) => return Ok(Self::StandardOutput),
             Some(there) if !there.is_file() => return Ok(Self::AsItIs),
             Some(_) if input.is_some_and(|input| are_one(path, input)) => {
-                return refused("that is the input; its output needs another name");
+                return refused("this is the input file; the output needs another name");
             }
             _ => {}
         }
         let file = followed(path).map_err(Error::file(path))?;
         if !folder_of(&file).is_dir() {
-            return refused("there is no such folder");
+            return refused("the folder of this file does not exist");
         }
         let begun = || {
             let unfinished = Unfinished::within(folder_of(&file))?;
             let new = File::create(unfinished.new_one())?;
             if let Some(there) = there {
-                // What may not be written may not be replaced either.
+                // A file that may not be written must not be replaced either.
                 OpenOptions::new().write(true).open(&file)?;
                 new.set_permissions(there.permissions())?;
             }
@@ -129,7 +129,7 @@ pub fn say(text: &str) -> Result<()> {
     Target::new(None, None)?.put(text)
 }
 
-/// Prints a line to standard error. Nothing is left to be done if that is closed as well.
+/// Prints a line to standard error. If that is closed as well, nothing can be done.
 pub fn tell(line: impl Display) {
     let _ = writeln!(io::stderr(), "{line}");
 }
@@ -148,10 +148,10 @@ pub fn write_if_changed(path: &Path, contents: &[u8]) -> Result<bool> {
     Ok(true)
 }
 
-/// Makes a folder, and those that it is in: whole, as this writes it elsewhere, or not at all.
+/// Makes a folder and its parents: `written` fills it elsewhere, so that it appears whole or not at all.
 ///
 /// # Errors
-/// [`Error::File`]; what the writing says.
+/// [`Error::File`]; those of `written`.
 pub fn whole(folder: &Path, written: impl FnOnce(&Path) -> Result<()>) -> Result<()> {
     let parent = folder_of(folder);
     std::fs::create_dir_all(parent).map_err(Error::file(parent))?;
@@ -160,7 +160,7 @@ pub fn whole(folder: &Path, written: impl FnOnce(&Path) -> Result<()>) -> Result
     beside.take(folder).map_err(Error::file(folder))
 }
 
-/// Whether files can be written into this folder, which need not be there yet; nothing is left of the trial.
+/// Checks that files can be written into this folder, which need not exist yet; the trial leaves no trace.
 ///
 /// # Errors
 /// [`Error::File`].
@@ -171,10 +171,10 @@ pub fn can_be_written_into(folder: &Path) -> Result<()> {
     tried.map(drop).map_err(Error::file(folder))
 }
 
-/// The one of these that the name of a file ends with; the first if there is no name. That of a device or a pipe tells nothing.
+/// The form whose ending the name of a file has; the first form if there is no name, or if it is that of a device or a pipe.
 ///
 /// # Errors
-/// [`Error::Input`] for a name that ends otherwise; `what` is written.
+/// [`Error::Input`] for a name with another ending; `what` names the output.
 pub fn by_ending<T: ValueEnum>(path: Option<&Path>, what: &str, known: &[T]) -> Result<T> {
     let is_a_file = |path: &&Path| *path != Path::new("-") && (path.is_file() || !path.exists());
     let Some(file) = path.filter(is_a_file) else {
@@ -185,7 +185,7 @@ pub fn by_ending<T: ValueEnum>(path: Option<&Path>, what: &str, known: &[T]) -> 
     found.cloned().ok_or_else(|| {
         let endings = known.iter().map(|one| format!("`.{}`", ending(one)));
         let (file, endings) = (file.display(), endings.collect::<Vec<_>>().join(" or "));
-        let told = format!("{file}: what is {what}, and its name should end with {endings}");
+        let told = format!("{file}: the output is {what}, so its name must end with {endings}");
         Error::Input(told)
     })
 }
@@ -202,10 +202,10 @@ pub fn folder_of(path: &Path) -> &Path {
     folder.unwrap_or(Path::new("."))
 }
 
-/// Where the links lead; the last of them may point to what is not there yet.
+/// The file to which symbolic links lead; it need not exist yet.
 ///
 /// # Errors
-/// If they go round in a circle, or cannot be read.
+/// If the links form a circle, or cannot be read.
 pub fn followed(path: &Path) -> io::Result<PathBuf> {
     let mut path = path.to_owned();
     for _ in 0..40 {
@@ -214,7 +214,7 @@ pub fn followed(path: &Path) -> io::Result<PathBuf> {
         }
         path = folder_of(&path).join(std::fs::read_link(&path)?);
     }
-    Err(io::Error::other("the links go round in a circle"))
+    Err(io::Error::other("the symbolic links form a circle"))
 }
 
 /// Whether these names lead to one file, device or pipe.

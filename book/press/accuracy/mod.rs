@@ -1,8 +1,8 @@
-//! The command `accuracy`: every method on the motions of [`lab::accuracy`] or on that of a scene file, timed here and now.
+//! The command `accuracy`: every method on the motions of [`lab::accuracy`] or on that of a scene file, timed on this machine.
 //!
 //! | module | what it does |
 //! |---|---|
-//! | [`patience`] | the sweep of a method; what would take too long |
+//! | [`patience`] | the sweep of a method, without runs that would take too long |
 //! | [`table`] | the table that a person reads, with the winners |
 
 pub mod patience;
@@ -33,7 +33,7 @@ pub struct Swept {
     pub rows: Vec<Measurement>,
     /// Its name.
     pub method: String,
-    /// How many finer efforts would have taken too long.
+    /// Number of finer efforts left out because they would have taken too long.
     pub left_out: usize,
 }
 
@@ -46,7 +46,7 @@ pub fn run(root: &Path, scene: Option<&str>, csv: Option<&Path>) -> Result<Repor
     Format::of(Some(Format::Csv), csv)?;
     let target = csv.map(|path| Target::new(Some(path), file.as_deref()));
     let target = target.transpose()?;
-    // What is measured, for whoever waits.
+    // What is being measured, for the progress bar.
     let now = Mutex::new((0.0, "the reference motion".to_owned()));
     let lock = || now.lock().unwrap_or_else(PoisonError::into_inner);
     let how_far = || {
@@ -59,7 +59,7 @@ pub fn run(root: &Path, scene: Option<&str>, csv: Option<&Path>) -> Result<Repor
         match (scene, file) {
             (Some(_), Some(file)) if problems.is_empty() => measured(&file, PATIENCE, told),
             (Some(name), None) if problems.is_empty() => Err(Error::Input(format!(
-                "the motions to be measured are {}, and one length of one is asked for as {}/10; {}",
+                "the motions that can be measured are {}; one length of one is named like {}/10; {}",
                 NAMES.join(", "),
                 NAMES[0],
                 scenes::not_found(root, Path::new(name), &NAMES),
@@ -80,7 +80,7 @@ pub struct Report {
     pub text: String,
     /// Below the [`HEADER`].
     pub rows: String,
-    /// What each method pays, and the error that is left.
+    /// The cost of each method against its error.
     pub curves: Vec<Curve>,
 }
 
@@ -94,7 +94,7 @@ impl Report {
     }
 }
 
-/// Measures one motion, as [`run`] does, and draws what each method pays for an error.
+/// Measures one motion, as [`run`] does, and draws the cost of each method against its error.
 ///
 /// # Errors
 /// [`Error::Input`] for several motions; those of [`run`].
@@ -118,12 +118,12 @@ pub fn picture(root: &Path, scene: &str, csv: Option<&Path>) -> Result<Figure> {
 fn warn_of_debug() {
     if cfg!(debug_assertions) {
         tell(
-            "this is a debug build: errors and evaluations only; for times, cargo run --release -- accuracy",
+            "this is a debug build, so only errors and evaluations are given; for times, cargo run --release -- accuracy",
         );
     }
 }
 
-/// Problems of the laboratory, by all of their candidates; `told` how far it is.
+/// Measures problems of the laboratory by all of their candidates; `told` is called with the progress.
 fn listed(problems: &[Problem], told: impl Fn(f64, String)) -> Result<Report> {
     warn_of_debug();
     let mut report = Report::default();
@@ -151,10 +151,10 @@ fn listed(problems: &[Problem], told: impl Fn(f64, String)) -> Result<Report> {
     Ok(report)
 }
 
-/// A run of a scene may take so many evaluations: a second or so.
+/// Most evaluations of a run of a scene: a second or so.
 const MOST_EVALUATIONS: u64 = 5_000_000;
 
-/// A scene file from its start to its last time, by all solvers, no run taking more than `patience` seconds; `told` how far it is.
+/// Measures a scene file from its start to its last time by all solvers, no run taking more than `patience` seconds; `told` is called with the progress.
 ///
 /// # Errors
 /// [`Error::Input`] for a file that is no scene, a scene that ends where it begins, or one that cannot be judged.
@@ -166,7 +166,7 @@ pub fn measured(file: &Path, patience: f64, told: impl Fn(f64, String)) -> Resul
         Error::Input(format!("{name}: keys `times`, `until` in [run]: {told}"))
     };
     if end <= 0.0 {
-        let told = "the last time must be positive for a motion to be measured";
+        let told = "the last time must be positive to measure a motion";
         return Err(refused(told.into()));
     }
     let judged = JudgedScene::new(motion.scene, end);
@@ -185,7 +185,7 @@ pub fn measured(file: &Path, patience: f64, told: impl Fn(f64, String)) -> Resul
     }
     let judges: Vec<&str> = judged.judges().iter().map(|judge| judge.name()).collect();
     let heading = format!(
-        "{stem}: {} s, judged by {}; errors up to {:.0e} cannot be told from none\n{}",
+        "{stem}: {} s, judged by {}; errors up to {:.0e} are not distinguishable from zero\n{}",
         judged.end(),
         judges.join(" and "),
         judged.floor(),
@@ -193,7 +193,7 @@ pub fn measured(file: &Path, patience: f64, told: impl Fn(f64, String)) -> Resul
             true =>
                 "error: angle between the attitudes at the end, rad; of omega: over the fastest of the motion",
             false =>
-                "error: of the rates at the end, over the fastest of the motion; no place and no angle is judged",
+                "error: of the rates at the end, over the fastest of the motion; positions and angles are not judged",
         }
     );
     let mut report = Report::default();
@@ -206,7 +206,7 @@ fn broken(error: spinning_bodies::Error) -> Error {
 }
 
 fn line(row: &Measurement) -> String {
-    // `{:?}` is the shortest text that is read back as the same number; what there is not is left empty.
+    // `{:?}` is the shortest text that is read back as the same number; NaN is left empty.
     let number = |x: f64| match x.is_nan() {
         true => String::new(),
         false => format!("{x:?}"),

@@ -1,4 +1,4 @@
-//! The sweep of a method, as far as patience goes.
+//! The sweep of a method, as far as it does not take too long.
 
 use std::time::Instant;
 
@@ -11,7 +11,7 @@ use super::Swept;
 /// A run that would take longer is left out, s.
 pub const PATIENCE: f64 = 0.6;
 
-/// One method on a motion, with no run of more seconds than `patience`, the first one being expected to take so many; a debug build tells no times.
+/// The sweep of one method on a motion, without runs of more seconds than `patience`; `first` estimates the time of the first run. A debug build measures no times.
 pub fn swept<E>(trial: &Trial<'_, E>, patience: f64, first: impl Fn(Effort) -> f64) -> Swept {
     let (mut last, mut gave_up) = (0.0, false);
     let rows = trial.sweep(|rows, effort| {
@@ -62,7 +62,7 @@ pub fn first(problem: &Problem, candidate: &Candidate, effort: Effort) -> f64 {
         return 0.0;
     }
     let parts = problem.turns();
-    // What the run returns is of no interest; a failure is told by the run that counts. The least of some: the first one pays for waking up.
+    // Only the time matters; a failure is reported by the run that counts. The least of several, because the first one includes warming up.
     let piece = || {
         let begin = Instant::now();
         let _ = candidate

@@ -11,7 +11,7 @@ use super::Swept;
 /// The method that the others are compared with.
 const PEER: &str = "dop853";
 
-/// The table of a motion: what tells of each method, then the winners, by evaluations where no clock ran; errors below the floor are not known.
+/// The table of a motion: the telling rows of each method, then the winners, by evaluations if no times were measured; errors below the floor are not known.
 pub fn text<'a>(heading: &str, floor: f64, swept: &'a [Swept]) -> String {
     let mut text = format!(
         "{heading}\n\n{:>17} {:>10} {:>9} {:>9} {:>11} {:>10} {:>9} {:>9}\n",
@@ -49,13 +49,13 @@ pub fn text<'a>(heading: &str, floor: f64, swept: &'a [Swept]) -> String {
     };
     for target in TARGETS {
         let ranked = ranking(&rows, "", target).into_iter();
-        // Below the floor only a closed form is known to be as good as it says.
+        // Below the floor only a closed form is known to be as good as its own estimate.
         let ranked = ranked.filter(|(method, _)| target >= floor || CLOSED.contains(method));
         let ranked: Vec<_> = ranked.collect();
         let told = match ranked[..] {
-            [] if target < floor => "not told: the judges do not agree to that".to_owned(),
+            [] if target < floor => "unknown: the judges do not agree to that".to_owned(),
             [(best, least), ..] if target < floor => {
-                format!("{best} in {}; of what steps it cannot be told", unit(least))
+                format!("{best} in {}; unknown for methods that step", unit(least))
             }
             _ => winner(&ranked, unit),
         };
@@ -64,7 +64,7 @@ pub fn text<'a>(heading: &str, floor: f64, swept: &'a [Swept]) -> String {
     text + "\n"
 }
 
-/// The methods that tell their own error.
+/// The methods that state their own error.
 const CLOSED: [&str; 2] = ["exact", "events"];
 
 /// Seconds, or evaluations where no clock ran.
@@ -77,7 +77,7 @@ fn kept<'a>(rows: impl Iterator<Item = &'a Measurement>) -> impl Iterator<Item =
     rows.filter(|row| matches!(row.status, Status::Ok | Status::Floor))
 }
 
-/// What was paid at each effort that ran, one evaluation at least where no clock ran, and the error that was left.
+/// Cost and error at each effort that ran; the cost is at least one evaluation if no times were measured.
 pub fn points(rows: &[Measurement]) -> Vec<[f64; 2]> {
     let paid = |row: &Measurement| row.seconds.unwrap_or(row.evaluations.max(1) as f64);
     kept(rows.iter())
@@ -90,7 +90,7 @@ fn worst(row: &Measurement) -> f64 {
     row.error_attitude.max(row.error_omega)
 }
 
-/// Why a method failed at all efforts, at last, for the first may have been too coarse: without what stands in brackets, and not beyond a line.
+/// The reason why a method failed at all efforts, from the last one, since the first may have been too coarse; without brackets, and at most a line.
 fn failure(one: &Swept) -> Option<String> {
     const MOST: usize = 100;
     let failures = one.rows.iter().map(|row| row.failure.as_ref());
@@ -108,7 +108,7 @@ fn failure(one: &Swept) -> Option<String> {
     Some(told)
 }
 
-/// The rows that a person wants to see: the cheapest to reach each of the targets, and the most exact. The CSV file has them all.
+/// The rows of interest to a reader: the cheapest to reach each of the targets, and the most accurate. The CSV file has all rows.
 fn telling(rows: &[Measurement]) -> impl Iterator<Item = &Measurement> {
     let cheapest = |target: f64| {
         let good = rows.iter().enumerate();
@@ -147,7 +147,7 @@ fn line(row: &Measurement) -> String {
 
 /// Correct digits for each microsecond.
 fn digits(error: f64, seconds: f64) -> Option<String> {
-    // No error at all: judged by itself.
+    // No error at all, because it is judged by itself.
     let digits = -error.log10();
     let value = digits / (1e6 * seconds);
     match digits > 0.0 && digits.is_finite() {
@@ -172,7 +172,7 @@ fn duration(seconds: f64) -> String {
 /// The cheapest method, the next one, and the peer, in words.
 fn winner(ranked: &[(&str, f64)], told: impl Fn(f64) -> String) -> String {
     let Some(&(best, least)) = ranked.first() else {
-        return "none gets there".to_owned();
+        return "no method reaches it".to_owned();
     };
     let mut text = format!("{best} in {}", told(least));
     let peer = ranked.iter().skip(1).find(|(method, _)| *method == PEER);
@@ -186,9 +186,9 @@ fn winner(ranked: &[(&str, f64)], told: impl Fn(f64) -> String) -> String {
         }
     }
     if ranked.len() == 1 {
-        text.push_str("; nothing else gets there");
+        text.push_str("; no other method reaches it");
     } else if peer.is_none() && best != PEER {
-        let _ = write!(text, "; {PEER} does not get there");
+        let _ = write!(text, "; {PEER} does not reach it");
     }
     text
 }

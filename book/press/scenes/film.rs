@@ -1,4 +1,4 @@
-//! A motion as the moving body itself: `--film`, and as stills of it: `--frames`.
+//! A motion as a film of the moving body, `--film`, or as stills, `--frames`.
 
 use std::f64::consts::FRAC_PI_2;
 use std::ffi::OsStr;
@@ -14,7 +14,7 @@ use crate::progress::counted;
 use crate::writer::{can_be_written_into, ending, folder_of, tell, whole};
 use crate::{Error, Result};
 
-/// The motion at so many equal steps from the first of its times to the last, and the picture of it. The scene tells all of its columns.
+/// The film of a motion in `count` pictures at equal steps from the first of its times to the last. The motion must have all of its columns.
 fn filmed<'a>(motion: &Motion, title: &'a str, count: usize, speed: f64) -> Result<Film<'a>> {
     let sights = |count: usize| {
         let table = motion.evenly(count)?;
@@ -26,7 +26,7 @@ fn filmed<'a>(motion: &Motion, title: &'a str, count: usize, speed: f64) -> Resu
     };
     let mut shots = sights(count)?;
     if shots.iter().any(|(_, sight)| !sight.turned) {
-        // The angle is told by its rate only: it is summed up in between.
+        // Only the rate of the angle is known, so it is summed up in between.
         shots = turned(sights((count - 1) * BETWEEN + 1)?);
     }
     Ok(Film {
@@ -59,16 +59,16 @@ fn turned(shots: Vec<(f64, Sight)>) -> Vec<(f64, Sight)> {
 /// Pictures in a second of a film, and most bytes of one.
 const PER_SECOND: f64 = 25.0;
 const MOST_BYTES: f64 = 390_000.0;
-/// Pictures that are drawn to see how large they are.
+/// Number of trial pictures that are drawn to find their size.
 const TRIED: usize = 12;
-/// How long a film lasts by itself, and may last, s.
+/// Default duration of a film, and its limits, s.
 const LASTS: f64 = 10.0;
 const MAY_LAST: [f64; 2] = [1.0, 60.0];
 
-/// Runs a scene, which tells all of its columns, and films it. Says so if it turns too fast for the pictures.
+/// Runs a scene, which must have all of its columns, and films it, with a warning if it turns too fast for the pictures.
 ///
 /// # Errors
-/// [`Error::Input`] for a single time and for a speed at which the film would be too short or too long; what [`run`](super::run) says.
+/// [`Error::Input`] for a single time and for a speed at which the film would be too short or too long; those of [`run`](super::run).
 pub fn film(motion: &Motion, speed: Option<f64>) -> Result<Vec<u8>> {
     let span = motion.span("--film")?;
     let speed = speed.unwrap_or(span / LASTS);
@@ -82,7 +82,7 @@ pub fn film(motion: &Motion, speed: Option<f64>) -> Result<Vec<u8>> {
         )));
     }
     let title = &stem(&motion.name);
-    // A few of its pictures tell how many there may be.
+    // The size of a few pictures decides how many there may be.
     let bytes = filmed(motion, title, TRIED, speed)?.film(seconds).len();
     let room = MOST_BYTES / bytes as f64 * TRIED as f64;
     let count = room.min(PER_SECOND * seconds).max(2.0) as usize;
@@ -92,7 +92,7 @@ pub fn film(motion: &Motion, speed: Option<f64>) -> Result<Vec<u8>> {
     let between = fastest * span / (count - 1) as f64;
     if between > FRAC_PI_2 {
         tell(format_args!(
-            "warning: {}: it turns by up to {between:.1} rad from one picture to the next, which no eye can follow; a smaller --speed or a shorter run shows it",
+            "warning: {}: it turns by up to {between:.1} rad from one picture to the next, too fast for the eye; a smaller --speed or a shorter run would show it",
             motion.name
         ));
     }
@@ -102,11 +102,11 @@ pub fn film(motion: &Motion, speed: Option<f64>) -> Result<Vec<u8>> {
 /// Most stills.
 const MOST_STILLS: usize = 10_000;
 
-/// Runs a scene, which tells all of its columns, and draws so many pictures of it into a folder, at equal steps of time: all of the folder is there at
-/// the end, or nothing. What the option says is judged before the scene is read.
+/// Runs a scene, which must have all of its columns, and draws this many pictures of it into a folder, at equal steps of time: at the end the folder is
+/// complete, or absent. The option is checked before the scene is read.
 ///
 /// # Errors
-/// [`Error::Input`] for a number that is none, and for a folder that has something in it, or is none; [`Error::File`]; as for [`file`](file()) and
+/// [`Error::Input`] for an invalid number, and for a folder that is not empty or not a folder; [`Error::File`]; as for [`file`](file()) and
 /// [`run`](super::run).
 pub fn stills(
     folder: &Path,

@@ -1,11 +1,11 @@
-//! Scene files: from a path to a table of numbers. What a file may say, and the scene that it makes, is the library's
+//! Scene files: from a path to a table of numbers. The syntax of a file and the scene that it describes are the library's
 //! ([`files`]).
 //!
 //! | module | what it does |
 //! |---|---|
-//! | [`film`] | the body itself, moving |
+//! | [`film`] | films and stills of the moving body |
 //! | [`output`] | CSV and JSON |
-//! | [`plot`] | numbers as diagrams |
+//! | [`plot`] | diagrams of columns |
 //! | [`prices`] | what each effect costs |
 //! | [`scan`] | one file, some of its numbers varied, on all cores |
 
@@ -29,7 +29,7 @@ use crate::paths::files_below;
 use crate::progress::watched;
 use crate::{Error, Result};
 
-/// A scene that will be run.
+/// A scene to be run, and the request for it.
 #[derive(Debug)]
 pub struct Motion {
     /// The file's name.
@@ -41,7 +41,7 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// Of a scene file, `-` being standard input.
+    /// From a scene file; `-` is standard input.
     ///
     /// # Errors
     /// [`Error::Input`] for a file that cannot be read; as for [`parse`].
@@ -50,7 +50,7 @@ impl Motion {
         Self::of(&name, &text)
     }
 
-    /// Of a file of this name with this text.
+    /// From a file of this name with this text.
     ///
     /// # Errors
     /// As for [`parse`].
@@ -63,7 +63,7 @@ impl Motion {
         })
     }
 
-    /// The same with these columns, if there are any, for which an option asks.
+    /// The same with the columns that an option asks for, if there are any.
     ///
     /// # Errors
     /// [`Error::Input`] for a column that it does not have.
@@ -76,7 +76,7 @@ impl Motion {
         Ok(self)
     }
 
-    /// The same with all of its columns: what a picture of the body is made of.
+    /// The same with all of its columns, which a picture of the body needs.
     ///
     /// # Errors
     /// As for [`telling`](Self::telling).
@@ -93,7 +93,7 @@ impl Motion {
         [first, times().fold(f64::NEG_INFINITY, f64::max)]
     }
 
-    /// The time from the first to the last, s, for an option that draws what goes on in it.
+    /// The time from the first to the last, s, for an option that draws the motion.
     ///
     /// # Errors
     /// [`Error::Input`] for a single time.
@@ -103,7 +103,7 @@ impl Motion {
             return Ok(last - first);
         }
         let name = &self.name;
-        let told = "key `until` or `times` in [run]: expected times that go on, got one";
+        let told = "key `until` or `times` in [run]: expected more than one time";
         Err(Error::Input(format!("{option}: {name}: {told}")))
     }
 
@@ -120,7 +120,7 @@ impl Motion {
         run(&self.name, &self.scene, &self.asked(times)?)
     }
 
-    /// The same, with a bar for whoever waits.
+    /// The same, showing its progress.
     ///
     /// # Errors
     /// As for [`run`].
@@ -139,7 +139,7 @@ impl Motion {
         watched(how_far, || run(&self.name, &self.scene, &request))
     }
 
-    /// The motion at so many equal steps from the first of its times to the last, with a bar for whoever waits.
+    /// The motion at this many equal steps from the first of its times to the last, showing its progress.
     ///
     /// # Errors
     /// As for [`run`].
@@ -154,13 +154,13 @@ impl Motion {
     }
 }
 
-/// What a picture of the motion of this file is called: its name without folder and ending.
+/// The title of a picture of the motion of this file: the file's name without folder and ending.
 pub fn stem(name: impl AsRef<Path>) -> String {
     let stem = name.as_ref().file_stem().unwrap_or_default();
     stem.display().to_string()
 }
 
-/// Runs a scene, `name` being that of its file. Every number of what it gives back is finite.
+/// Runs a scene; `name` is that of its file. Every number returned is finite.
 ///
 /// # Errors
 /// As for [`simulate`].
@@ -173,14 +173,14 @@ pub fn run(name: &str, scene: &AnyScene, request: &Request) -> Result<Table> {
         if let Some((column, number)) = row.find(|(_, number)| !number.is_finite()) {
             let column = column.name;
             return Err(Error::Failed(format!(
-                "{name}: `{column}` is {number} at t = {t:?} s: the motion leaves the range of doubles; other units, or an earlier end, may keep it within"
+                "{name}: `{column}` is {number} at t = {t:?} s: the motion leaves the range of doubles; other units or an earlier end may help"
             )));
         }
     }
     Ok(table)
 }
 
-/// Reads a scene file, `-` being standard input, runs the scene, and gives what came of it with the seconds it took.
+/// Reads a scene file (`-` is standard input), runs the scene, and returns the motion with the seconds that it took.
 ///
 /// # Errors
 /// [`Error::Scene`] for a file that is not a scene, [`Error::Input`] for a scene that is impossible; [`Error::Failed`] where the motion could not be
@@ -201,7 +201,7 @@ pub fn file(root: &Path, name: &Path) -> Option<PathBuf> {
     places.find(|place| place.exists() && !place.is_dir())
 }
 
-/// What was looked for, for a name that no file has, and what was probably meant: a scene of the book, or one of these other words.
+/// The message for a name that no file has, with what was probably meant: a scene of the book, or one of these other words.
 pub fn not_found(root: &Path, name: &Path, others: &[&str]) -> String {
     let files = files_below(&root.join("book/scenes")).unwrap_or_default();
     let stems: Vec<String> = files.iter().map(stem).collect();
@@ -220,7 +220,7 @@ pub fn parse(name: &str, text: &str) -> Result<(AnyScene, Request)> {
     Ok((scene, request.with_methods(&DifferentialEquations)))
 }
 
-/// Reads what a scene file names, such as a mesh: a path seen from its folder.
+/// Reads a file that a scene file names, such as a mesh, by a path relative to its folder.
 fn beside(name: &str) -> impl Fn(&str) -> std::result::Result<Vec<u8>, String> + use<> {
     let folder = Path::new(name).parent().map(Path::to_owned);
     move |file| {
@@ -230,7 +230,7 @@ fn beside(name: &str) -> impl Fn(&str) -> std::result::Result<Vec<u8>, String> +
         match opened.and_then(|mut opened| opened.read_to_end(&mut bytes)) {
             Err(error) => Err(error.to_string()),
             Ok(size) if size as u64 > MOST_OF_A_MESH => Err(format!(
-                "a mesh has at most {MOST_OF_A_MESH} bytes, this one has more"
+                "a mesh may have at most {MOST_OF_A_MESH} bytes, this one has more"
             )),
             Ok(_) => Ok(bytes),
         }
@@ -241,7 +241,7 @@ fn beside(name: &str) -> impl Fn(&str) -> std::result::Result<Vec<u8>, String> +
 const MOST_OF_A_MESH: u64 = 200_000_000;
 const MOST_BYTES: u64 = 4_000_000;
 
-/// Keys as a table of Markdown, `of` being what its first column is: the table of the file, or the shape.
+/// Keys as a Markdown table; `of` is the heading of its first column: the table of the file, or the shape.
 pub fn key_table(of: &str, keys: &[KeyRow]) -> String {
     let mut text = format!("| {of} | key | what | if absent |\n|---|---|---|---|\n");
     for row in keys {
@@ -256,7 +256,7 @@ pub fn key_table(of: &str, keys: &[KeyRow]) -> String {
     text
 }
 
-/// The keys of a kind, and those that all kinds share; those of the shapes for `shapes`.
+/// The keys of a kind and those that all kinds share; for `shapes`, those of the shapes.
 ///
 /// # Errors
 /// [`Error::Input`] for a word that is no kind.
@@ -278,7 +278,7 @@ pub fn keys(kind: &str) -> Result<String> {
 
 /// The name of a file, `-` being standard input, and its text.
 pub(crate) fn source(path: &Path) -> Result<(String, String)> {
-    // A little more of it than a scene file may have.
+    // Reads one byte more than a scene file may have.
     let text = |from: &mut dyn Read| read_to_string(from.take(MOST_BYTES + 1));
     let (name, read) = match path == Path::new("-") {
         true => ("standard input".to_owned(), text(&mut stdin())),
@@ -289,24 +289,24 @@ pub(crate) fn source(path: &Path) -> Result<(String, String)> {
     };
     match read {
         Ok(text) if text.len() as u64 > MOST_BYTES => Err(Error::Input(format!(
-            "{name}: a scene file has at most {MOST_BYTES} bytes, this one has more"
+            "{name}: a scene file may have at most {MOST_BYTES} bytes, this one has more"
         ))),
         Ok(text) => Ok((name, text)),
         Err(error) => Err(Error::Input(format!(
-            "{name}: {error}; a scene file is expected"
+            "{name}: {error}; expected a scene file"
         ))),
     }
 }
 
-/// The file asks for something impossible, or the motion could not be followed: two exit statuses.
+/// The error for a file that asks for something impossible, or for a motion that could not be followed: they have different exit statuses.
 fn told(name: &str, times: &[f64], error: spinning_bodies::Error) -> Error {
     use spinning_bodies::Error as Refusal;
     let wrong = |told: String| Error::Input(format!("{name}: {told}"));
     let failed = |more: &str| Error::Failed(format!("{name}: {error}{more}"));
     match error {
-        // The numbers of a file are finite, so it is one of their products or powers.
+        // The numbers of a file are finite, so a product or power of them has overflowed.
         Refusal::NotFinite { .. } => {
-            failed(": with numbers of this size it is beyond what doubles hold")
+            failed(": numbers of this size lead out of the range of doubles")
         }
         Refusal::OutOfRange { value, .. } if times.contains(&value) => {
             wrong(format!("keys `times`, `until` in [run]: {error}"))
@@ -315,9 +315,7 @@ fn told(name: &str, times: &[f64], error: spinning_bodies::Error) -> Error {
         | Refusal::Budget { .. }
         | Refusal::Ledger { .. }
         | Refusal::Amplified { .. } => failed(""),
-        Refusal::Accuracy { .. } => {
-            failed("; ask for less by `accuracy` in [run], or for a shorter time")
-        }
+        Refusal::Accuracy { .. } => failed("; set a larger `accuracy` in [run], or an earlier end"),
         Refusal::Solver { condition } => wrong(format!("key `solver` in [run]: {condition}")),
         _ => wrong(error.to_string()),
     }

@@ -1,4 +1,4 @@
-//! A motion as CSV or JSON, row by row; every number is read back exactly.
+//! A motion as CSV or JSON, row by row; every number can be read back exactly.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -15,7 +15,7 @@ use super::Motion;
 use crate::Result;
 use crate::writer::by_ending;
 
-/// How a motion is written.
+/// The format of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Format {
     /// A header line, and a line for each row.
@@ -25,15 +25,15 @@ pub enum Format {
 }
 
 impl Format {
-    /// The format asked for, or else the one that a file's name ends with; CSV if nothing tells.
+    /// The format asked for, or else the one given by the file's ending; CSV if neither decides.
     ///
     /// # Errors
-    /// [`Error::Input`](crate::Error::Input) for a name that ends as neither does, or as the other one.
+    /// [`Error::Input`](crate::Error::Input) for a name with another ending, or with that of the other format.
     pub fn of(asked: Option<Self>, path: Option<&Path>) -> Result<Self> {
         let what = match asked {
-            None => "written is CSV or JSON",
-            Some(Self::Csv) => "written is CSV",
-            Some(Self::Json) => "written is JSON",
+            None => "CSV or JSON",
+            Some(Self::Csv) => "CSV",
+            Some(Self::Json) => "JSON",
         };
         let known = asked
             .as_ref()
@@ -45,10 +45,10 @@ impl Format {
         by_ending(path.filter(tells), what, known)
     }
 
-    /// Runs a scene and writes its rows as they come, however many there are. Nothing is written before the first of them can be.
+    /// Runs a scene and writes its rows as they are computed, however many there are. Nothing is written before the first row is known.
     ///
     /// # Errors
-    /// What the writer says; what [`run`](super::run) says, inside.
+    /// Those of the writer, and inside them those of [`run`](super::run).
     pub fn write(self, motion: &Motion, to: &mut dyn Write) -> io::Result<()> {
         match self {
             Self::Csv => csv(motion, to),
@@ -57,11 +57,11 @@ impl Format {
     }
 }
 
-/// A long motion is run again and again to so many rows further: what has been written is not kept. The steps to the beginning of each part are taken anew,
+/// A long motion is run again for each part of this many rows, so that rows already written need not be kept. The steps up to the beginning of each part are repeated,
 /// which costs little where rows are many.
 const PART: usize = 200_000;
 
-/// What the parts of a motion sum up to.
+/// Summary of the parts of a motion.
 struct Sum {
     cost: Cost,
     error: f64,
@@ -113,7 +113,7 @@ fn is_long(motion: &Motion) -> bool {
     motion.request.times().len() > PART
 }
 
-/// A motion in parts. What cannot be followed to its end is refused before there is any.
+/// A motion in parts. One that cannot be followed to its end is refused before the first.
 fn parts(motion: &Motion) -> io::Result<impl Iterator<Item = io::Result<Table>>> {
     let run = |times: &[f64]| motion.awaited(times).map_err(io::Error::other);
     let times = motion.request.times();
@@ -146,7 +146,7 @@ fn csv(motion: &Motion, to: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-/// One object: plan, cost, ledger, units, rows; of a long motion the rows come first, for the rest is not known before they are.
+/// One object: plan, cost, ledger, units, rows; for a long motion the rows come first, because the rest is known only after them.
 fn json(motion: &Motion, to: &mut dyn Write) -> io::Result<()> {
     let begin = Instant::now();
     let (long, mut before, mut sum, mut told) = (is_long(motion), "\n    ", None, String::new());

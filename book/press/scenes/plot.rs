@@ -13,10 +13,10 @@ use crate::{Error, Result};
 /// More rows than a picture can show.
 const MOST: usize = 100_000;
 
-/// So many rows make a smooth line: a scene that asks for fewer is drawn at as many, evenly from its first time to its last.
+/// This many rows make a smooth line: a scene that asks for fewer is drawn with this many, evenly from its first time to its last.
 const SMOOTH: usize = 2001;
 
-/// What is drawn in a panel: the second column against the first, `t` being the time.
+/// A panel: the second column is drawn against the first; `t` is the time.
 pub type Panel = [String; 2];
 
 /// `COLUMN` against time, or `X:Y`, the second against the first.
@@ -38,10 +38,10 @@ pub fn columns(panels: &[Panel]) -> Vec<&str> {
     names.into_iter().collect()
 }
 
-/// Runs the scene, which tells the [`columns`] of the panels, and draws them.
+/// Runs the scene, which must have the [`columns`] of the panels, and draws them.
 ///
 /// # Errors
-/// [`Error::Input`] for more rows than can be drawn; what [`run`](super::run) says.
+/// [`Error::Input`] for more rows than can be drawn; those of [`run`](super::run).
 pub fn plot(motion: &Motion, panels: &[Panel]) -> Result<Figure> {
     let rows = motion.request.times().len();
     if rows > MOST {

@@ -1,4 +1,4 @@
-//! What each effect costs: every kind of scene with an effect and without it.
+//! The cost of each effect: every kind of scene with the effect and without it.
 //!
 //! The solver and the evaluations of the right-hand side are the same on every machine; `cargo bench -p lab --bench scenes -- --csv`
 //! measures the time beside them, and the table it writes is the source of the figure and of the book's tables.
@@ -15,14 +15,14 @@ use crate::Result;
 pub struct Priced {
     /// The word after `kind`.
     pub kind: String,
-    /// The scene but for its effects.
+    /// The scene without its effects.
     body: String,
-    /// What acts in any case while others are priced.
+    /// The effects that act in any case while others are priced.
     usual: Vec<String>,
-    /// What the scene cannot do without.
+    /// The effects that the scene cannot do without.
     #[serde(default)]
     pub needed: Vec<String>,
-    /// The effects: name, and the lines of the file that bring it about.
+    /// The effects: name, and the lines of the file that set it.
     pub effects: Vec<(String, String)>,
 }
 
@@ -49,7 +49,7 @@ impl Priced {
         )
     }
 
-    /// The files without and with one effect, what is usual acting in both; without is nothing where the scene needs the effect.
+    /// The files without and with one effect, both with the usual ones; the first is `None` if the scene needs the effect.
     pub fn pair(&self, effect: &str) -> (Option<String>, String) {
         let is_in = |list: &[String], name: &str| list.iter().any(|listed| listed == name);
         let usual = |name: &str| is_in(&self.usual, name);

@@ -1,4 +1,4 @@
-//! Scans: one scene file, some of its numbers varied over a grid, all cores at work.
+//! Scans: one scene file with some of its numbers varied over a grid, on all cores.
 
 use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
@@ -17,10 +17,10 @@ use super::{Motion, source, stem};
 use crate::writer::tell;
 use crate::{Error, Result};
 
-/// Numbers of a scene file that go through their ranges together: `initial.omega.2=50..200:16`.
+/// Numbers of a scene file that run through their ranges together: `initial.omega.2=50..200:16`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Over {
-    /// Where each number stands, and the ends of its range.
+    /// The path of each number, and the ends of its range.
     ranges: Vec<(String, f64, f64)>,
     count: usize,
     /// Equal ratios instead of equal differences.
@@ -38,11 +38,11 @@ impl FromStr for Over {
         let refused = |told: &str| Err(format!("`{text}` {told}"));
         let Some(over) = Self::read(text).filter(|over| (1..=MOST).contains(&over.count)) else {
             return refused(
-                "should look like initial.omega.2=50..200:16, a number of the file, its range, and how many values, at most a million; :log behind it for equal ratios, KEY=FROM..TO,KEY=FROM..TO:16 for numbers that vary together",
+                "should look like initial.omega.2=50..200:16: a number of the file, its range, and how many values, at most a million; add :log for equal ratios, or write KEY=FROM..TO,KEY=FROM..TO:16 for numbers that vary together",
             );
         };
         if over.count == 1 && over.ranges.iter().any(|(_, from, to)| from != to) {
-            return refused("asks for one value of a range of many");
+            return refused("asks for a single value, but its range has different ends");
         }
         let one_sign = |(_, a, b): &(_, f64, f64)| a.min(*b) > 0.0 || a.max(*b) < 0.0;
         if over.logarithmic && !over.ranges.iter().all(one_sign) {
@@ -52,12 +52,12 @@ impl FromStr for Over {
     }
 }
 
-/// A number that stands in an option.
+/// A finite number in an option.
 fn finite(text: &str) -> Option<f64> {
     text.parse().ok().filter(|number: &f64| number.is_finite())
 }
 
-/// To fifteen digits: a tenth is 0.1 then, not an ulp less.
+/// Rounded to fifteen digits, so that a tenth is 0.1 and not an ulp less.
 fn rounded(value: f64) -> f64 {
     format!("{value:.14e}").parse().unwrap_or(value)
 }
@@ -72,7 +72,7 @@ impl Over {
         let range = |text: &str| {
             let (path, range) = text.split_once('=')?;
             let (from, to) = range.split_once("..")?;
-            // Three dots: one may be a decimal point, and nobody can tell which.
+            // Three dots are ambiguous, because one of them may be a decimal point.
             let path = Some(path.trim()).filter(|path| !path.is_empty() && !to.starts_with('.'))?;
             Some((path.to_owned(), finite(from.trim())?, finite(to.trim())?))
         };
@@ -87,7 +87,7 @@ impl Over {
         self.ranges.iter().map(|(path, ..)| path.as_str())
     }
 
-    /// The values at a place of the grid; the ends are met exactly.
+    /// The values at a place of the grid; the ends are exact.
     fn values(&self, place: usize) -> impl Iterator<Item = f64> {
         let part = place as f64 / (self.count - 1).max(1) as f64;
         let value = move |from: f64, to: f64| match part {
@@ -102,12 +102,12 @@ impl Over {
     }
 }
 
-/// What is told of a column: `greatest:tilt`, `crossing:tilt=1.5`; of a column alone, its last value.
+/// A number asked of a column: `greatest:tilt`, `crossing:tilt=1.5`; a column alone stands for its last value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tell {
     column: String,
     what: What,
-    /// As it stands at the head of its numbers.
+    /// The heading of its numbers.
     head: String,
 }
 
@@ -117,7 +117,7 @@ enum What {
     Last,
     Least,
     Greatest,
-    /// When it is first at this level, s.
+    /// The time at which it first reaches this level, s.
     Crossing(f64),
 }
 
@@ -148,32 +148,32 @@ impl FromStr for Tell {
     fn from_str(text: &str) -> std::result::Result<Self, String> {
         Self::read(text).ok_or_else(|| {
             format!(
-                "`{text}` should be a column, or first:, last:, least:, greatest: and a column, or crossing:COLUMN=LEVEL for the time when it is there"
+                "`{text}` should be a column, or first:, last:, least: or greatest: before a column, or crossing:COLUMN=LEVEL for the time at which it reaches the level"
             )
         })
     }
 }
 
-/// A scan that is asked for.
+/// A scan to be run.
 #[derive(Debug)]
 pub struct Scan {
     name: String,
     text: String,
     overs: Vec<Over>,
-    /// What is told of a motion.
+    /// The numbers asked of a motion.
     tells: Vec<Tell>,
     /// The columns of a row after the time.
     columns: Vec<Column>,
 }
 
-/// What is told of a point, a number that is not there being none, or why there is nothing.
+/// The numbers asked of a point, `None` for one that does not exist; or the error of its motion.
 type Outcome = Result<Vec<Option<f64>>>;
 
-/// The varied numbers of a point, and what came of them.
+/// The varied numbers of a point, and their outcome.
 type Point = (Vec<f64>, Outcome);
 
 impl Scan {
-    /// The scan of a file; without anything to tell, of the last row of each motion.
+    /// The scan of a file; if `tells` is empty, the last row of each motion is given.
     ///
     /// # Errors
     /// [`Error::Input`] for a file that is not a scene, a number or a column that it does not have, a number that is to be varied twice, and more than a
@@ -186,15 +186,15 @@ impl Scan {
         for path in overs.iter().flat_map(Over::paths) {
             set(&name, &text, path, 0.0)?;
             if !all.insert(path.to_owned()) {
-                return refused(format!("`{path}` stands twice after --over"));
+                return refused(format!("--over: `{path}` is given twice"));
             }
         }
         if let Some(tell) = tells.iter().find(|tell| !all.insert(tell.head.clone())) {
-            return refused(format!("`{}` stands twice after --tell", tell.head));
+            return refused(format!("--tell: `{}` is given twice", tell.head));
         }
         let counts = overs.iter().map(|over| over.count);
         if counts.fold(1_usize, usize::saturating_mul) > MOST {
-            return refused(format!("a scan has at most {MOST} points"));
+            return refused(format!("a scan may have at most {MOST} points"));
         }
         let named: BTreeSet<&str> = tells.iter().map(|tell| tell.column.as_str()).collect();
         let motion = motion.telling("--tell, --plot", &Vec::from_iter(named))?;
@@ -212,7 +212,7 @@ impl Scan {
         })
     }
 
-    /// How many points the grid has.
+    /// Number of points of the grid.
     pub fn points(&self) -> usize {
         self.overs.iter().map(|over| over.count).product()
     }
@@ -262,13 +262,13 @@ impl Scan {
         self.tells.iter().map(told).collect()
     }
 
-    /// The heads of all numbers: those of the varied ones, and of what is told.
+    /// The headings of all numbers: the varied ones, then those asked for.
     fn heads(&self) -> Vec<String> {
         let told = self.tells.iter().map(|tell| tell.head.clone());
         self.paths().map(str::to_owned).chain(told).collect()
     }
 
-    /// Runs the scene at every point of the grid, on all cores, and tells how that went: whether any point could be run. `done` is called after each.
+    /// Runs the scene at every point of the grid, on all cores; the result is an error if no point could be run. `done` is called after each.
     /// Warnings go to standard error.
     fn ran(&self, done: impl Fn() + Sync) -> (Vec<Point>, Result<()>) {
         self.warn();
@@ -285,11 +285,11 @@ impl Scan {
         let ran = match refusals[..] {
             [] => Ok(()),
             [first, ..] if refused == all => Err(Error::Failed(format!(
-                "no point of the scan could be run; the first: {first}"
+                "no point of the scan could be run; the first error: {first}"
             ))),
             [first, ..] => {
                 tell(format_args!(
-                    "warning: {refused} of {all} points are refused; the first: {first}"
+                    "warning: {refused} of {all} points are refused; the first error: {first}"
                 ));
                 Ok(())
             }
@@ -297,10 +297,10 @@ impl Scan {
         (points, ran)
     }
 
-    /// Runs it and gives the text of what is told, and whether any point could be run. `done` is called after each point.
+    /// Runs the scan and returns its output, and an error if no point could be run. `done` is called after each point.
     ///
-    /// CSV: a line a point, the varied numbers, what is told, and `ok` or why there is nothing. JSON: an object with the rows, and apart from them what was
-    /// refused.
+    /// CSV: a line for each point, with the varied numbers, the numbers asked for, and `ok` or the reason for their absence. JSON: an object with the rows, and
+    /// separately the refused points.
     pub fn run(&self, format: Format, done: impl Fn() + Sync) -> (String, Result<()>) {
         let (points, ran) = self.ran(done);
         let text = match format {
@@ -310,7 +310,7 @@ impl Scan {
         (text, ran)
     }
 
-    /// Runs it and draws the first number that is told: over one range a line, over two a map.
+    /// Runs the scan and draws the first number asked for: a line over one range, a map over two.
     ///
     /// # Errors
     /// [`Error::Input`] for more ranges or too large a map, [`Error::Failed`] if no point could be run.
@@ -332,7 +332,7 @@ impl Scan {
             Ok(&[Some(first), ..]) => first,
             _ => f64::NAN,
         };
-        // A crossing is told by its time.
+        // A crossing is given by its time.
         let tell = &self.tells[0];
         let is_time = matches!(tell.what, What::Crossing(_));
         let column = self.columns.first().filter(|_| !is_time);
@@ -392,7 +392,7 @@ impl Scan {
         format!("{{\n  \"rows\": {rows},\n  \"refused\": {refused}\n}}\n")
     }
 
-    /// Says what a reader of the rows must know: the mass alone varies, beside an inertia that is not per mass.
+    /// Warns if the mass alone varies beside an inertia that is not per mass.
     fn warn(&self) {
         let varied: Vec<&str> = self.paths().filter_map(key_of_body).collect();
         let numbers = files::numbers(&self.text);
@@ -404,7 +404,7 @@ impl Scan {
         {
             let name = &self.name;
             tell(format_args!(
-                "warning: {name}: `body.mass` varies and `{stays}` in [body] stays as it is: each row is another body, not the same one made heavier"
+                "warning: {name}: `body.mass` varies but `{stays}` in [body] does not: each row is a different body, not the same one made heavier"
             ));
         }
     }
@@ -415,14 +415,14 @@ fn key_of_body(path: &str) -> Option<&str> {
     path.strip_prefix("body.")?.split('.').next()
 }
 
-/// The keys that say how a body resists being turned, whatever its mass.
+/// The keys that give a body's inertia independently of its mass.
 const ABSOLUTE: [&str; 3] = ["moments", "inertia", "axial"];
 
 /// The file with another number in one place.
 fn set(name: &str, text: &str, path: &str, value: f64) -> Result<String> {
     files::set(text, path, value).ok_or_else(|| {
         let numbers = files::numbers(text);
-        // What has only its table in common with it would not help.
+        // A number that shares only the table with it would be no help.
         let key = |path: &str| path.split_once('.').map_or(path, |(_, key)| key).to_owned();
         let alike = |number: &&str| {
             let other = key(number);
@@ -430,21 +430,21 @@ fn set(name: &str, text: &str, path: &str, value: f64) -> Result<String> {
         };
         let near = files::meant(path, numbers.iter().map(String::as_str).filter(alike));
         Error::Input(format!(
-            "{name}: there is no number `{path}` to vary; keys are joined by dots, places in a list count from 0{near}"
+            "{name}: there is no number `{path}` to vary; keys are joined by dots, and places in a list count from 0{near}"
         ))
     })
 }
 
-/// Between two rows the scene is asked at so many times, and between two of those again, so often; what is left is a straight line.
+/// Between two rows the scene is computed at this many times, and between two of those again, in this many rounds; then a straight line is taken.
 const PARTS: usize = 64;
 const ROUNDS: usize = 3;
 
-/// The first of the times at which a column is at a level; the rows are times and what it tells then. A jump over the level, as at a bounce, counts; an
-/// angle that goes round is at π and −π at once.
+/// The first time at which a column reaches a level; the rows are times and the column's numbers. A jump over the level,
+/// as at a bounce, counts; an angle that goes round is at π and −π at once.
 fn crossing(motion: &Motion, name: &str, level: f64, rows: &[[f64; 2]]) -> Result<Option<f64>> {
     let mut columns = motion.scene.told();
     let goes_round = columns.any(|column| column.name == name && column.goes_round);
-    // Where between two rows, as a part of the way.
+    // The position between two rows, as a fraction.
     let part = |a: f64, b: f64| {
         let leaps = goes_round && (b - a).abs() > PI;
         let b = if leaps { b - TAU.copysign(b - a) } else { b };

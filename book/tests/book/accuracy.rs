@@ -73,10 +73,13 @@ fn a_file_that_cannot_be_there_is_refused_before_anything_is_measured() {
     let folder = scratch();
     let missing = folder.path().join("missing").join("rows.csv");
     let output = accuracy(&["--csv", missing.to_str().unwrap()]);
-    refused(&output, &["missing", "no such folder"]);
+    refused(
+        &output,
+        &["missing", "the folder of this file does not exist"],
+    );
     assert!(!missing.parent().unwrap().exists());
     let output = accuracy(&["--csv", folder.path().to_str().unwrap()]);
-    refused(&output, &["a file is expected"]);
+    refused(&output, &["expected a file, this is a folder"]);
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
 }
 

@@ -340,7 +340,7 @@ fn a_run_ends_with_its_budget_and_tells_how_far_it_came() {
                 error.to_string()
             }
         };
-        let after = format!("after {FEW} of {FEW} evaluations");
+        let after = format!("after {FEW} of the {FEW} evaluations");
         assert!(told.contains(&after), "{told}");
         let (_, time) = told.split_once("t = ").unwrap();
         let time: f64 = time.split(' ').next().unwrap().parse().unwrap();

@@ -68,7 +68,7 @@ fn every_scene_of_the_book_is_filmed() {
         ("--plot x:x", "has no column `x`"),
         ("--film --plot tilt", "cannot be used with"),
         ("--film --speed 0", "expected a speed from"),
-        ("--film --output x.png", "should end with `.svg`"),
+        ("--film --output x.png", "must end with `.svg`"),
         ("--frames src 10", "expected an empty folder or a new one"),
         ("--frames stills 0", "a whole number from 1 to 10000"),
     ] {
@@ -82,7 +82,7 @@ fn every_scene_of_the_book_is_filmed() {
         &["--frames", "stills", "2"],
     ] {
         let done = super::scene(&scene, options);
-        let told = "mine.toml: key `until` or `times` in [run]: expected times that go on";
+        let told = "mine.toml: key `until` or `times` in [run]: expected more than one time";
         refused(&done, &[options[0], told]);
     }
 }

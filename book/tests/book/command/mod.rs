@@ -28,7 +28,7 @@ fn wrong_usage_is_told_in_one_line_and_status_2() {
         ("figures spool-dial --data x.svg", "`.csv`"),
         (
             "figures spool-dial --set axle=0.5,axle=0.6",
-            "axle stands there twice",
+            "axle is given twice",
         ),
         ("figures spool-dial --as svg --width 100", "got 100"),
         ("scene --keys run", "no kind `run`"),
@@ -38,7 +38,7 @@ fn wrong_usage_is_told_in_one_line_and_status_2() {
         ("scene racket --frames stills -1", "N is '-1'"),
         (
             "scan racket --over body.moments.0=1..2:2 --tell l,l",
-            "`l` stands twice",
+            "`l` is given twice",
         ),
     ] {
         let output = typed(line);

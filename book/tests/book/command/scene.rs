@@ -58,7 +58,7 @@ fn the_name_of_the_output_tells_its_format() {
         &["--output", &out("x.json"), "--format", "csv"],
         &["--output", &out("x.csv"), "--format", "json"],
     ] {
-        refused(&scene(&file, arguments), &["x.", "should end with"]);
+        refused(&scene(&file, arguments), &["x.", "must end with"]);
     }
     let (over, svg) = ("initial.omega.0=0..1:2", out("x.svg"));
     let scan = ["scan", file.to_str().unwrap()];
@@ -72,9 +72,9 @@ fn what_cannot_be_written_is_refused_before_any_work() {
     // Half a minute of work, if it were begun.
     let (folder, file) = racket(500_000);
     for (name, words) in [
-        ("missing/rows.csv", "no such folder"),
-        (".", "not a folder"),
-        ("mine.toml", "should end with"),
+        ("missing/rows.csv", "the folder of this file does not exist"),
+        (".", "this is a folder"),
+        ("mine.toml", "must end with"),
     ] {
         let path = folder.path().join(name);
         let output = scene(&file, &["--output", path.to_str().unwrap()]);

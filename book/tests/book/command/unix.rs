@@ -94,7 +94,7 @@ fn the_input_is_not_overwritten() {
     symlink("mine.csv", at("soft.csv")).unwrap();
     let output = at("mine.csv");
     let name = folder.path().file_name().unwrap();
-    let spared = |output: &Output| refused(output, &["that is the input"]);
+    let spared = |output: &Output| refused(output, &["this is the input file"]);
     for out in ["mine.csv", "hard.csv", "soft.csv", "./mine.csv"] {
         spared(&scene(&output, &["--output", at(out).to_str().unwrap()]));
     }

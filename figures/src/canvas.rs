@@ -1,4 +1,4 @@
-//! The marks that a pen leaves on the canvas, and how a backend of plotters draws them.
+//! The marks of a drawing, and how a backend of plotters draws them.
 //!
 //! A mark knows its role, not its colour; the finisher puts colours in. The backend is called directly, so that a page in a
 //! browser needs `plotters-svg` and nothing else of plotters.
@@ -16,7 +16,7 @@ use plotters_backend::{
 pub enum Role {
     /// The colour of the text around the figure.
     Ink,
-    /// Ink that steps back: remarks, construction lines.
+    /// Fainter ink: remarks, construction lines.
     Muted,
     /// Angular velocity.
     Omega,
@@ -24,7 +24,7 @@ pub enum Role {
     AngularMomentum,
     /// Torque.
     Torque,
-    /// The light on a round body: a radial gradient of ink.
+    /// The shading of a round body: a radial gradient of ink.
     Shade,
     /// The page: the fill of a nearer body that hides what is behind it.
     Paper,
@@ -76,7 +76,7 @@ pub enum Anchor {
 pub struct Paint {
     /// What the colour means.
     pub role: Role,
-    /// From nothing, 0, to all, 1.
+    /// Opacity, from 0 to 1.
     pub alpha: f64,
     /// Width of the stroke.
     pub width: u32,
@@ -117,9 +117,9 @@ pub enum Mark {
     Text {
         /// The point at which their base line starts, is centred or ends.
         at: BackendCoord,
-        /// Which of these.
+        /// Its alignment.
         anchor: Anchor,
-        /// What they say, with `*x*`, `_{…}` and `^{…}` as the pen takes them.
+        /// The text, with the markup `*x*`, `_{…}` and `^{…}`.
         body: String,
         /// Their paint; the width is not used.
         paint: Paint,

@@ -1,4 +1,4 @@
-//! What a throw keeps (tutorial 3.2, 3.3): L of a brick in the air, and Ω that wanders about it.
+//! What a thrown body conserves (tutorial 3.2, 3.3): L of a brick in the air, about which Ω moves.
 
 use nalgebra::UnitQuaternion;
 use spinning_bodies::conservation::uniform_gravity;
@@ -31,7 +31,7 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
     let (sin, cos) = off.to_radians().sin_cos();
     let omega = BodyVector::new(sin, cos, 0.0) * (TAU * turns);
     let l = body.inertia().angular_momentum(omega);
-    // L upwards, the long edge to the right as far as that goes.
+    // L points upwards, and the long edge as far to the right as it can.
     let upright = UnitQuaternion::rotation_between(&l.components(), &Vector::z());
     let upright = upright.unwrap_or_default().into_inner();
     let start = Attitude::from_quaternion(upright.w, upright.i, upright.j, upright.k)?;
@@ -125,7 +125,7 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
 mod tests {
     use super::*;
 
-    /// Newton, for the eight masses that have the inertia of the brick: their L at the throw, and energy, are those of all rows.
+    /// Eight point masses with the inertia of the brick, by Newton's laws: L and energy at the throw equal those of every row.
     #[test]
     fn eight_masses_keep_what_the_brick_keeps() {
         let (s, c) = 20_f64.to_radians().sin_cos();

@@ -24,7 +24,7 @@ parameters! {
 /// The parameters: the moments.
 pub const FLOW: &[Parameter] = &[FIRST, SECOND, THIRD];
 
-/// Strength of what lies on the far side of the sphere.
+/// Opacity of curves on the far side of the sphere.
 const BEHIND: f64 = 0.22;
 /// Steps of integration between two dots.
 const STEPS: usize = 16;
@@ -32,7 +32,7 @@ const STEPS: usize = 16;
 /// One closed line of the flow, and the points it passes at equal times.
 struct Orbit {
     curve: Vec<Vector>,
-    /// Place in `curve` of the point at time zero; the dots are a multiple of [`STEPS`] away from it.
+    /// Index in `curve` of the point at time zero; the dots are a multiple of [`STEPS`] away from it.
     zero: usize,
 }
 
@@ -77,7 +77,7 @@ impl Orbit {
 
     fn draw_dots(&self, pen: &mut Pen, view: &View, radius: f64, saddle: usize) {
         let dots = self.curve[self.zero % STEPS..].iter().step_by(STEPS);
-        // At the rim and at the saddle they would be a blot.
+        // At the rim and at the saddle the dots would overlap.
         for dot in dots.filter(|p| p.dot(&view.toward) > 0.1 && p[saddle].abs() < 0.99) {
             pen.disc(view.project(dot), radius, AngularMomentum, 1.0);
         }
@@ -127,7 +127,7 @@ pub fn momentum_flow(values: &Values) -> Result<Figure> {
     let is = |axis: usize, nature: Nature| still[2 * axis].nature == nature;
     let parted = is(middle, Nature::Saddle);
     let fastest = fastest_flow(&sorted);
-    // As many dots to a slow flow as to a quick one.
+    // A slow flow gets as many dots as a fast one.
     let tick = if fastest > 0.0 {
         (0.8 / (3.0 * fastest) * 10.0).round() / 10.0
     } else {
@@ -281,7 +281,7 @@ pub fn momentum_flow(values: &Values) -> Result<Figure> {
 /// Radius of the sphere, units.
 const RADIUS: f64 = 178.0;
 
-/// The axes outside the sphere; faint and dotted behind it.
+/// The axes outside the sphere; faint and dotted where they are behind it.
 fn axes(pen: &mut Pen, view: &View) {
     let sphere = Vector::new(1.0, 1.0, 1.0);
     for axis in 0..3 {

@@ -1,4 +1,4 @@
-//! The reader's own motions as pictures of the body itself: a still at a time, and a film of many.
+//! The reader's own motions as pictures of the body: stills, and films.
 
 use core::f64::consts::TAU;
 use core::fmt::Write as _;
@@ -17,7 +17,7 @@ use crate::{Figure, Theme};
 /// It is the convex hull of ellipsoids, which may be flat or points, with lines on its surface; or a bar.
 #[derive(Default)]
 struct Body {
-    /// Middle and half axes of each.
+    /// Centre and half axes of each ellipsoid.
     rounds: Vec<(Vector, Matrix3<f64>)>,
     /// Points of lines with the outward normals of the two faces that meet there: a point is hidden if both faces look away from the eye.
     edges: Vec<Vec<[Vector; 3]>>,
@@ -52,7 +52,7 @@ impl Body {
                 [place, normal, normal]
             })
         };
-        // A small ring tells one end of the third axis from the other.
+        // A small ring distinguishes the ends of the third axis.
         let rings = [([0, 1], 1.0), ([1, 2], 1.0), ([2, 0], 1.0), ([0, 1], 0.3)];
         Self {
             rounds: vec![(Vector::zeros(), half)],
@@ -185,7 +185,7 @@ impl Body {
     }
 }
 
-/// The line without the points that it would go through anyway.
+/// The line without the points that lie on it anyway.
 fn thinned(line: &[Point]) -> Vec<Point> {
     let mut kept: Vec<Point> = Vec::new();
     for (k, [x, y]) in line.iter().enumerate() {
@@ -214,7 +214,7 @@ const CORNERS: u32 = 36;
 const INNER: u32 = 24;
 /// An edge of an outline that may be a curve, units.
 const LONG: f64 = 16.0;
-/// Bends shallower than this are not seen, units.
+/// Bends shallower than this are not visible, units.
 const FINE: f64 = 0.12;
 
 fn round_about<T>(at: impl Fn(f64) -> T) -> Vec<T> {
@@ -225,11 +225,11 @@ fn round_about<T>(at: impl Fn(f64) -> T) -> Vec<T> {
 /// A motion that can be drawn.
 #[derive(Debug)]
 pub struct Film<'a> {
-    /// What the motion is called.
+    /// The name of the motion.
     pub title: &'a str,
     /// Seconds of the motion in a second of the film.
     pub speed: f64,
-    /// What is seen at times (s) that follow each other evenly, one at least.
+    /// The view at each of the given times (s), which are equally spaced; there is at least one.
     pub shots: Vec<(f64, Sight)>,
 }
 
@@ -237,7 +237,7 @@ const HEIGHT: f64 = 420.0;
 const MIDDLE: Point = [300.0, 200.0];
 /// Length of the longest arrow of a film, units.
 const ARROW: f64 = 150.0;
-/// The direction from which it is seen: a little from the right and from above.
+/// The direction of view: slightly from the right and from above.
 const DIRECTION: [f64; 2] = [-1.2, 0.3];
 
 /// What the arrows and the view have in common.
@@ -299,7 +299,7 @@ impl Film<'_> {
         };
         let way = [Vector::x(), Vector::y(), Vector::z()].map(far);
         let bounded = matches!(around, Around::Under(_) | Around::String);
-        // A way longer than nine bodies is followed.
+        // If the path is longer than nine bodies, the view moves with the body.
         let followed = !bounded && way.into_iter().fold(0.0, f64::max) > 9.0 * reach;
         let view = match followed {
             true => View::new(DIRECTION[0], DIRECTION[1], MIDDLE, 72.0 / reach),
@@ -340,7 +340,7 @@ impl Film<'_> {
                 }
             }
         }
-        // The factor by which they may be shortened.
+        // The factor by which the arrows may be shortened.
         scenery.shares = scenery.shares.map(|share| share * within.max(0.3));
         scenery
     }
@@ -412,7 +412,7 @@ impl Film<'_> {
         let sizes = omega[0].hypot(omega[1]) * l[0].hypot(l[1]);
         let sine = (omega[0] * l[1] - omega[1] * l[0]) / sizes;
         let same = sizes > 0.0 && omega[0] * l[0] + omega[1] * l[1] > 0.0;
-        // Where one covers the other they go side by side, and each name has a side of its own.
+        // Where one covers the other, they are drawn side by side, with their names on different sides.
         let apart = if same {
             (1.0 - sine.abs() / 0.08).max(0.0)
         } else {
@@ -457,7 +457,7 @@ impl Film<'_> {
         for (solid, stands) in solids {
             Body::of(solid).draw(pen, &view, stands);
         }
-        // What the body hides of an arrow is dashed.
+        // The part of an arrow that the body hides is dashed.
         for (ends, role, ..) in &behind {
             pen.line(ends, stroke(*role, SECONDARY).dashed());
         }
@@ -471,7 +471,7 @@ impl Film<'_> {
         pen.note([24.0, HEIGHT - 32.0], Start, &time);
     }
 
-    /// Decimals that tell two pictures apart.
+    /// The number of decimals needed for different times of two pictures.
     fn decimals(&self) -> usize {
         let times = self.shots.first().zip(self.shots.get(1));
         let step = times.map_or(1.0, |(a, b)| (b.0 - a.0).abs());
@@ -517,7 +517,7 @@ impl Film<'_> {
     }
 
     /// The file that shows all of them in sequence, for this long (s), and then begins again. It holds still under the pointer, shows its middle picture to
-    /// readers who want no motion, and is dark on a dark screen.
+    /// readers who prefer reduced motion, and is dark on a dark screen.
     pub fn film(&self, seconds: f64) -> String {
         let count = self.shots.len();
         let pace = match brief(self.speed).as_str() {
@@ -543,7 +543,7 @@ impl Film<'_> {
                 self.draw(pen, &scenery, shot)
             });
             let middle = if k == count / 2 { " still" } else { "" };
-            // To the microsecond, or a picture would be gone before the next one comes.
+            // To the microsecond, because otherwise a picture would vanish before the next one appears.
             let delay = short(seconds * k as f64 / count as f64, 6);
             let _ = writeln!(
                 moving,
@@ -578,5 +578,5 @@ fn colours(theme: Theme) -> String {
 }
 
 const NAME: &str = "film";
-/// The style for readers who want no motion.
+/// The style for readers who prefer reduced motion.
 const STILL: &str = ".fig-film{animation:none}.fig-film.still{visibility:visible}";

@@ -103,7 +103,7 @@ pub fn plain(svg: &str, look: Look) -> String {
         out.push_str(fallback.trim_start());
         out.push_str(after);
     }
-    // A stroke of so many pixels on the page is one of so many units in the file.
+    // A stroke has as many units in the file as it has pixels on the page.
     let mut parts = out.split("style=\"stroke-width:calc(");
     let mut lines = parts.next().unwrap_or_default().to_owned();
     for part in parts {
@@ -177,12 +177,12 @@ fn text_element(svg: &mut String, name: &str, line: &str, body: &str, extra: &st
     let _ = writeln!(svg, "{extra}>{}</text>", rich(body, size));
 }
 
-/// `*x*` to an italic letter, `_{…}` and `^{…}` to an index and a power, in a text of `size` canvas units.
+/// Converts `*x*` to an italic letter, `_{…}` to an index and `^{…}` to a power, in a text of `size` canvas units.
 fn rich(body: &str, size: f64) -> String {
     let small = (0.76 * size).max(LEAST * SCALE);
     let mut out = String::new();
     let mut italic = false;
-    // A prime stands as high as a power: the glyph is made for that.
+    // A prime is not raised: its glyph is already as high as a power.
     let body = body.replace('\u{2032}', "^{\u{2032}}");
     let mut rest = body.as_str();
     // Base line offset of the piece before, canvas units; a `tspan` shifts all that follows it.
@@ -262,7 +262,7 @@ pub fn keyframes(name: &str, frames: impl Iterator<Item = (String, impl Display)
     format!("@keyframes {name}{{{frames}}}")
 }
 
-/// The end of a film's style sheet: the motion stops under the pointer, for readers who want no motion, and on paper.
+/// The end of a film's style sheet: the motion stops under the pointer, for readers who prefer reduced motion, and on paper.
 pub fn stops(name: &str, moving: &str) -> String {
     format!(
         "#fig-{name}-svg:hover :is({moving}){{animation-play-state:paused}}\

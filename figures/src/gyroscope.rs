@@ -18,7 +18,7 @@ const WHEEL: f64 = 0.034_64;
 const ACROSS: f64 = 3e-5 + MASS * ARM * ARM;
 const ALONG: f64 = 6e-5;
 const GRAVITY: f64 = 9.81;
-/// Seconds between both L that are drawn.
+/// Seconds between the two L that are drawn.
 const STEP: f64 = 0.5;
 /// How long an L of one kg m²/s is drawn, m.
 const LENGTH: f64 = 2.2;
@@ -30,11 +30,11 @@ parameters! {
 
 /// How far the axle reaches, m.
 const HOLD: f64 = 0.06;
-/// From how far above it is seen, radians, and units a metre.
+/// The elevation of the view, radians, and the units per metre.
 const SEEN: f64 = 0.36;
 const SCALE: f64 = 1750.0;
 
-/// From a little above; the support stands as low as the highest of the wheel and the tip's circle wants it.
+/// Seen from slightly above; the support is low enough for the wheel and the circle of the tip to fit above it.
 fn view(values: &Values) -> View {
     let (sin, cos) = values.of(&TILT).to_radians().sin_cos();
     let length = LENGTH * ALONG * TAU * values.of(&TURNS);
@@ -156,7 +156,7 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
 mod tests {
     use super::*;
 
-    /// L changes as the torque of a weight on a lever requires, and neither its height nor its length changes.
+    /// L changes with the torque of a weight on a lever, while its height and its length are constant.
     #[test]
     fn the_weight_moves_l_as_the_lever_says() {
         for tilt in [30.0_f64, 60.0, 90.0, 120.0] {

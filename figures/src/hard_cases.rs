@@ -11,17 +11,17 @@ pub const FIGURES: &[Entry] = &[
     of("hard-cases-bodies", &[], bodies),
 ];
 
-/// The error shown: the textbook's or ours.
+/// Which error is shown: that of the textbook's formula or of ours.
 const TEXTBOOK: Role = Muted;
 const OURS: Role = Ink;
 
-/// The range of errors shown, from a tenth of a rounding to 1, at which nothing is right.
+/// The range of errors shown, from a tenth of a rounding to 1, where no digit is right.
 const SHOWN: [f64; 2] = [1e-17, 1.0];
 
 /// The nearness at which the chapter's first picture is taken.
 const CLOSE: f64 = 1e-6;
 
-/// Twelve formulas a millionth away from trouble.
+/// Twelve formulas at a distance of a millionth from their hard case.
 pub fn overview(_: &Values) -> Result<Figure> {
     let all = families();
     let rows = tried(&all, |family| Ok((family, closest(family, CLOSE)?)))?;
@@ -116,7 +116,7 @@ fn panels(name: &'static str, words: Words, names: [&str; 6]) -> Result<Figure> 
         }
     }
     Ok(figure(name, 786.0, words, |pen| {
-        // In the order of the panels; the comparisons come in that of the families.
+        // In the order of the panels; the comparisons are in the order of the families.
         walks.sort_by_key(|walk| walk.0);
         let mut frames = Vec::new();
         for (place, title, steps) in &walks {
@@ -131,7 +131,7 @@ fn panels(name: &'static str, words: Words, names: [&str; 6]) -> Result<Figure> 
 }
 
 fn panel(pen: &mut Pen, corner: Point, title: &[String], steps: &[Comparison]) -> Frame {
-    // The nearest at the right, as far as doubles have a say.
+    // The nearest at the right, as near as doubles allow.
     let (last, before) = title.split_last().expect("a title has a line");
     for (k, line) in before.iter().rev().enumerate() {
         let place = [corner[0], corner[1] - 34.0 - 20.0 * k as f64];

@@ -72,7 +72,7 @@ pub fn meteorite(values: &Values) -> Result<Figure> {
     let made = figure("meteorite", 380.0, words, |pen| {
         pen.disc(CENTER, RADIUS, Shade, 0.8);
         pen.ring(CENTER, RADIUS, inked(DATA));
-        // Equator and a meridian, so that the ball is seen to be round.
+        // The equator and a meridian show that the ball is round.
         let [seen, hidden] = view.halves(&latitude(0.0, 1.0, 240));
         pen.lines(seen, inked(HAIR).alpha(0.7));
         pen.lines(hidden, inked(HAIR).alpha(0.25));
@@ -84,7 +84,7 @@ pub fn meteorite(values: &Values) -> Result<Figure> {
         let place = view.project(&at.components());
         let back = velocity.components() / velocity.norm();
         let start = |far: f64| view.project(&(at.components() - far * back));
-        // From as far away as there is room for.
+        // It comes from as far away as there is room for.
         let far = (0..60).map(|k| start(3.3 - 0.05 * f64::from(k)));
         let come = far.into_iter().find(within([40.0, 400.0], [20.0, 364.0]));
         let come = come.unwrap_or(start(0.3));

@@ -51,7 +51,7 @@ pub fn ellipsoid(values: &Values) -> Result<Figure> {
     );
 
     let semi = Vector::from(semi);
-    // As large as the tips of the axes allow; the axes stand out by the same length on the page.
+    // As large as the tips of the axes allow; all axes project from it by the same length on the page.
     let reach = [1.2, 1.5, 1.5];
     let whole = View::new(-0.9, 0.46, [0.0, 0.0], 1.0);
     let scale = (0..3).map(|k| {
@@ -121,7 +121,7 @@ fn box_with_bulges(pen: &mut Pen, view: &View, half: &Vector, semi: &Vector) {
         for b in [u + v, u - v, -u - v, v - u] {
             curves.push((segment(b - a, b + a, 240), SECONDARY));
         }
-        // Where the ellipsoid goes through the faces.
+        // The curves in which the ellipsoid crosses the faces.
         let sine = (1.0 - (half[k] / semi[k]).powi(2)).sqrt();
         let [_, u, v] = axes(semi, k).map(|axis| axis * sine);
         for middle in [a, -a] {
@@ -134,7 +134,7 @@ fn box_with_bulges(pen: &mut Pen, view: &View, half: &Vector, semi: &Vector) {
         let [seen, hidden] = view.split(&curve, |p| {
             !box_hides(half, p, &view.toward) && !ellipsoid_hides(semi, p, &view.toward)
         });
-        // Rims at the back would only confuse.
+        // Rims at the back are not drawn, because they would only confuse.
         let hidden = if width == AXIS { Vec::new() } else { hidden };
         pen.lines(hidden, inked(HAIR).alpha(HIDDEN));
         pen.lines(seen, inked(width));
@@ -146,7 +146,7 @@ const MOMENT_SCALE: f64 = 426.0;
 /// Units of the design for an edge of the cube.
 const BODY_SCALE: f64 = 48.0;
 
-/// The moment about every axis of a plane, for a cube and for a brick; the five regular solids below. A table of seven given bodies: nothing to choose.
+/// The moment about every axis of a plane, for a cube and for a brick, and the five regular solids below. The seven bodies are given, so the figure has no parameters.
 pub fn rosettes(_: &Values) -> Result<Figure> {
     let cube = shapes::cuboid(1.0, [1.0, 1.0, 1.0])?.inertia();
     let brick = shapes::cuboid(1.0, [1.0, 1.0, 2.0])?.inertia();
@@ -251,7 +251,7 @@ impl Rosette {
     }
 }
 
-/// The three axes of the quiz, without an answer. Constant: a cube is a cube.
+/// The three axes of the quiz, without the answer. The figure has no parameters.
 pub fn quiz(_: &Values) -> Result<Figure> {
     let cube = PlatonicSolid::Cube;
     let corners = cube.vertices(1.0)?.len();

@@ -53,7 +53,7 @@ fn launched(start: &TopState) -> Result<KovalevskayaTop> {
 /// The place of the centre of mass.
 const LEVER: BodyVector = BodyVector::new(1.0, 0.0, 0.0);
 
-/// How long the scribble, the circle and the ring are followed.
+/// Duration of the motion that the scribble, the circle and the ring show.
 const SECONDS: f64 = 240.0;
 const SAMPLES: u32 = 6000;
 
@@ -61,7 +61,7 @@ const SAMPLES: u32 = 6000;
 const PANEL: f64 = 88.0;
 const MIDDLE: f64 = 112.0;
 
-/// What the body does, what her constant does, and what the same expression does for slightly wrong moments.
+/// The motion of the body, Kovalevskaya's constant during it, and the same expression for slightly different moments.
 pub fn circle(values: &Values) -> Result<Figure> {
     let at_start = start(values)?;
     let ratio = values.of(&RATIO);
@@ -82,7 +82,7 @@ pub fn circle(values: &Values) -> Result<Figure> {
     let sizes = || wandering.iter().map(|[x, y]| x.hypot(*y));
     let (least, greatest) = (sizes().fold(k, f64::min), sizes().fold(k, f64::max));
 
-    // The widest gap in what K has seen of its circle, rad.
+    // The widest gap in the part of its circle that K has passed, rad.
     let mut angles: Vec<f64> = hers.iter().map(|p| p[1][1].atan2(p[1][0])).collect();
     angles.sort_by(f64::total_cmp);
     let round = angles[0] + TAU - angles[angles.len() - 1];
@@ -158,13 +158,13 @@ pub fn circle(values: &Values) -> Result<Figure> {
         .data("K of other moments", columns, rows(wandering)))
 }
 
-/// P(s) with its five roots: s₁ swings in the middle band, s₂ comes from −∞ and goes back.
+/// P(s) with its five roots: s₁ oscillates in the middle band, s₂ comes from −∞ and goes back.
 pub fn bands(values: &Values) -> Result<Figure> {
     let top = launched(&start(values)?)?;
     let roots = top.roots();
     let mut real: Vec<f64> = roots.iter().filter(|e| e.im == 0.0).map(|e| e.re).collect();
     real.sort_by(f64::total_cmp);
-    // Where the two variables are found; the second comes from −∞.
+    // The bands of the two variables; that of the second begins at −∞.
     let times = (0..400).map(|n| 0.1 * f64::from(n));
     let found = tried(times, |t| {
         Ok(top.separation_variables(&top.omega_and_up(t)?))
@@ -202,7 +202,7 @@ pub fn bands(values: &Values) -> Result<Figure> {
          are marked on the axis."
     );
 
-    // As high as the polynomial is between its outermost roots, and a little more beside them.
+    // The range of the polynomial between its outermost roots, and slightly beyond them.
     let (from, to) = (real[0] - 1.1, real[real.len() - 1] + 0.35);
     let grid: Vec<(f64, f64)> = spaced([from, to], 600).map(|s| (s, value(s))).collect();
     let made = figure("kovalevskaya-bands", 226.0, words, |pen| {
@@ -312,7 +312,7 @@ pub fn classes(values: &Values) -> Result<Figure> {
     Ok(made.data("starts", "energy (J) | L_vert² (J² s²)", motions))
 }
 
-/// A stretch of the axis with the name of what moves there, clear of the curve.
+/// A part of the axis with the name of the variable that moves there, clear of the curve.
 fn band(pen: &mut Pen, [from, to]: [f64; 2], name: &str, taken: &[Point]) {
     pen.line([[from, LEVEL], [to, LEVEL]], inked(7.0).alpha(0.4));
     let middle = 0.5 * (from + to);

@@ -1,4 +1,4 @@
-//! The figures of the book: one file a chapter, one style for all.
+//! The figures of the book: one file for each chapter, one style for all.
 //!
 //! A figure takes values from the library and draws them; it computes no physics itself.
 
@@ -64,9 +64,9 @@ pub struct Figure {
     pub claim: String,
     /// The rest of the caption: parameters and computed numbers, as Markdown-free plain text with `$…$` formulas.
     pub details: String,
-    /// What is seen and what follows from it, for readers who do not see it. Plain text.
+    /// What the picture shows and what follows from it, for readers who cannot see it. Plain text.
     pub alt: String,
-    /// Computed numbers by name, as they are to be printed: the prose quotes them, `{{value FIGURE.NAME}}`.
+    /// Computed numbers by name, as they are printed where the prose quotes them by `{{value FIGURE.NAME}}`.
     pub values: Vec<(&'static str, String)>,
     /// The numbers that were drawn.
     pub data: Data,
@@ -205,7 +205,7 @@ const fn of(
     parameters: &'static [Parameter],
     draw: fn(&Values) -> Result<Figure>,
 ) -> Entry {
-    // Where nothing can be moved, a page needs no code: what runs there leaves it out, with its tables, and is half as large.
+    // A figure without parameters needs no code on the page: the WebAssembly module leaves it out, with its tables, and is half as large.
     let draw = match cfg!(target_family = "wasm") && parameters.is_empty() {
         true => drawn_by_the_press,
         false => draw,
@@ -220,7 +220,7 @@ const fn of(
 
 fn drawn_by_the_press(_: &Values) -> Result<Figure> {
     Err(Error::Empty {
-        quantity: "the list of numbers to choose of a figure that is drawn on a page",
+        quantity: "the list of parameters of a figure that is drawn on a page",
     })
 }
 

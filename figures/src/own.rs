@@ -1,4 +1,4 @@
-//! Diagrams of the reader's own motions: one number against another, a panel each.
+//! Diagrams of the reader's own motions: one number against another, in one panel for each pair.
 
 use crate::Figure;
 use crate::plot::{Axis, Frame, Scale, apart, powers};
@@ -15,7 +15,7 @@ pub struct Quantity {
     pub goes_round: bool,
     /// Whether its axis is logarithmic.
     pub logarithmic: bool,
-    /// The values, one a row; NaN is not drawn.
+    /// The values, one for each row; NaN is not drawn.
     pub values: Vec<f64>,
 }
 
@@ -82,7 +82,7 @@ impl Quantity {
         }
     }
 
-    /// A colour belongs to a quantity.
+    /// The colour of the quantity.
     fn role(&self) -> Role {
         let letters = self.name.trim_end_matches(|c: char| c.is_ascii_digit());
         match letters {
@@ -124,7 +124,7 @@ pub fn diagram(title: &str, panels: &[[Quantity; 2]]) -> Figure {
         for (k, [x, y]) in panels.iter().enumerate() {
             let top = 36.0 + k as f64 * (height + gap);
             let (across, up) = (x.drawn(), y.drawn());
-            // Time begins at its beginning, and so does a number that is varied.
+            // The axis of time, or of a varied number, begins at its first value.
             let varied = x.unit.is_empty();
             let shown = match extent(&across.values) {
                 [from, to] if (x.name == "t" || varied) && from < to => [from, to],
@@ -179,7 +179,7 @@ pub fn map(title: &str, [x, y]: &[Quantity; 2], told: &Quantity) -> Figure {
     let [low, high] = extent(&there().collect::<Vec<_>>());
     let step = |value: f64| {
         let share = (value - low) / (high - low) * f64::from(STEPS);
-        // No number is the first step.
+        // NaN is the first step.
         (share as u32).min(STEPS - 1)
     };
     let shade = |step: u32| (5.0 + 10.0 * f64::from(step)) / 100.0;
@@ -208,7 +208,7 @@ pub fn map(title: &str, [x, y]: &[Quantity; 2], told: &Quantity) -> Figure {
         details,
     };
     let made = figure("plot", 470.0, words, |pen| {
-        // The middles of the fields are where the numbers are.
+        // The numbers belong to the middles of the fields.
         let [(left, right), (bottom, top)] = [(84.0, 462.0), (400.0, 40.0)];
         let axis = |of: &Quantity, [from, to]: [f64; 2]| {
             let half = 0.5 * (to - from) / of.values.len() as f64;
@@ -255,7 +255,7 @@ pub fn map(title: &str, [x, y]: &[Quantity; 2], told: &Quantity) -> Figure {
 /// Steps of ink.
 const STEPS: u32 = 8;
 
-/// The cost of a method, and the error that is left.
+/// The cost of a method, and its error.
 pub type Curve = (String, Vec<Point>);
 
 /// The diagram of a motion: the cost of each method against its error, with its name at the end of its line.
@@ -376,7 +376,7 @@ fn ticks(axis: &Axis, apart: f64) -> Vec<(f64, String)> {
     let [low, high] = axis.shown.map(f64::log10);
     if axis.scale == Scale::Linear || high - low < 2.0 {
         let ticks = axis.ticks(apart);
-        // One number alone tells no scale.
+        // A single number does not show a scale.
         return match ticks.len() {
             0 | 1 => axis.ticks(0.5 * apart),
             _ => ticks,

@@ -2,12 +2,12 @@
 
 use crate::style::*;
 
-/// The map from numbers to places.
+/// The scale of an axis: how numbers become places.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scale {
-    /// In proportion.
+    /// Linear.
     Linear,
-    /// By their logarithms.
+    /// Logarithmic.
     Log,
 }
 
@@ -18,12 +18,12 @@ pub struct Axis {
     pub shown: [f64; 2],
     /// Their places.
     pub ends: [f64; 2],
-    /// Between them.
+    /// The scale between them.
     pub scale: Scale,
 }
 
 impl Axis {
-    /// An axis in proportion.
+    /// A linear axis.
     pub const fn linear(shown: [f64; 2], ends: [f64; 2]) -> Self {
         Self {
             shown,
@@ -99,7 +99,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// Both axes in proportion, their places left, right, bottom and top.
+    /// Both axes linear, their places left, right, bottom and top.
     pub const fn linear(x: [f64; 2], y: [f64; 2], [left, right, bottom, top]: [f64; 4]) -> Self {
         Self {
             x: Axis::linear(x, [left, right]),

@@ -19,7 +19,7 @@ const FORCE: f64 = 2.0 / 7.0;
 /// The box, and where it stands in the picture.
 struct Drawn {
     gas: GasBox,
-    /// A, R and B, in the box's own measure.
+    /// A, R and B, in units of the box.
     base: [Point; 3],
     /// Units of the design for a unit of length.
     length: f64,
@@ -28,7 +28,7 @@ struct Drawn {
 }
 
 impl Drawn {
-    /// As large as its arrows and arms allow.
+    /// The box, as large as its arrows and arms allow.
     fn of(values: &Values) -> Result<Self> {
         let [ar, rb, angle] = values.each([AR, RB, ANGLE]);
         let gamma = angle.to_radians();
@@ -176,7 +176,7 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
             };
             pen.text(shifted(tip, beside), anchor, &text, sized(Torque, 20.0));
         }
-        // The hinge, and which way each torque turns.
+        // The hinge, and the sense of each torque.
         pen.dot(a, 5.0);
         pen.ring(a, 9.5, inked(SECONDARY));
         // Each corner's letter stands away from the middle of the box.

@@ -13,7 +13,7 @@ pub const FIGURES: &[Entry] = &[
 ];
 
 parameters! {
-    /// Of a ball that rolls or bounces, whatever it is made of.
+    /// κ of a ball that rolls or bounces, whatever it is made of.
     pub KAPPA: "kappa", r"\kappa", "", "moment of inertia of the ball over MR²", [0.3, 0.65], 0.4;
     CUE: "cue", "H/R", "", "height of one of the cues above the table, over the radius", [0.4, 1.9], 1.2, dragged(cue_place);
 }
@@ -21,7 +21,7 @@ parameters! {
 /// The ball: point of contact and radius, units.
 const CONTACT: Point = [206.0, 318.0];
 const RADIUS: f64 = 121.0;
-/// Where cues begin, and where the slip is zero, units.
+/// The places where cues begin, and where the slip is zero, units.
 const BUTT: f64 = 54.0;
 const ZERO: f64 = 446.0;
 /// Where the spin is shown, units.
@@ -37,7 +37,7 @@ fn cue_place(values: &Values) -> Point {
     [BUTT, level(values.of(&CUE))]
 }
 
-/// The ball with its cues, and beside it the slip and the spin each of them gives.
+/// The ball with its cues, and beside it the slip and the spin that each of them causes.
 pub fn billiard(values: &Values) -> Result<Figure> {
     let kappa = values.of(&KAPPA);
     let ball = RoundBody::new(1.0, 1.0, kappa)?;
@@ -88,7 +88,7 @@ pub fn billiard(values: &Values) -> Result<Figure> {
         pen.line([[10.0, CONTACT[1]], [590.0, CONTACT[1]]], inked(SECONDARY));
         pen.disc(center, RADIUS, Shade, 0.75);
         pen.ring(center, RADIUS, inked(DATA));
-        // The height of pure rolling goes across.
+        // A line across at the height of pure rolling.
         let ends = [[BUTT, level(sweet)], [590.0, level(sweet)]];
         pen.line(ends, inked(AXIS).dotted());
         pen.dot(center, 2.5);

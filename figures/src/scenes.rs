@@ -1,4 +1,4 @@
-//! Every kind of scene with every effect that it can have, and what each costs (page "Scenes").
+//! The cost of every kind of scene with each effect that it can have (page "Scenes").
 
 use crate::prelude::*;
 
@@ -51,7 +51,7 @@ fn cells() -> Vec<Cell> {
     cells.collect()
 }
 
-/// What each effect does to the price of its scene.
+/// The change of the cost of a scene by each of its effects.
 pub fn prices(_: &Values) -> Result<Figure> {
     let cells = cells();
     let kinds = cells.chunk_by(|a, b| a.kind == b.kind).count();

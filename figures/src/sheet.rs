@@ -22,7 +22,7 @@ parameters! {
 }
 const KAPPA: Parameter = rolling::KAPPA.between([0.25, 1.0], 0.4);
 
-/// The sheet has its speed within this time, s; its edge is so far behind, m.
+/// The time in which the sheet reaches its speed, s; the distance of its edge behind the ball, m.
 const JERK: f64 = 0.02;
 const MARGIN: f64 = 0.15;
 
@@ -62,7 +62,7 @@ pub fn speeds(values: &Values) -> Result<Figure> {
         )
     });
     let until = 1.16 * stops;
-    // What happens, and the moments next to a jump of the slip.
+    // The events, and the moments next to a jump of the slip.
     let mut corners = vec![0.0, JERK.min(leaves), leaves * (1.0 - 1e-12), until];
     corners.extend(course.events.iter().map(|event| event.time));
     corners.sort_by(f64::total_cmp);
@@ -91,7 +91,7 @@ pub fn speeds(values: &Values) -> Result<Figure> {
     let made = figure("withdrawn-sheet", 376.0, words, |pen| {
         let edge = x(leaves);
         pen.fill(boxed([x(0.0), 20.0], [edge, bottom]), Ink, 0.06);
-        // Beside each other if both fit, else one above the other.
+        // Side by side if both fit, otherwise one above the other.
         let (on, off) = ("on the sheet", "on the table");
         if edge - x(0.0) > 100.0 {
             pen.note([x(0.0) + 8.0, 38.0], Start, on);
@@ -162,17 +162,17 @@ pub fn speeds(values: &Values) -> Result<Figure> {
 }
 
 const NAME: &str = "sheet-animated";
-/// Pictures in a round, seconds of the film in it, and how much slower than the ball it runs.
+/// Pictures in one loop of the film, its duration in seconds, and how much slower than the ball it runs.
 const PICTURES: usize = 60;
 const LASTS: f64 = 0.2;
 const SLOWNESS: f64 = 20.0;
 const TABLE: f64 = 112.0;
 const RADIUS: f64 = 44.0;
-/// Units a metre.
+/// Units per metre.
 const METRE: f64 = 44.0 / 0.02;
 const FIRST: f64 = 352.0;
 
-/// The same in motion; of the book's numbers, for its film is made of them.
+/// The same in motion, always with the numbers of the book, because the film is made from them.
 pub fn animated(_: &Values) -> Result<Figure> {
     let course = withdrawn(&Values::default(), 0.4)?;
     let place = course.at(LASTS).position;

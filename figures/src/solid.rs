@@ -8,7 +8,7 @@ use crate::style::*;
 /// A point or a vector: m along the axes of a body or of space, z upward; or rad/s, or kg m²/s.
 pub type Vector = Vector3<f64>;
 
-/// Strength of lines that lie behind or inside a body.
+/// Opacity of lines behind or inside a body.
 pub const HIDDEN: f64 = 0.26;
 
 /// An orthographic view of three-dimensional space.
@@ -25,7 +25,7 @@ pub struct View {
 }
 
 impl View {
-    /// The view from `azimuth` and `elevation` (radians) with the origin at `center`, `scale` units to one.
+    /// The view from `azimuth` and `elevation` (radians) with the origin at `center` and `scale` units of the design per unit of length.
     pub fn new(azimuth: f64, elevation: f64, center: Point, scale: f64) -> Self {
         let (sa, ca) = azimuth.sin_cos();
         let (se, ce) = elevation.sin_cos();
@@ -39,7 +39,7 @@ impl View {
     }
 
     /// The view from `azimuth` and `elevation` with the points as large as they can be in a box (left, top, right, bottom) at
-    /// not more than `most` units to one, in its middle.
+    /// not more than `most` units of the design per unit of length, centred.
     pub fn fitted(
         [azimuth, elevation]: [f64; 2],
         points: &[Vector],
@@ -77,7 +77,7 @@ impl View {
         self.scale
     }
 
-    /// Where a point of space is drawn.
+    /// The place at which a point of space is drawn.
     pub fn project(&self, point: &Vector) -> Point {
         let place = [self.right.dot(point), self.up.dot(point)];
         planned(self.center, self.scale, place)

@@ -26,7 +26,7 @@ fn reel(values: &Values) -> Result<Spool> {
 const RADIUS: f64 = 62.0;
 const GROUND: f64 = 214.0;
 
-/// A spool tugged to the left at this angle, its line of force down to the foot, and the way it rolls.
+/// A spool tugged to the left at this angle, its line of force down to the foot, and the direction in which it rolls.
 fn tugged(pen: &mut Pen, center: Point, ratio: f64, (angle, foot, way): (f64, f64, Way)) {
     let x = center[0];
     let r = ratio * RADIUS;
@@ -66,7 +66,7 @@ fn told(way: Way) -> &'static str {
     }
 }
 
-/// To a tenth of a degree, without a last zero.
+/// To a tenth of a degree, without a trailing zero.
 fn degrees(angle: f64) -> String {
     let text = number(angle.to_degrees(), 1);
     format!("{}°", text.strip_suffix(".0").unwrap_or(&text))
@@ -175,7 +175,7 @@ pub fn dial(values: &Values) -> Result<Figure> {
         pen.text(spot, End, "cos θ = *r*/*R*", label(Torque));
         let spot = shifted(name, [-9.0, 2.0]);
         pen.text(spot, End, &format!("θ = {degrees}°"), small(Torque));
-        // The words stand clear of the rays, however long these are.
+        // The words are clear of the rays, however long these are.
         let tip = |k: usize| INNER + unit * rays[k].1.abs();
         let half = ((critical / PI * 18.0).round() as usize).min(18);
         let beside = place(tip(half) + 14.0, rays[half].0);
@@ -185,7 +185,7 @@ pub fn dial(values: &Values) -> Result<Figure> {
         pen.text([516.0, 104.0], Middle, "follows", label(Muted));
         let level = [HUB[0] - tip(0) - 8.0, HUB[1] + 6.0];
         pen.note(level, End, "0°");
-        // Beside the vertical the dotted line takes its place.
+        // Next to the vertical, the dotted line replaces it.
         if critical < 1.35 {
             let [x, y] = place(tip(18) + 8.0, PI / 2.0);
             pen.note([x + 4.0, y], End, "90°");

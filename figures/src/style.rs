@@ -38,15 +38,15 @@ pub type Point = [f64; 2];
 /// The dashes of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dash {
-    /// Not at all.
+    /// A solid line.
     Solid,
-    /// Approximate, or what would have been.
+    /// For what is approximate or did not happen.
     Dashed,
     /// Construction lines and lines of sight.
     Dotted,
 }
 
-/// A line's role, width, strength and dash.
+/// A line's role, width, opacity and dash.
 #[derive(Debug, Clone, Copy)]
 pub struct Stroke {
     role: Role,
@@ -55,7 +55,7 @@ pub struct Stroke {
     dash: Dash,
 }
 
-/// A solid line of full strength.
+/// A solid line of full opacity.
 pub const fn stroke(role: Role, width: f64) -> Stroke {
     Stroke {
         role,
@@ -70,7 +70,7 @@ pub const fn inked(width: f64) -> Stroke {
     stroke(Role::Ink, width)
 }
 
-/// A stroke of ink that steps back.
+/// A stroke of fainter ink.
 pub const fn muted(width: f64) -> Stroke {
     stroke(Role::Muted, width)
 }
@@ -150,7 +150,7 @@ pub struct Words {
     pub claim: String,
     /// Rest of the caption.
     pub details: String,
-    /// For readers who do not see it.
+    /// For readers who cannot see it.
     pub alt: String,
 }
 
@@ -188,7 +188,7 @@ pub fn figure(
     }
 }
 
-/// Leaves marks, and with each of them the attributes for which a backend has no place.
+/// Draws marks, each with the attributes that a backend has no place for.
 #[derive(Debug, Default)]
 pub struct Pen {
     marks: Vec<(Mark, String)>,
@@ -225,7 +225,7 @@ impl Pen {
     fn filled(&mut self, mark: impl FnOnce(Paint) -> Mark, role: Role, alpha: f64) {
         let paint = Paint {
             role,
-            // More digits would not be seen, and the last ones differ between machines.
+            // More digits would not be visible, and the last ones differ between machines.
             alpha: (1e3 * alpha).round() / 1e3,
             width: 1,
         };
@@ -344,7 +344,7 @@ impl Pen {
         self.text(at, anchor, body, small(Role::Ink));
     }
 
-    /// A small text that steps back.
+    /// A small text in fainter ink.
     pub fn remark(&mut self, at: Point, anchor: Anchor, body: &str) {
         self.text(at, anchor, body, small(Role::Muted));
     }
@@ -468,7 +468,7 @@ impl Pen {
 /// Height of the middle of letters above their base line, as a fraction of their size.
 const LOWER: f64 = 0.3;
 
-/// Half width and half height of a text of this size, near enough.
+/// Half width and half height of a text of this size, approximately.
 fn half_of(text: &str, size: f64) -> [f64; 2] {
     let letters = text.chars().filter(|c| !"*_{}^".contains(*c)).count();
     [(0.25 * letters as f64 + 0.15) * size, 0.47 * size]
@@ -535,7 +535,7 @@ pub fn spread<const N: usize>(places: [f64; N], apart: f64) -> [f64; N] {
     let mut order: [usize; N] = core::array::from_fn(|k| k);
     order.sort_by(|&a, &b| places[a].total_cmp(&places[b]));
     let mut moved = places;
-    // Pairs that are too near give way by halves, round after round.
+    // Of two places that are too near each other, each gives way by half, again and again.
     for _ in 0..50 {
         for pair in order.windows(2) {
             let [below, above] = [pair[0], pair[1]];
@@ -573,7 +573,7 @@ pub fn brief(value: f64) -> String {
     short(value, digits)
 }
 
-/// A number with at most `digits` decimals: zeros at its end go.
+/// A number with at most `digits` decimals, without trailing zeros.
 pub fn short(value: f64, digits: usize) -> String {
     let text = number(value, digits);
     match text.contains('.') {
@@ -587,7 +587,7 @@ pub fn numbers<const N: usize>(values: [f64; N], digits: usize) -> [String; N] {
     values.map(|value| number(value, digits))
 }
 
-/// Several numbers with at most `digits` decimals each: zeros at their ends go.
+/// Several numbers with at most `digits` decimals each, without trailing zeros.
 pub fn shorts<const N: usize>(values: [f64; N], digits: usize) -> [String; N] {
     values.map(|value| short(value, digits))
 }

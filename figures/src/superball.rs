@@ -21,9 +21,9 @@ parameters! {
     SPIN: "spin", r"R\Omega/V", "", "rim speed of the thrown ball over its speed", [-0.8, 0.8], 0.0;
 }
 
-/// Where the centre first is at bouncing height above the floor, units.
+/// The place of the centre at the first bounce, units.
 const FIRST: f64 = 290.0;
-/// The way an undisturbed ball makes in one flight, units.
+/// The distance that an undisturbed ball travels in one flight, units.
 const FLIGHT: f64 = 190.0;
 /// Radius of the ball, units.
 const RADIUS: f64 = 17.0;
@@ -33,7 +33,7 @@ const CEILING: f64 = 96.0;
 /// Thickness of the table, units, and where its edge is, in flights from the first bounce.
 const SLAB: f64 = 13.0;
 const EDGE: f64 = -0.62;
-/// Flashes in a flight: the quarter keeps the balls going up clear of those coming down.
+/// Flashes per flight: because of the quarter, balls on the way up do not coincide with those on the way down.
 const FLASHES: f64 = 6.25;
 /// Where the picture ends on the right and at the top: flights.
 const LEAVES: f64 = 1.2;
@@ -64,7 +64,7 @@ fn three_bounces<T: Copy>(
     [floor, ceiling, bounce(ceiling, Surface::Floor)]
 }
 
-/// A number as it is exactly, if that is short, for words.
+/// The exact number if that is short, for the text.
 fn inline(value: f64, exact: Option<Ratio<i128>>) -> String {
     let Some(exact) = exact.filter(|exact| *exact.denom() < 1000) else {
         return short(value, 3);
@@ -75,7 +75,7 @@ fn inline(value: f64, exact: Option<Ratio<i128>>) -> String {
 /// Where the picture ends to the left and to the right: flights.
 const ENDS: [f64; 2] = [-1.36, 1.48];
 
-/// The leg of a path: where it begins, flights, its motion, up or down, and the part of a flight that is drawn.
+/// The leg of a path: its beginning in flights, its motion, whether it goes up or down, and the part of a flight that is drawn.
 struct Leg {
     from: f64,
     motion: Motion<f64>,
@@ -90,7 +90,7 @@ impl Leg {
     }
 }
 
-/// The three legs, as far as they are in the picture; beyond the edge of the table the last one goes on.
+/// The three legs, as far as they are in the picture; the last one continues beyond the edge of the table.
 fn legs(motions: [Motion<f64>; 3]) -> Vec<Leg> {
     let mut from = 0.0;
     let mut legs = Vec::new();
@@ -117,7 +117,7 @@ fn legs(motions: [Motion<f64>; 3]) -> Vec<Leg> {
     legs
 }
 
-/// The path of a superball thrown under a table, with its spin, and of a ball that takes no spin.
+/// The path of a superball thrown under a table, with its spin, and the path of a ball that gains no spin.
 pub fn under_the_table(values: &Values) -> Result<Figure> {
     let [kappa, grip, spin] = values.each([KAPPA, GRIP, SPIN]);
     let thrown = Motion {
@@ -190,7 +190,7 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
         room(pen);
         let ghost = ghost_ball(pen, &ghost);
 
-        // In: small dots at the flashes.
+        // On the way in: small dots at the flashes.
         let arrive = [place(-1.36, 1.36), place(0.0, 0.0)];
         pen.line(arrive, inked(SECONDARY));
         for k in 1..=8 {
@@ -326,7 +326,7 @@ fn room(pen: &mut Pen) {
     pen.line([[10.0, FLOOR], [590.0, FLOOR]], inked(SECONDARY));
 }
 
-/// The ball that takes no spin, and its path.
+/// The ball that gains no spin, and its path.
 fn ghost_ball(pen: &mut Pen, bounces: &[f64]) -> Vec<Point> {
     let heights = [1.0, 0.0].into_iter().cycle();
     let mut path = vec![place(0.0, 0.0)];

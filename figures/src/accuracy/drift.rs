@@ -16,7 +16,7 @@ const STEP: f64 = 0.0625;
 const PARTS: u32 = 5000;
 const STEPS: u32 = 2000;
 
-/// Steps taken and the largest relative error of the energy until then.
+/// The number of steps, and the largest relative error of the energy so far.
 fn followed(
     start: &Phase,
     moments: [f64; 3],
@@ -91,7 +91,7 @@ pub fn energy_drift(_: &Values) -> Result<Figure> {
     }))
 }
 
-/// Some twenty points a decade.
+/// About twenty points per decade.
 fn thinned(line: &[[f64; 2]]) -> impl Iterator<Item = [f64; 2]> {
     let mut next = 0.0;
     line.iter().copied().filter(move |&[x, _]| {

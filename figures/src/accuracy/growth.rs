@@ -15,7 +15,7 @@ enum Hardness {
     Tolerance(f64),
 }
 
-/// A method, its effort, the powers of ten turns that it is followed for, its line, and the place of its name beside its last point.
+/// A method, its effort, the greatest power of ten of turns for which it is run, its line, and the place of its name next to its last point.
 type Line = (&'static str, Hardness, i32, Stroke, Point);
 
 const RK4: Stroke = muted(DATA).dotted();
@@ -34,9 +34,9 @@ const LINES: [Line; 4] = [
     ),
 ];
 
-/// Errors after 1, 10, … 10ⁿ turns, one run from each to the next.
+/// Errors after 1, 10, … 10ⁿ turns, in one run that continues from each to the next.
 ///
-/// Judged by the closed form; the closed form itself, by the 32 digits of the problems.
+/// The reference is the closed form; for the closed form itself, the 32 digits given with the problems.
 fn errors(line: &Line, candidate: &Candidate, exact: &Candidate) -> Result<Vec<[f64; 2]>> {
     let (_, hardness, most, ..) = line;
     let first = problem("free-top/1")?;
@@ -102,7 +102,7 @@ pub fn growth(_: &Values) -> Result<Figure> {
     }))
 }
 
-/// Of the closed form after 1, 10, 1000 and 10⁶ turns.
+/// Errors of the closed form after 1, 10, 1000 and 10⁶ turns.
 fn exact_errors() -> Result<Vec<[f64; 2]>> {
     let mut errors = Vec::new();
     for run in &named("free-top")? {

@@ -1,10 +1,10 @@
-//! The quickest method for each accuracy and length: digits asked by turns followed.
+//! The fastest method for each accuracy and length: digits required against number of turns.
 
 use lab::accuracy::measured::{EXACT, MOTIONS, SWEEP, TARGETS, crossover, ranking, rows};
 
 use crate::prelude::*;
 
-/// A field, units.
+/// Size of a field, units.
 const FIELD: Point = [86.0, 38.0];
 /// The accuracy for which the crossovers are given.
 const NINE: f64 = 1e-9;
@@ -73,7 +73,7 @@ fn panel(
             written(pen, middle, winner);
         }
     }
-    // Between a field that is the closed form's and a neighbour that is not.
+    // A border between a field where the closed form wins and a neighbour where it does not.
     let differ = |a: &str, b: &str| (a == EXACT) != (b == EXACT);
     for column in 0..3 {
         for row in 0..4 {
@@ -92,7 +92,7 @@ fn panel(
     }
 }
 
-/// The name of a method in its field: a long one on two lines.
+/// The name of a method in its field; a long name takes two lines.
 fn written(pen: &mut Pen, [x, y]: Point, name: &str) {
     let lettering = match name {
         EXACT => small(Ink).strong(),

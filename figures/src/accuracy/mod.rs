@@ -32,7 +32,7 @@ fn problem(name: &str) -> Result<Problem> {
     })
 }
 
-/// The sweep of one method, with no run of more than so many evaluations.
+/// The sweep of one method, without runs that would need more than the given number of evaluations.
 fn swept(problem: &Problem, method: &str, most: u64) -> Result<Vec<Measurement>> {
     let all = candidates(problem)?;
     let Some(candidate) = all.iter().find(|candidate| candidate.name == method) else {
@@ -45,7 +45,7 @@ fn swept(problem: &Problem, method: &str, most: u64) -> Result<Vec<Measurement>>
     }))
 }
 
-/// Errors against what is chosen, without the runs that failed or lost their way, and with one point of the floor.
+/// Errors against a chosen quantity, without runs that failed or diverged, and with one point at the floor of rounding.
 fn points(rows: &[Measurement], across: impl Fn(&Measurement) -> f64) -> Vec<Point> {
     let mut floor = 0;
     let kept = rows.iter().filter(|row| {

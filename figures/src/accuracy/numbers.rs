@@ -8,7 +8,7 @@ use spinning_bodies::integrators::geometric::{
 use super::problem;
 use crate::prelude::*;
 
-/// Errors after ten turns against steps a turn.
+/// Errors after ten turns against steps per turn.
 fn line<T: Real>(problem: &Problem, method: &MoserVeselov) -> Result<Vec<[f64; 2]>> {
     let counts = [8.0, 16.0, 32.0, 64.0, 128.0, 256.0, 512.0];
     let moments = problem.moments();

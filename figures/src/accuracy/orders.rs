@@ -9,7 +9,7 @@ const GENTLE: Stroke = inked(DATA);
 const DISCRETE: Stroke = inked(DATA).dashed();
 const GENERAL: Stroke = muted(DATA).dotted();
 
-/// Method, line, what stands before its slope, and where: at the point that is so far along the line, and so far beside it.
+/// Method, line, the text before its slope, and the place of that text: a distance along the line, and an offset from it.
 const METHODS: [(&str, Stroke, &str, f64, Point); 6] = [
     ("rotations-2", GENTLE, "rotations: ", 0.60, [6.0, -12.0]),
     ("rk4", GENERAL, "rk4: ", 0.72, [8.0, -8.0]),

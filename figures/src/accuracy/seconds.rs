@@ -13,7 +13,7 @@ const ERRORS: [(f64, &str); 3] = [(1.0, "1"), (1e-8, "10^{−8}"), (1e-16, "10^{
 /// The geometric methods, for a free body and a heavy one, and the error at which the name stands beside the line, rad.
 const GEOMETRIC: [(&str, f64); 2] = [("moser-veselov-10", 1e-10), ("kick-drift-6", 1e-3)];
 
-/// The methods that every motion can be followed by, their lines, and where they stand in the legend.
+/// The methods that can be applied to every motion, their lines, and their places in the legend.
 const STEPPERS: [(&str, Stroke, Point); 3] = [
     ("dormand-prince-8", inked(DATA).dashed(), [364.0, 22.0]),
     ("dop853", muted(DATA), [364.0, 48.0]),
@@ -29,7 +29,7 @@ fn best(rows: &[Row<'_>], problem: &str, method: &str) -> Vec<Point> {
     corners(&wanted.collect::<Vec<_>>())
 }
 
-/// Small multiples: what the longest run of each top costs on a clock.
+/// Small panels: the time that the longest run of each top takes.
 pub fn seconds(_: &Values) -> Result<Figure> {
     let rows = rows(SWEEP);
     let machine = SWEEP.lines().next().unwrap_or_default();
@@ -80,7 +80,7 @@ pub fn seconds(_: &Values) -> Result<Figure> {
     }))
 }
 
-/// What each line is.
+/// The legend of the lines.
 fn legend(pen: &mut Pen) {
     pen.dot([72.0, 17.0], 6.0);
     pen.label([104.0, 22.0], Start, "exact, the closed form");

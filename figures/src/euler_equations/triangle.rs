@@ -18,7 +18,7 @@ pub const TRIANGLE: &[Parameter] = &[LENGTH, WIDTH, HEIGHT];
 const CORNER: Point = [572.0, 384.0];
 const WIDE: f64 = 544.0;
 
-/// Where ordered moments stand on the map.
+/// The place of ordered moments on the map.
 ///
 /// In the triangle of all moments with sum 1 the corners are at equal distances; the ordered ones fill this sixth of it.
 fn place(moments: [f64; 3], corner: Point, wide: f64) -> Point {
@@ -55,7 +55,7 @@ fn water() -> Result<MassProperties> {
     ])
 }
 
-/// All rigid bodies, as far as spinning goes, in one triangle.
+/// All rigid bodies, by the ratios of their principal moments, in one triangle.
 pub fn tops(values: &Values) -> Result<Figure> {
     let of = |body: MassProperties| body.inertia().principal_axes().moments;
     let millimetres = |edges: [f64; 3]| shapes::cuboid(1.0, edges.map(|edge| edge / 1e3)).map(of);
@@ -71,7 +71,7 @@ pub fn tops(values: &Values) -> Result<Figure> {
     let doughnut = of(shapes::torus(1.0, 0.035, 0.015)?);
     let h = earth::DYNAMICAL_ELLIPTICITY;
     let earth = [1.0 - h, 1.0 - h, 1.0];
-    // The share of the largest moment goes from a third, the sphere, to a half, the disc.
+    // The largest moment is between a third of the sum, for the sphere, and a half, for the disc.
     let flatness = 6.0 * (shares(earth)[2] - 1.0 / 3.0);
     let [i1, i2, i3] = shares(brick);
     let inside = (i2 - i1).min(i3 - i2).min(i1 + i2 - i3) > 0.02;
@@ -118,7 +118,7 @@ pub fn tops(values: &Values) -> Result<Figure> {
             pen.dot(at(m), 4.4);
             pen.label(shifted(at(m), beside), anchor, name);
         }
-        // The brick moves: its name is where it hides nothing.
+        // The brick can be moved, so its name is put where it hides nothing.
         let [x, y] = at(brick);
         pen.dot([x, y], 5.4);
         let mut taken = along(&[corners[1], corners[0], corners[2], corners[1]], 6.0);
@@ -191,7 +191,7 @@ fn inset(pen: &mut Pen, sixth: [[f64; 3]; 3]) {
     let rods = [0, 1, 2].map(|by| at(turned(sixth[0], by)));
     pen.outline(rods, inked(SECONDARY));
     for (by, rod) in rods.into_iter().enumerate() {
-        // The disc opposite a rod has the rod's odd axis for its own.
+        // The axis of a disc is the axis of the rod opposite to it.
         let opposite = at(turned(sixth[1], by + 2));
         pen.line([rod, opposite], inked(HAIR));
     }

@@ -1,7 +1,7 @@
 //! The racket's flip as an animation (tutorial 6.3): one drawing of the flat racket, and a matrix for every picture.
 //!
 //! An orthographic view of a flat body is an affine map, six numbers a picture. A reader who asks for less motion, a printer,
-//! and a program without CSS show one telling picture.
+//! and a program without CSS show one characteristic picture.
 
 use core::fmt::Write as _;
 
@@ -14,17 +14,17 @@ use crate::solid;
 
 const NAME: &str = "racket-flip-animated";
 const CENTER: Point = [300.0, 166.0];
-/// Units to a metre.
+/// Units per metre.
 const SIZE: f64 = 420.0;
 /// Pictures in a loop, and how long it takes, s.
 const PICTURES: usize = 240;
 const SECONDS: f64 = 10.0;
-/// The picture that stands when nothing moves: in the first twist.
+/// The picture that is shown without animation: in the first twist.
 const STILL: usize = 75;
 /// The graph of Ω₂ below: left, right, middle, half height.
 const GRAPH: [f64; 4] = [70.0, 530.0, 372.0, 30.0];
 
-/// One racket, thrown and caught for ever. Constant: only this throw closes its loop.
+/// One racket, thrown and caught for ever. The figure has no parameters, because only this throw closes its loop.
 pub fn animated(_: &Values) -> Result<Figure> {
     let throw = Throw::aimed()?;
     let period = throw.top.period();

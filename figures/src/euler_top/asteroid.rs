@@ -9,9 +9,9 @@ use crate::prelude::*;
 
 /// A day, s.
 const DAY: f64 = 86_400.0;
-/// Points drawn in a day.
+/// Points drawn per day.
 const A_DAY: u32 = 24;
-/// Dots, one a day.
+/// Dots, one per day.
 const DOTS: usize = 8;
 
 parameters! {
@@ -24,7 +24,7 @@ pub const TOUTATIS: &[Parameter] = &[DAYS, ROLL];
 /// How far the arrow of L reaches beyond the sphere.
 const BEYOND: f64 = 1.22;
 
-/// Where the long and the short axis point for two months.
+/// The directions of the long and the short axis during two months.
 pub fn two_axes(values: &Values) -> Result<Figure> {
     let [days, roll] = values.each([DAYS, ROLL]);
     let seen = toutatis::top()?.at(0.0)?.omega;
@@ -51,7 +51,7 @@ pub fn two_axes(values: &Values) -> Result<Figure> {
         true => "Toutatis",
         false => "A body with the moments of Toutatis",
     };
-    // The first few turns of the one that end within a fiftieth of whole turns of the other.
+    // The first numbers of turns of the one that are whole numbers of turns of the other to within a fiftieth.
     let (long_turn, short_turn) = (rolling.max(going_round), rolling.min(going_round));
     let fit = (1..=6).map(|turns| (turns, f64::from(turns) * long_turn / short_turn));
     let fit = fit.map(|(turns, others)| (turns, others, (others - others.round()).abs()));

@@ -1,20 +1,20 @@
-//! How long a racket waits before it flips, over sixteen decades of the distance from the separatrix (tutorial 6.3, 6.7).
+//! The time before a racket flips, over sixteen decades of the distance from the separatrix (tutorial 6.3, 6.7).
 
 use spinning_bodies::frame::{Attitude, BodyVector};
 
 use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, top_of, triple};
 use crate::prelude::*;
 
-/// The answers of well-known libraries, measured with the scripts beside the table.
+/// The results of well-known libraries, measured with the scripts next to the table.
 const PEERS: &str = include_str!("../../../tests/reference/peers/flip_time.csv");
 /// Relative error above which a flip time counts as wrong.
 const GIVEN_UP: f64 = 1e-3;
 
-/// The answers of a library, from its last good one on.
+/// The results of a library, from its last good one on.
 #[derive(Debug, Clone, PartialEq)]
 struct Peer {
     name: &'static str,
-    /// The last good answer and the wrong ones beyond: decades from 1, seconds. They end where no number comes any more.
+    /// The last good result and the wrong ones beyond it: decades below 1, and seconds. They end where the library returns no number.
     answers: Vec<[f64; 2]>,
 }
 
@@ -26,7 +26,7 @@ impl Peer {
     }
 }
 
-/// The libraries of the table, in its order, which has a head line and for each library tilts that decrease.
+/// The libraries in the order of the table, which has a header line and decreasing tilts for each library.
 fn peers() -> Vec<Peer> {
     let cells = |line: &'static str| line.split(',').collect::<Vec<_>>();
     let mut lines = PEERS.lines().map(cells);
@@ -73,7 +73,7 @@ parameters! {
 /// The parameters; the handle is the ring on the line.
 pub const FLIP_TIME: &[Parameter] = &[SMALLEST, MIDDLE, LARGEST, SPIN, DISTANCE];
 
-/// Times of the flip, each with the decades that the throw is below 1.
+/// Flip times, each with the number of decades by which the error of the throw is below 1.
 struct Course {
     moments: [f64; 3],
     spin: f64,
@@ -127,20 +127,20 @@ impl Course {
     }
 }
 
-/// Three figures of a time.
+/// A time to three digits.
 fn seconds(time: f64) -> String {
     let digits = (2.0 - time.log10().floor()).clamp(0.0, 6.0);
     number(time, digits as usize)
 }
 
-/// Every decade closer costs the same.
+/// Every decade closer to the separatrix adds the same time.
 pub fn flip_time(values: &Values) -> Result<Figure> {
     let course = Course::of(values)?;
     let (line, spin) = (&course.line, course.spin);
     // So far out the line is straight to the last digit printed: 2 ln 10/√λ.
     let decade = line[DECADES as usize][1] - line[DECADES as usize - 1][1];
     let near = line[DECADES as usize][1];
-    // The answers of others were measured for one body at one speed.
+    // The results of other libraries were measured for one body at one speed.
     let measured = [SMALLEST, MIDDLE, LARGEST, SPIN]
         .iter()
         .all(|one| values.of(one) == one.default);

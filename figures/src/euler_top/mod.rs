@@ -43,7 +43,7 @@ fn top_of(moments: [f64; 3], omega: BodyVector, attitude: Attitude) -> Result<Eu
     EulerTop::beyond_bodies_from_omega(moments, omega, attitude)
 }
 
-/// What a caption adds about moments that no body has.
+/// The addition to a caption if no body has these moments.
 fn remark([i1, i2, i3]: [f64; 3]) -> &'static str {
     // Sliders stop at decimals, whose sums are rounded.
     match i1 + i2 < i3 * (1.0 - 1e-12) {

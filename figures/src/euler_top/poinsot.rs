@@ -14,9 +14,9 @@ parameters! {
 /// The parameters: the moments, and the angular velocity at time zero along the body's axes.
 pub const POINSOT: &[Parameter] = &[SMALLEST, MIDDLE, LARGEST, FIRST, SECOND, THIRD];
 
-/// When the picture is taken, in periods of the polhode.
+/// The time of the picture, in periods of the polhode.
 const NOW: f64 = 0.5;
-/// Periods of the polhode that the herpolhode has behind it, and before it.
+/// Periods of the polhode for which the herpolhode is drawn, before and after the picture.
 const BEFORE: f64 = 1.0;
 const AFTER: f64 = 2.5;
 /// Points of a curve for each period.
@@ -26,7 +26,7 @@ const SHEET: [f64; 2] = [1.13, 0.98];
 /// Where the picture stands, and how high L reaches over the plane, in distances.
 const ROOM: [f64; 4] = [26.0, 14.0, 574.0, 452.0];
 const HIGH: f64 = 0.72;
-/// From where it is seen: azimuth and elevation.
+/// The view: azimuth and elevation.
 const DIRECTION: [f64; 2] = [-1.05, 0.54];
 /// The azimuth of the point of contact in that view, whatever the body.
 const BESIDE: f64 = -1.6167773521573177;
@@ -62,7 +62,7 @@ pub fn rolling(values: &Values) -> Result<Figure> {
     let axis = BodyVector::from_components(l.components().cross(&upright));
     let start = Attitude::about_axis(axis, tilt)?;
     let top = top_of(moments, omega, start)?;
-    // On the separatrix there is no period; the picture shows a while of the one half turn.
+    // On the separatrix there is no period; the picture shows part of its single half turn.
     let period = match top.period() {
         period if period.is_finite() => period,
         _ => 8.0 * TAU / omega.norm(),
@@ -264,7 +264,7 @@ impl Scene {
         let outline = self.view.trace(&self.outline());
         let lower = |a: &&Point, b: &&Point| (a[0] + a[1]).total_cmp(&(b[0] + b[1]));
         let corner = outline.iter().max_by(lower).copied().unwrap_or(center);
-        // A letter stands where the curves leave it most room.
+        // A letter is placed where the curves leave most room.
         let arms = [self.contact, Vector::z() * self.tip()];
         let arms = arms.map(|tip| segment(Vector::zeros(), tip, 40)).concat();
         let rim = self.corners();

@@ -57,7 +57,7 @@ impl Curve {
         let l = BodyVector::new(signs[0] * semi[0] * cos, 0.0, signs[1] * semi[2] * sin);
         let picture = Poinsot::new(moments, l)?;
         let top = EulerTop::beyond_bodies(moments, l, Attitude::identity())?;
-        // Half a period each way; the separatrix would take for ever.
+        // Half a period each way; on the separatrix it would be infinite.
         let step = STEP * semi[1];
         let most = (0.5 * top.period() / step).min(16.0) as i32;
         Ok(Self {

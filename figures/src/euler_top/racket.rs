@@ -10,7 +10,7 @@ use crate::prelude::*;
 /// (Ashbaugh, Chicone, Cushman 1991).
 pub const MOMENTS: [f64; 3] = [0.00121, 0.01638, 0.01748];
 
-/// Turns a second about the middle axis in the book's throw.
+/// Turns per second about the middle axis in the book's throw.
 pub const TURNS: f64 = 1.0;
 
 /// A throw and the motion after it. Space axes: x towards the reader, y to the right, z up; L along y.
@@ -23,7 +23,7 @@ pub struct Throw {
 }
 
 impl Throw {
-    /// Upright, so many turns a second about the middle axis and L so far off it, radians.
+    /// An upright throw with these turns per second about the middle axis and this angle between it and L, radians.
     pub fn off(moments: [f64; 3], turns: f64, tilt: f64) -> Result<Self> {
         let twist = moments[1] / moments[0] * TAU * turns * tilt.tan();
         Self::new(moments, turns, twist)

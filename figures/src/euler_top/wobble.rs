@@ -70,7 +70,7 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
     let rigid = Lane::new(days, 112.0, -20.0)?;
     let real = Lane::new(period, 152.0, 20.0)?;
     let reached = real.rate * days;
-    // What it still has to go, if anything.
+    // The angle that it still has to go, if any.
     let lag = TAU - reached;
     let degrees = number(lag.abs().to_degrees(), 0);
     let (claim, [behind, seen, told]) = match lag {
@@ -112,7 +112,7 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
     );
     let made = figure("polar-circles", 392.0, words, |pen| {
         let end = START + reached;
-        // What is missing, or too much.
+        // The angle that is missing or in excess.
         if lag.abs() > 1e-6 {
             let [from, to] = match lag > 0.0 {
                 true => [end, START + TAU],
@@ -246,7 +246,7 @@ pub fn precession_cones(values: &Values) -> Result<Figure> {
         .data("right", columns, right))
 }
 
-/// From where the cones are seen: azimuth and elevation.
+/// The view of the cones: azimuth and elevation.
 const DIRECTION: [f64; 2] = [-FRAC_PI_2, 0.3];
 
 /// Both cones of a body.
@@ -275,7 +275,7 @@ impl Pair {
         })
     }
 
-    /// What has to find room.
+    /// The points that must fit into the picture.
     fn reach(&self) -> Vec<Vector> {
         let mut points = rim(&self.axis, self.cones.body);
         points.extend(rim(&self.l, self.cones.space));

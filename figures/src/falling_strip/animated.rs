@@ -8,7 +8,7 @@ use crate::finish;
 use crate::prelude::*;
 
 const NAME: &str = "strip-animated";
-/// Widths, cm, what they do, where the paths begin, and half widths drawn, units.
+/// Widths, cm, names of the motions, starts of the paths, and half widths as drawn, units.
 const STRIPS: [(f64, &str, Point, f64); 2] = [
     (24.0, "24 cm wide: flutters", [130.0, 84.0], 30.0),
     (2.0, "2 cm wide: tumbles", [300.0, 84.0], 7.0),
@@ -18,7 +18,7 @@ const PICTURES: u32 = 240;
 const SECONDS: f64 = 9.0;
 /// Height of the picture that the paths cross, units.
 const FALL: f64 = 320.0;
-/// And how far aside there is room, units.
+/// The room to each side, units.
 const ASIDE: f64 = 264.0;
 
 struct Film {

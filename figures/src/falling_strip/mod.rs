@@ -22,7 +22,7 @@ fn scan(ratios: &[f64], coefficients: Coefficients) -> Result<Vec<LongRun>> {
     })
 }
 
-/// Panels: mass ratio, what it shows, where, from when on and how long, units of time.
+/// Panels: mass ratio, name of the motion, place, start and duration, units of time.
 const PANELS: [(f64, &str, Point, f64, f64); 6] = [
     (1.1, "flutter", [88.0, 46.0], 406.0, 32.0),
     (1.4, "tumbling", [258.0, 46.0], 400.0, 22.0),
@@ -34,7 +34,7 @@ const PANELS: [(f64, &str, Point, f64, f64); 6] = [
 /// Design units to half a width of the plate.
 const UNIT: f64 = 9.5;
 
-/// Six ways to fall: mass ratios and moments chosen by hand, for each panel has its own room.
+/// Six ways to fall: mass ratios and times are chosen by hand to fit each panel.
 pub fn paths(_: &Values) -> Result<Figure> {
     let drawn = tried(PANELS, |(ratio, _, _, from, lasts)| {
         let fall = Fall::new(ratio, Coefficients::PUBLISHED)?;
@@ -77,7 +77,7 @@ pub fn paths(_: &Values) -> Result<Figure> {
     }))
 }
 
-/// Rotation rate of strips of paper against their width. Fifty long runs: it stays as the book has it.
+/// Rotation rate of strips of paper against their width. It takes fifty long runs, so the figure has no parameters.
 pub fn rate(_: &Values) -> Result<Figure> {
     let widths = (0..48).map(|k| 0.5 * 36_f64.powf(f64::from(k) / 47.0));
     let widths: Vec<f64> = widths.collect();
@@ -90,7 +90,7 @@ pub fn rate(_: &Values) -> Result<Figure> {
         .filter(|&k| runs[k].regime == Regime::Tumble)
         .map(|k| frame.at(widths[k], hertz(k)))
         .collect();
-    // Of all strips the one that is next to this width.
+    // The strip whose width is nearest to this one.
     let at = |width: f64| {
         let off = |k: &usize| (widths[*k] - width).abs();
         (0..widths.len())

@@ -12,7 +12,7 @@ const LINE: Axis = Axis::log([0.25, 12.0], [40.0, 580.0]);
 const STRIPS: [f64; 4] = [30.0, 15.0, 5.0, 1.0];
 const CENTIMETRE: f64 = 3.0;
 
-/// Regimes against the mass ratio, for both sets of coefficients and for paper. Three hundred long runs: it stays as the book has it.
+/// Regimes against the mass ratio, for both sets of coefficients and for paper. It takes three hundred long runs, so the figure has no parameters.
 pub fn regimes(_: &Values) -> Result<Figure> {
     let ratios = (0..=150).map(|k| 0.25 * 48_f64.powf(f64::from(k) / 150.0));
     let ratios: Vec<f64> = ratios.collect();
@@ -79,7 +79,7 @@ pub fn regimes(_: &Values) -> Result<Figure> {
                 };
                 pen.fill(boxed([left, y - 12.0], [right, y + 12.0]), Ink, alpha);
                 if right - left > 56.0 {
-                    // Beside the line of what was measured, not over it.
+                    // Next to the line of the measured values, not over it.
                     let at = 0.5 * (left + right);
                     let at = if (at - middle).abs() < 40.0 {
                         left + 50.0

@@ -23,7 +23,7 @@ const METRE: f64 = 26.0;
 const OMEGA: f64 = 196.0;
 const MOMENTUM: f64 = 232.0;
 
-/// Both arrows from one point, and where their tips go when Ω turns.
+/// Both arrows from one point, and the curves of their tips when Ω turns.
 pub fn leaning(values: &Values) -> Result<Figure> {
     let [direction, long, middle, thin] = values.each(LEANING);
     let body = shapes::cuboid(1.0, [long, middle, thin])?;

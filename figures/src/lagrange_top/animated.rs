@@ -1,7 +1,7 @@
 //! A moving top for each kind of nutation (tutorial 7.2 to 7.4).
 //!
 //! Seen from far away a flywheel is an affine image of a disc and its axle a line: six numbers each for every picture. Every top
-//! closes its path after one turn about the vertical, so that it can go on for ever.
+//! closes its path after one turn about the vertical, so that the film can be repeated.
 
 use core::fmt::Write as _;
 
@@ -21,9 +21,9 @@ const NUTATIONS: f64 = 5.0;
 const SPOKES: usize = 3;
 /// Pictures in a loop.
 const PICTURES: usize = 240;
-/// The picture that stands when nothing moves.
+/// The picture that is shown without animation.
 const STILL: usize = 56;
-/// Seconds to a unit of time.
+/// Seconds per unit of time.
 const SLOWNESS: f64 = 0.7;
 /// Radius of a sphere; where the flywheel sits on the axle, and its radius, in radii of the sphere.
 const RADIUS: f64 = 116.0;
@@ -71,7 +71,7 @@ impl Loop {
     ) -> Result<Self> {
         let top = launch(HEIGHT, pace, axial)?;
         let time = time.unwrap_or(NUTATIONS * top.period());
-        // By how much the body has turned about its axis when the axis is back, and the spin near L₃ that makes it whole
+        // The angle that the body has turned about its axis when the axis is back, and the spin near L₃ that makes it a whole number of
         // spokes.
         let (start, end) = (top.at(0.0)?.attitude, top.at(time)?.attitude);
         let side = start.to_body(end.to_space(BodyVector::new(1.0, 0.0, 0.0)));
@@ -89,7 +89,7 @@ impl Loop {
         })
     }
 
-    /// Sphere, path and name: what does not move.
+    /// Sphere, path and name, which do not move.
     fn draw(&self, pen: &mut Pen) {
         let view = View::new(0.55, 0.5, self.center, RADIUS);
         pen.disc(self.center, RADIUS, Shade, 1.0);
@@ -141,7 +141,7 @@ fn tops() -> Result<[Loop; 4]> {
     ])
 }
 
-/// Waves, cusps, loops, and none of them. Constant: the spins are those that close the loops.
+/// Waves, cusps, loops, and none of them. The figure has no parameters, because its spins are those that close the paths.
 pub fn top_animated(_: &Values) -> Result<Figure> {
     let tops = tops()?;
     let [waves, cusps, loops, pure] = &tops;
@@ -177,7 +177,7 @@ fn moving(tops: &[Loop]) -> Result<String> {
             groups,
             "<g transform=\"translate({x:.0} {y:.0})\" stroke=\"currentColor\">"
         );
-        // The axle over the wheel, so that it is seen from below as well.
+        // The axle is drawn over the wheel, so that it is visible from below as well.
         for (part, paths, values) in [
             ("wheel", wheel(), wheel_frames),
             ("axle", axle(), axle_frames),
@@ -232,7 +232,7 @@ mod tests {
     use super::*;
     use spinning_bodies::lagrange_top::Nutation;
 
-    /// The last picture goes over into the first, and every top moves as its name says.
+    /// The last picture is followed smoothly by the first, and every top has the nutation of its name.
     #[test]
     fn the_loops_close() {
         let tops = tops().expect("four tops");
@@ -242,7 +242,7 @@ mod tests {
         {
             assert_eq!(top.top.kind(), kind, "{}", top.name);
         }
-        // The rate of pure precession is a rounded number, so a band is left. Observed: 1e-15.
+        // The rate of pure precession is rounded, so a narrow band remains. Observed: 1e-15.
         let roots = tops[3].top.roots();
         assert!(roots.h2 - roots.h1 < 4e-15, "{}", roots.h2 - roots.h1);
         for top in &tops {

@@ -14,7 +14,7 @@ parameters! {
 /// The parameters.
 pub const CYCLOIDS: &[Parameter] = &[TILT, UPPER, MIDDLE, LOWER];
 
-/// Where the arches begin and how far they may go, and what stands between two rows, units.
+/// The beginning of the arches, their greatest width, and the distance between two rows, units.
 const LEFT: f64 = 84.0;
 const RIGHT: f64 = 570.0;
 const BETWEEN: f64 = 42.0;

@@ -32,7 +32,7 @@ fn launch(height: f64, pace: f64, axial: f64) -> Result<LagrangeTop> {
     launch_body(height, pace, 1.0, axial)
 }
 
-/// The same with I₃ = `moment` and Ω₃ = `spin`.
+/// The same for I₃ = `moment` and Ω₃ = `spin`.
 fn launch_body(height: f64, pace: f64, moment: f64, spin: f64) -> Result<LagrangeTop> {
     let tilt = height.acos();
     let attitude = Attitude::about_axis(BodyVector::new(0.0, 1.0, 0.0), tilt)?;
@@ -57,7 +57,7 @@ fn angles((time, nose): (f64, Vector)) -> [f64; 3] {
     [time, tilt.to_degrees(), nose.y.atan2(nose.x).to_degrees()]
 }
 
-/// Where the nose of the top is in space at a time, a unit from the pivot.
+/// The position of the nose of the top at a time, at unit distance from the pivot.
 fn nose(top: &LagrangeTop, time: f64) -> Result<Vector> {
     let axis = BodyVector::new(0.0, 0.0, 1.0);
     Ok(top.at(time)?.attitude.to_space(axis).components())

@@ -30,7 +30,7 @@ struct Globe {
     name: &'static str,
     /// L_vert and L₃.
     momenta: [f64; 2],
-    /// How long the nose is followed: nutations, or turns if there are none.
+    /// Duration of the trace, in nutations, or in turns if there are none.
     cycles: f64,
     /// Where the name stands, from the centre of the sphere.
     beside: Point,
@@ -46,7 +46,7 @@ fn vertical(pace: f64, axial: f64) -> f64 {
     pace * (1.0 - HEIGHT * HEIGHT) + axial * HEIGHT
 }
 
-/// What the nose of a top draws.
+/// The trace of the nose of a top.
 struct Trace {
     /// Seconds, and where the nose is.
     points: Vec<(f64, Vector)>,
@@ -80,7 +80,7 @@ impl Globe {
             true => TAU / self.pace().abs(),
             false => self.cycles * top.period(),
         };
-        // A top that falls from the upright position takes for ever.
+        // A top takes infinite time to leave the upright position.
         let time = if time.is_finite() { time } else { 20.0 };
         let points = tried(spaced([0.0, time], 600), |t| Ok((t, nose(&top, t)?)))?;
         let turned = top.precession_per_nutation().unwrap_or_default() * self.cycles;
@@ -121,7 +121,7 @@ fn yours(values: &Values) -> Globe {
     }
 }
 
-/// What the caption calls a motion.
+/// The name of a motion in the caption.
 fn told(kind: Nutation, pace: f64) -> &'static str {
     match kind {
         Nutation::Waves if pace < 0.0 => "waves, backwards",
@@ -177,7 +177,7 @@ fn clear(pen: &mut Pen, points: &[Point], globes: &[Globe], style: Stroke) {
     }
 }
 
-/// The lines that part the kinds of motion, each by its L₃ and L_vert.
+/// The lines that separate the kinds of motion, each by its L₃ and L_vert.
 fn borders() -> Result<[(Vec<Point>, bool); 6]> {
     let top = REACH[2];
     let from = |least: f64| spaced([least, top], 900);
@@ -286,7 +286,7 @@ pub fn nutations(values: &Values) -> Result<Figure> {
 mod tests {
     use super::*;
 
-    /// Just left and right of every border on the map, the library tells another kind.
+    /// Just left and right of every border on the map, the library reports different kinds.
     #[test]
     fn the_borders_part_the_kinds() {
         let kind = |at: Point, shift: f64| {

@@ -33,7 +33,7 @@ fn place(tilt: f64, rate: f64) -> Point {
     ]
 }
 
-/// A branch as tops that really precess at a constant tilt: tilts and the rates that the library reports.
+/// A branch made of tops that precess at constant tilt: the tilts, and the rates that the library reports.
 fn branch(axial: f64, which: usize, tilts: [f64; 2]) -> Result<Vec<Point>> {
     const STEPS: u32 = 240;
     let mut points = Vec::new();
@@ -140,7 +140,7 @@ pub fn precession_rates(values: &Values) -> Result<Figure> {
         for (axial, end) in ends.iter().filter(|(axial, _)| *axial <= 2.0) {
             pen.dot(place(*end, 2.0 / axial), 3.6);
         }
-        // The momenta stand where the fast branches leave the picture: cos θ = (L₃w − 1)/w² there.
+        // The momenta are written where the fast branches leave the picture: cos θ = (L₃w − 1)/w² there.
         let out = spins.map(|axial| {
             let height = (axial * SHOWN[1] - 1.0) / SHOWN[1].powi(2);
             place(height.acos(), SHOWN[1])[0]

@@ -119,7 +119,7 @@ pub fn threshold(values: &Values) -> Result<Figure> {
                 core::cmp::Ordering::Less => inked(SECONDARY).dashed(),
             };
             if *axial < THRESHOLD {
-                // The room that the top may fall into.
+                // The interval into which the top may fall.
                 let inside = |p: &&Point| p[0] <= shown.place(1.0, 0.0)[0] && p[1] <= FRAME[2];
                 let room = points.iter().filter(inside).copied();
                 pen.fill(room, Ink, 0.13);

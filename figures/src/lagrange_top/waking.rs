@@ -9,9 +9,9 @@ use crate::prelude::*;
 
 const MOMENTS: [f64; 3] = [2.0e-4, 2.0e-4, 7.0e-5];
 const WEIGHT_MOMENT: f64 = 0.1 * 9.81 * 0.04;
-/// A tilt that shows, degrees.
+/// The smallest visible tilt, degrees.
 const AWAKE: f64 = 1.0;
-/// 12.9 turns a second at the start, and where the picture ends, rad/s.
+/// The spin at the start, 12.9 turns per second, and the spin at the end of the picture, rad/s.
 const SPIN: f64 = 12.9 * TAU;
 const LAST: f64 = 77.5;
 const SAMPLES: u32 = 1001;
@@ -25,7 +25,7 @@ parameters! {
 /// The parameters.
 pub const WAKING: &[Parameter] = &[TILT, TORQUE];
 
-/// The tilt that gravity allows opens at the threshold; the top notices late.
+/// At the threshold gravity begins to allow a tilt; the top follows late.
 pub fn waking(values: &Values) -> Result<Figure> {
     let [tilt, torque] = values.each([TILT, TORQUE]);
     let threshold = sleeping_threshold(MOMENTS[0], MOMENTS[2], WEIGHT_MOMENT)?;

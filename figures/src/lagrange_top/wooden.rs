@@ -12,7 +12,7 @@ const ALONG: f64 = 7e-5;
 const MASS: f64 = 0.1;
 const ARM: f64 = 0.04;
 const GRAVITY: f64 = 9.81;
-/// How far the nose is from the tip, m, and how long it is followed, s.
+/// Distance of the nose from the tip, m, and duration of its path, s.
 const NOSE: f64 = 0.085;
 const SHOWN: f64 = 1.0;
 
@@ -38,7 +38,7 @@ fn launched(values: &Values) -> Result<LagrangeTop> {
     LagrangeTop::new(ACROSS, ALONG, MASS * GRAVITY * ARM, spin, tilted)
 }
 
-/// What all captions say of it.
+/// The part of the caption that the figures share.
 fn described(values: &Values) -> String {
     let [tilt, turns] = shorts(values.each([TILT, TURNS]), 1);
     format!(

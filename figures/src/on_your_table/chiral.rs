@@ -1,4 +1,4 @@
-//! A chiral top to print: a ball of plastic with a hollow that stands askew in it.
+//! A chiral top to print: a plastic ball with an oblique hollow.
 
 use nalgebra::Matrix3;
 use spinning_bodies::frame::Attitude;
@@ -12,7 +12,7 @@ use crate::prelude::*;
 
 /// Radius of the ball, m.
 const RADIUS: f64 = 0.03;
-/// Polylactide without gaps, kg/m³.
+/// Density of solid polylactide, kg/m³.
 const DENSITY: f64 = 1240.0;
 /// The hollow, an ellipsoid: its semi-axes and how far it stands above the centre of the ball, in radii, and its attitude w x y z.
 const SEMI_AXES: [f64; 3] = [0.78, 0.615, 0.835];
@@ -71,7 +71,7 @@ pub fn stl() -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Tilts of the printed top, spun so.
+/// Tilts of the printed top after such a release.
 fn run(spin: f64) -> Result<Vec<(f64, State)>> {
     let properties = properties()?;
     let center = properties.center() * -1.0;

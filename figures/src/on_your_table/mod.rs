@@ -1,4 +1,4 @@
-//! Things to cut out and to print (page "On your table"): sheets at true size and a top, with the numbers to expect of just them.
+//! Things to cut out and to print (page "On your table"): sheets at true size and a top, with the numbers that the library computes for them.
 
 use crate::prelude::*;
 

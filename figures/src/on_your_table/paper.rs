@@ -101,7 +101,7 @@ fn listed(points: &[Point]) -> String {
     points.collect::<Vec<_>>().join(" ")
 }
 
-/// A strip of office paper of this width (m) in the long run, and the time that the run is measured by, s.
+/// The long-term motion of a strip of office paper of this width (m), and its unit of time, s.
 fn fallen(width: f64) -> Result<(LongRun, f64)> {
     let sheet = Sheet::new(width, OFFICE, AIR, GRAVITY)?;
     let fall = Fall::new(sheet.mass_ratio(), Coefficients::PAPER)?;

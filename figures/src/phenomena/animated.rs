@@ -12,15 +12,15 @@ use crate::style::SCALE as CANVAS;
 const NAME: &str = "cat-animated";
 const SCALE: f64 = 540.0;
 const CENTER: Point = [300.0, 165.0];
-/// Pictures of the turnover, and how many times as long the last one stands.
+/// Pictures of the turnover, and how many times as long the last one is shown.
 const PICTURES: usize = 56;
 const PAUSE: f64 = 10.0;
-/// The picture that stands when nothing moves.
+/// The picture that is shown without animation.
 const STILL: usize = 22;
 /// Duration of the loop, s.
 const LOOP: f64 = 4.2;
 
-/// A cat that falls and falls.
+/// A falling cat, repeated for ever.
 pub fn cat_animated(_: &Values) -> Result<Figure> {
     let fractions: Vec<f64> = spaced([0.0, 1.0], PICTURES as u32 - 1).collect();
     let states = turnover(&fractions)?;

@@ -32,7 +32,7 @@ pub fn back() -> Result<f64> {
     Ok(equal.back_bend_for_half_turn(FORWARD)?.unwrap_or(f64::NAN))
 }
 
-/// States of a cat let go on its back, at these fractions of the turnover.
+/// States of a cat released on its back, at these fractions of the turnover.
 pub fn turnover(fractions: &[f64]) -> Result<Vec<CatState>> {
     let change = Turnover {
         forward: FORWARD,
@@ -110,7 +110,7 @@ pub fn pieces(cat: &Cat, state: &CatState, view: &View, scale: f64) -> Vec<Piece
     pieces
 }
 
-/// A circle of as many corners as it needs to look round.
+/// A circle as a polygon with enough corners to look round.
 pub fn circle(center: Point, radius: f64) -> Vec<Point> {
     let corners = (4.5 * radius.sqrt()).clamp(8.0, 48.0) as u32;
     let angle = |k: u32| TAU * f64::from(k) / f64::from(corners);
@@ -148,7 +148,7 @@ impl Drawing<'_> {
                 let part = (f64::from(ring) + 0.5) / f64::from(rings);
                 let center = ends[0] + axis * part;
                 let radius = radii[0] + (radii[1] - radii[0]) * part;
-                // Every second ring only in the deeper shade.
+                // Every second ring is drawn only in the deeper shade.
                 let limit = if ring % 2 == 0 { 0.25 } else { -0.12 };
                 let dark = |n: &Vector| self.view.faces(n) && n.dot(&light) < limit;
                 let place = |n: &Vector| self.view.project(&(center + n * radius));

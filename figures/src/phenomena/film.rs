@@ -15,7 +15,7 @@ pub const BACK_BEND: &[Parameter] = &[HALVES, MOST];
 
 const FRAMES: usize = 8;
 const SCALE: f64 = 186.0;
-/// From where the cat is seen.
+/// The view of the cat.
 pub const AZIMUTH: f64 = -1.92;
 pub const ELEVATION: f64 = 0.16;
 

@@ -44,7 +44,7 @@ const MASSES: [(Option<f64>, [usize; 2]); 6] = [
 ];
 
 impl Person {
-    /// Someone whose hip is out by `hip` and whose shoulders are out by `lean`, arms raised by an angle.
+    /// A person whose hip is displaced by `hip` and whose shoulders by `lean`, with arms raised by an angle.
     fn new(trunk: f64, hip: f64, lean: f64, arms: [f64; 2]) -> Self {
         let shoulders = [lean, 1.42];
         let hand = |angle: f64, side: f64| {

@@ -34,7 +34,7 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
     let plane = Swivel { lower: waist.lower };
     let cat = EqualHalves::new(1.0, RATIO)?;
     let forward = values.of(&BEND).to_radians();
-    // As far as a half turn takes, or as far as forward where that is not enough.
+    // The bend that makes a half turn, or the forward bend where none is enough.
     let back = cat.back_bend_for_half_turn(forward)?.unwrap_or(forward);
     let path = |s: f64| Step {
         shape: [0.5 * (forward + back) + 0.5 * (forward - back) * s.cos(), s],

@@ -1,4 +1,4 @@
-//! The paper cat (tutorial 1.1): the forces on it, and what the first degree costs.
+//! The paper cat (tutorial 1.1): the forces on it, and the fall for its first degree.
 
 use core::f64::consts::LN_10;
 

@@ -21,7 +21,7 @@ fn change(values: &Values) -> FourPhases {
     FourPhases {
         arms_out: values.of(&OUT),
         arms_in: values.of(&IN),
-        // The book's is exact.
+        // The value of the book is exact.
         twist: match twist {
             90.0 => FRAC_PI_2,
             _ => twist.to_radians(),

@@ -19,7 +19,7 @@ const RIGHT: f64 = 492.0;
 const ZERO: f64 = 190.0;
 const BOTTOM: f64 = 358.0;
 
-/// V and RΩ for five heights of the cue, meeting where rolling begins.
+/// V and RΩ for five heights of the cue; they meet where rolling begins.
 pub fn lines(values: &Values) -> Result<Figure> {
     let [mu, speed, top, kappa] = values.each([FRICTION, SPEED, TOP, KAPPA]);
     let ball = RoundBody::new(0.17, 0.028_575, kappa)?;

@@ -82,7 +82,7 @@ pub fn reflections(values: &Values) -> Result<Figure> {
         for (n, m) in motions.iter().enumerate() {
             let p = point(m);
             pen.dot(p, 5.5);
-            // One name where the ball comes back to an old point.
+            // A single name where the ball returns to an earlier point.
             if named.iter().any(|q| distance(*q, p) < 14.0) {
                 continue;
             }
@@ -113,19 +113,19 @@ const FLOOR: f64 = 244.0;
 const CEILING: f64 = 44.0;
 const FIRST: f64 = 352.0;
 const FLIGHT: f64 = 200.0;
-/// What is further to the right is not drawn, flights.
+/// The right end of the drawing, flights.
 const RIGHT: f64 = 1.15;
 
 fn place(x: f64, height: f64) -> Point {
     [FIRST + FLIGHT * x, FLOOR - (FLOOR - CEILING) * height]
 }
 
-/// Where a ball meets the table: (1−κ)/(1+κ) of a flight.
+/// The place where a ball meets the table: (1−κ)/(1+κ) of a flight.
 fn apex(kappa: f64) -> Point {
     place((1.0 - kappa) / (1.0 + kappa), 1.0)
 }
 
-/// What becomes of a ball after three bounces, by its turn in the circle of reflections: half of it is the way back.
+/// The direction of a ball after three bounces, by its angle in the circle of reflections: half of the circle means back.
 fn comes_back(kappa: f64, last: &Motion<f64>) -> Result<&'static str> {
     let over = (3.0 * BounceRotation::new(kappa)?.angle() - PI).to_degrees();
     Ok(if last.velocity >= 0.0 {

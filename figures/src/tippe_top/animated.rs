@@ -1,4 +1,4 @@
-//! A tippe top that turns itself over, seen by a camera that goes round with its axis.
+//! A tippe top that turns itself over, seen by a camera that turns with its axis.
 
 use spinning_bodies::scene::contact::State;
 
@@ -11,7 +11,7 @@ const NAME: &str = "tippe-top-animated";
 /// Seconds of the run, and its pictures.
 const END: f64 = 8.0;
 const PICTURES: u32 = 160;
-/// The picture that stands when nothing moves: half way over.
+/// The picture that is shown without animation: half way over.
 const STILL: usize = 100;
 /// The ball: centre, radius, and where C is, over the radius.
 const CENTER: Point = [150.0, 178.0];

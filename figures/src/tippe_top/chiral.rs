@@ -15,10 +15,10 @@ pub const BOTH_SPINS: [Parameter; 3] = [
     FRICTION.between([0.1, 0.6], 0.3),
 ];
 
-/// How long the tops are followed, s.
+/// Duration of the motion, s.
 const END: f64 = 3.0;
 
-/// One body, two answers.
+/// One body, and its different motions for both senses of spin.
 pub fn both_spins(values: &Values) -> Result<Figure> {
     let [spin, tilt, mu] = values.each(BOTH_SPINS);
     let runs = tried([-spin, spin], |spin| {

@@ -12,7 +12,7 @@ pub const PATH: [Parameter; 3] = [
     FRICTION,
 ];
 
-/// The point that touches the table walks from the heavy pole to the light one.
+/// The point of contact moves from the heavy pole to the light one.
 pub fn path(values: &Values) -> Result<Figure> {
     let [spin, alpha, mu] = values.each(PATH);
     // Four fifths of the time that the estimate allows.

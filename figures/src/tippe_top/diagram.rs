@@ -40,7 +40,7 @@ pub fn energies(values: &Values) -> Result<Figure> {
     let top = chosen(values)?;
     let unit = top.jellett_of_spin(1.0, 0.0);
     let (rise, over) = (top.least_spin_to_rise(), top.least_spin_to_invert());
-    // Where the branch of the inverted states begins, which may be below the spin that takes a top there.
+    // The beginning of the branch of inverted states, which may be below the spin that brings a top there.
     let invert = over.and(top.steady_jellett(PI)).map(|j| j / unit);
     let spins = [SPINS[0], values.of(&CHOSEN), SPINS[1]];
     let falls = tried(spins, |spin| {
@@ -98,7 +98,7 @@ pub fn energies(values: &Values) -> Result<Figure> {
         frame.draw_round(pen, [across, "energy, mJ"]);
         let solid = inked(DATA);
         let broken = inked(SECONDARY).dashed();
-        // The head is stable above its own least λ even where nothing that starts upright gets there.
+        // The inverted state is stable above its own least λ even if no upright start leads there.
         let on_head = top.steady_jellett(PI).map(|jellett| jellett / unit);
         for (tilt, border, below, above) in
             [(0.0, rise, solid, broken), (PI, on_head, broken, solid)]
@@ -145,7 +145,7 @@ pub fn energies(values: &Values) -> Result<Figure> {
         pen.label(upright, End, "upright");
         let inverted = beside(1.0, energy(&top, PI, 1.0), [6.0, -10.0]);
         pen.label(inverted, Start, "upside down");
-        // Nothing is tilted where no branch is, and nothing falls that is stable.
+        // Without a branch no state is tilted, and no stable state loses energy.
         if rise.is_some() {
             pen.label(beside(60.0, low(60.0), [8.0, 26.0]), Start, "tilted");
         }

@@ -1,4 +1,4 @@
-//! The boiled egg: picture h, and how far a sluggish egg gets.
+//! The boiled egg: picture h, and how far an egg with too little spin rises.
 
 use spinning_bodies::scene::contact::passage;
 
@@ -13,7 +13,7 @@ pub const FILM: [Parameter; 2] = [
     TURNS.between([8.0, 30.0], 20.0),
     FRICTION.between([0.05, 0.3], 0.1),
 ];
-/// Turns a second of the curve.
+/// Turns per second of the runs in the curve.
 const SPINS: [f64; 7] = [8.0, 9.0, 10.0, 12.0, 14.0, 16.0, 20.0];
 
 /// Degrees from the vertical, whichever end is up.
@@ -43,7 +43,7 @@ pub fn egg_film(values: &Values) -> Result<Figure> {
     });
     let mut frames = vec![(0.0, 88_f64.to_radians())];
     frames.extend(levels.into_iter().flatten());
-    // One that stops on the way is shown at the end, too.
+    // An egg that stops on the way is shown at the end of the run, too.
     if frames.len() < 5 {
         frames.push((rows[500].0, last.to_radians()));
     }
@@ -95,7 +95,7 @@ fn one(pen: &mut Pen, foot: Point, time: f64, tilt: f64) {
     pen.remark([foot[0], foot[1] + 41.0], Middle, &format!("{time:.2} s"));
 }
 
-/// A sluggish egg rises part of the way, then rolls. Seven runs of eight seconds: a constant figure.
+/// An egg with too little spin rises part of the way, then rolls. Seven runs of eight seconds; the figure has no parameters.
 pub fn how_far_eggs_rise(_: &Values) -> Result<Figure> {
     let ends = tried(SPINS, |turns| {
         let rows = run(&egg_scene(turns, 0.1)?, 8.0, 8, 1e-2)?;

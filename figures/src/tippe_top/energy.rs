@@ -8,10 +8,10 @@ use crate::prelude::*;
 /// The parameters.
 pub const ENERGY: [Parameter; 3] = [SPIN, VISCOUS, ALPHA.between([0.1, 0.5], 0.3)];
 
-/// How long it is followed, s.
+/// Duration of the motion, s.
 const END: f64 = 8.0;
 
-/// The centre of mass climbs, and the spin pays for it several times over.
+/// The centre of mass rises, and the spin loses several times the energy that this takes.
 pub fn height_and_energy(values: &Values) -> Result<Figure> {
     let [spin, friction, alpha] = values.each(ENERGY);
     let scene = tippe_scene(&tippe(alpha, GAMMA.default)?, spin, friction)?;

@@ -33,7 +33,7 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
         let steady = quasi_steady(&body, G, law, sense * spin * natural)?;
         Ok(steady.slow_swing.growth / natural)
     };
-    // Where the top has no such state, nothing is drawn.
+    // If the top has no such state, nothing is drawn.
     let both = |mu: f64| Some((mu, swing(mu, 1.0).ok()?, swing(mu, -1.0).ok()?));
     let points: Vec<(f64, [f64; 2])> = (0..=22)
         .filter_map(|k| both(10_f64.powf(-2.9) * STEP.powi(k)))

@@ -19,14 +19,14 @@ const RADIUS: f64 = 104.0;
 /// Level of the table, and where the hoops stand on it.
 const FLOOR: f64 = 272.0;
 const PLACES: [f64; 2] = [158.0, 446.0];
-/// The estimate holds for slips that keep their direction: εΩ² of so many μg.
+/// The estimate holds if the slip keeps its direction, which needs at least this εΩ² in units of μg.
 const SURE: f64 = 10.0;
 
 fn center(k: usize) -> Point {
     [PLACES[k], FLOOR - RADIUS]
 }
 
-/// Where the lump sits on the rim.
+/// The place of the lump on the rim.
 fn clay(k: usize, values: &Values) -> Point {
     let tilt = values.of([&LOW, &HIGH][k]).to_radians();
     polar(center(k), RADIUS, 1.5 * PI - tilt)

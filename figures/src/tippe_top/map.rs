@@ -3,10 +3,10 @@
 use super::{CHIRAL_SPIN, chiral_scene, run};
 use crate::prelude::*;
 
-/// Tilts of the release, degrees, and azimuths a ring.
+/// Tilts of the release, degrees, and azimuths per ring.
 const TILTS: [f64; 6] = [2.0, 5.0, 10.0, 15.0, 20.0, 30.0];
 const AZIMUTHS: u32 = 8;
-/// When the outcome is read, s.
+/// The time of the outcome, s.
 const END: f64 = 2.5;
 
 /// Whether the top is on its head at the end.
@@ -23,7 +23,7 @@ fn rings(sense: f64) -> Result<Vec<Vec<bool>>> {
     })
 }
 
-/// How carelessly it may be released. Ninety-six runs: a constant figure.
+/// How carelessly it may be released. Ninety-six runs; the figure has no parameters.
 pub fn outcomes(_: &Values) -> Result<Figure> {
     let (plus, minus) = (rings(1.0)?, rings(-1.0)?);
     let count = |ring: &[bool]| ring.iter().filter(|over| **over).count();

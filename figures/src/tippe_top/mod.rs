@@ -113,7 +113,7 @@ fn toy(alpha: f64, mu: f64) -> Result<HoopWithClay> {
     HoopWithClay::new(0.02, 0.02, alpha, 0.4, mu, G)
 }
 
-/// The tutorial's toy in full, spun about the vertical, 0.1 rad off its rest.
+/// The tutorial's toy by the full equations, spun about the vertical, 0.1 rad from its position of rest.
 fn toy_scene(alpha: f64, spin: f64, mu: f64) -> Result<TableTop> {
     let body = bodies::hoop_with_clay(0.02, 0.02, alpha)?;
     TableTop::new(body, Start::about_vertical(0.1, 0.0, spin)?)
@@ -127,7 +127,7 @@ fn tippe(alpha: f64, gamma: f64) -> Result<TippeTop> {
     TippeTop::new(0.02, 0.02, alpha, unit * gamma, unit, G_TIPPE)
 }
 
-/// The same in full, spun about its own axis at a tilt of 0.1 rad, with this viscous friction (s/m).
+/// The same by the full equations, spun about its own axis at a tilt of 0.1 rad, with this viscous friction (s/m).
 fn tippe_scene(top: &TippeTop, spin: f64, friction: f64) -> Result<TableTop> {
     let start = Start::about_third_axis(0.1, 0.0, spin)?;
     TableTop::new(top.body()?, start)
@@ -148,7 +148,7 @@ fn body_scene(body: ConvexBody, spin: f64, tilt: f64, azimuth: f64, mu: f64) -> 
         .with(Regularised::new(mu, 1e-3)?)
 }
 
-/// A boiled egg of 60 g, 6 cm long and 4 cm thick, lying but for 2°, spun at so many turns a second.
+/// A boiled egg of 60 g, 6 cm long and 4 cm thick, 2° from lying flat, spun at this many turns per second.
 fn egg_scene(turns: f64, mu: f64) -> Result<TableTop> {
     let start = Start::about_vertical(88_f64.to_radians(), 0.0, turns * TAU)?;
     TableTop::new(bodies::egg(0.06, 0.03, 0.02)?, start)
@@ -156,7 +156,7 @@ fn egg_scene(turns: f64, mu: f64) -> Result<TableTop> {
         .with(Regularised::new(mu, 2e-3)?)
 }
 
-/// Kane and Levinson's rattleback, so far off level (rad) about its long axis and about the one across.
+/// Kane and Levinson's rattleback, inclined by these angles (rad) about its long axis and about the axis across it.
 fn stone_scene(spin: f64, tilt: f64) -> Result<TableTop> {
     let half = (0.5 * tilt).tan();
     let attitude = Attitude::from_quaternion(1.0, half, half, 0.0)?;

@@ -38,7 +38,7 @@ fn head(values: &Values) -> Point {
     })
 }
 
-/// Spin moves the lowest place from the foot of the ball to its head.
+/// With spin the minimum moves from the upright to the inverted position.
 pub fn effective(values: &Values) -> Result<Figure> {
     let [chosen, alpha, gamma] = values.each([CHOSEN, ALPHA, GAMMA]);
     let top = tippe(alpha, gamma)?;

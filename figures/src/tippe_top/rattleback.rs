@@ -12,21 +12,21 @@ parameters! {
 /// The parameters.
 pub const REVERSALS: [Parameter; 2] = [SPIN.between([1.0, 8.0], 5.0), OFF_LEVEL];
 
-/// How long the stones are followed, s.
+/// Duration of the motion, s.
 const END: f64 = 14.0;
 
-/// The stone's motion, or as much of it as can be followed in pure rolling, and whether it leaves the table then.
+/// The stone's motion, or the part of it that is possible in pure rolling, and whether it leaves the table after that.
 fn followed(spin: f64, tilt: f64) -> Result<(Rows, bool)> {
     let scene = stone_scene(spin, tilt)?;
     let (mut end, mut leaves) = (END, false);
     loop {
-        // Two hundred rows and more a shaking second.
+        // At least two hundred rows per second of shaking.
         let samples = (100.0 * end).max(200.0) as u32;
         match run(&scene, end, samples, 1e-3) {
             Err(Error::Integration { time, .. }) if time > 0.0 => {
                 (end, leaves) = (0.98 * time.min(end), true);
             }
-            // A motion that amplifies what is rounded: a shorter stretch can be told.
+            // The motion amplifies rounding errors: only a shorter part can be computed.
             Err(_) if end > 0.1 => end *= 0.8,
             rows => return Ok((rows?, leaves)),
         }

@@ -14,11 +14,11 @@ parameters! {
 /// The parameters.
 pub const STONE: [Parameter; 2] = [PRODUCT, SPIN.between([1.0, 8.0], 5.0)];
 
-/// Half axes of the belly, m; its middle on the page, units to a metre.
+/// Half axes of the belly, m; its middle on the page; units per metre.
 const BELLY: [f64; 3] = [0.2, 0.03, 0.02];
 const MIDDLE: Point = [300.0, 82.0];
 const METRE: f64 = 1250.0;
-/// The lens at the tip: its middle, radius, and how much larger it shows.
+/// The lens at the tip: its middle, radius and magnification.
 const LENS: (Point, f64, f64) = ([494.0, 232.0], 74.0, 8.0);
 
 /// The stone of Kane and Levinson with this product of inertia (m²).

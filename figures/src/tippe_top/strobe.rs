@@ -12,7 +12,7 @@ parameters! {
 /// The parameters: the release of the figure before, and the time between two pictures.
 pub const STROBED: &[Parameter] = &[BOTH_SPINS[0], BOTH_SPINS[1], BOTH_SPINS[2], STEP];
 
-/// Pictures of a row.
+/// Pictures in a row.
 const PICTURES: u32 = 7;
 const RADIUS: f64 = 36.0;
 

@@ -15,7 +15,7 @@ pub const TIP_OVER: &[Parameter] = &[LIGHT, HEAVY, TURNS.between([15.0, 80.0], 5
 /// Tilt at the release, rad.
 const START: f64 = 0.1;
 
-/// A reckless estimate that is right to a few per cent.
+/// A crude estimate that is right to a few per cent.
 pub fn tip_over(values: &Values) -> Result<Figure> {
     let alphas = values.each([LIGHT, HEAVY]);
     let (spin, mu) = (TAU * values.of(&TURNS), values.of(&FRICTION));

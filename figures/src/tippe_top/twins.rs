@@ -8,12 +8,12 @@ use super::beads::{inside, view};
 use super::{BOTH_SPINS, body_scene, degrees, greatest_tilt, run, tilts};
 use crate::prelude::*;
 
-/// How long the tops are followed, s; pictures of each; radius of a picture.
+/// Duration of the motion, s; pictures of each top; radius of a picture.
 const END: f64 = 3.0;
 const PICTURES: usize = 4;
 const RADIUS: f64 = 30.0;
 
-/// One spin, a body and its mirror image, two answers.
+/// A body and its mirror image with the same spin, and their different motions.
 pub fn twins(values: &Values) -> Result<Figure> {
     let [spin, tilt, mu] = values.each(BOTH_SPINS);
     let top = bodies::chiral_top()?;

@@ -15,14 +15,14 @@ const NAME: &str = "yo-yo-animated";
 const LENGTH: f64 = 0.36;
 const RADIUS: f64 = 0.029;
 const AXLE: f64 = 0.006;
-/// Design units to a metre, and where the hand is.
+/// Design units per metre, and the place of the hand.
 const METRE: f64 = 900.0;
 const HAND: Point = [112.0, 40.0];
 /// Speed of the throw, m/s; length of the sleep, s; friction of the loop, N m.
 const THROW: f64 = 1.5;
 const ASLEEP: f64 = 0.35;
 const FRICTION: f64 = 5e-4;
-/// Seconds of the film to a second of the yo-yo.
+/// Seconds of the film per second of the yo-yo.
 const SLOWNESS: f64 = 8.0;
 /// Pictures; the motion between two is filled in by the browser.
 const PICTURES: u32 = 240;
@@ -32,14 +32,14 @@ const BETWEEN: u32 = 8;
 /// Time, state, and the angle turned.
 type Picture = (f64, YoYoState, f64);
 
-/// One loop and how long it takes, until the hand has it again.
+/// One loop, and its duration until the hand has the yo-yo again.
 fn film() -> Result<(f64, Vec<Picture>)> {
     let toy = YoYo::disc(0.055, RADIUS, LENGTH, AXLE)?;
     let play = Play::new(toy, THROW)?
         .with(Gravity::new(GRAVITY)?)?
         .with(Sleep::new(ASLEEP)?)?
         .with(AxleFriction::new(FRICTION)?)?;
-    // When it is caught: by bisection on the phase.
+    // The time at which it is caught, by bisection on the phase.
     let (mut low, mut high) = (0.0, 4.0);
     for _ in 0..50 {
         let middle = 0.5 * (low + high);
@@ -114,7 +114,7 @@ fn aside(state: &YoYoState, after: bool) -> f64 {
 }
 
 fn moving(pictures: &[Picture], duration: f64, [depth, spin]: [&Frame; 2]) -> String {
-    // Half-way it is asleep.
+    // In the middle of the loop it is asleep.
     let still = pictures.len() / 2;
     let mut frames: [Vec<String>; 4] = Default::default();
     let mut slept = false;

@@ -37,7 +37,7 @@ fn toy(values: &Values, axle: &Parameter) -> Result<YoYo> {
     YoYo::disc(MASS, 0.029, values.of(&LENGTH), values.of(axle) / 1e3)
 }
 
-/// Depth and tension of a yo-yo let go, against time.
+/// Depth and tension of a released yo-yo, against time.
 pub fn string(values: &Values) -> Result<Figure> {
     let [axle, length, left] = values.each([AXLE, LENGTH, LEFT]);
     let toy = toy(values, &AXLE)?;

@@ -5,7 +5,7 @@ use spinning_bodies::yo_yo::{Turn, TurnState, Unwinding};
 use super::{AXLE, GRAVITY, LENGTH, MASS, toy};
 use crate::prelude::*;
 
-/// Design units to a metre; the end of the string above the page's bottom half; the longest arrow.
+/// Design units per metre; the place of the end of the string; the longest arrow.
 const METRE: f64 = 1650.0;
 const END: f64 = 136.0;
 const LONGEST: f64 = 76.0;
@@ -79,7 +79,7 @@ pub fn turn(values: &Values) -> Result<Figure> {
 mod tests {
     use super::*;
 
-    /// Newton: the pull less the weight, added up, is the momentum that was reversed; and no joule is lost on the way.
+    /// By Newton's law the integral of the pull minus the weight is the change of momentum; and the energy is conserved.
     #[test]
     fn the_pull_reverses_the_momentum() {
         for axle in [3.0, 5.0, 9.0] {

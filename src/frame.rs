@@ -336,7 +336,7 @@ impl Attitude {
     ///
     /// ```
     /// use spinning_bodies::frame::Attitude;
-    /// // Of any length but zero.
+    /// // Any length except zero is allowed.
     /// assert_eq!(Attitude::from_quaternion(2.0, 0.0, 0.0, 0.0)?, Attitude::identity());
     /// assert!(Attitude::from_quaternion(0.0, 0.0, 0.0, 0.0).is_err());
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -455,7 +455,7 @@ impl Attitude {
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
-    /// // Tilted about the horizontal, then not turned: θ alone.
+    /// // Tilted about the x-axis only: θ alone is not zero.
     /// let angles = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.25)?.euler_angles();
     /// assert!((angles.theta - 0.25).abs() < 1e-16 && angles.phi + angles.psi == 0.0);
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -546,7 +546,7 @@ impl From<Attitude> for UnitQuaternion<f64> {
 ///
 /// ```
 /// use spinning_bodies::frame::{BodyVector, rate_seen_from_space};
-/// // What is fixed in the body moves in space: Ω ∧ A.
+/// // A vector fixed in the body moves in space: Ω ∧ A.
 /// let (omega, arm) = (BodyVector::new(0.0, 0.0, 2.0), BodyVector::new(1.0, 0.0, 0.0));
 /// assert_eq!(rate_seen_from_space(BodyVector::zero(), omega, arm), BodyVector::new(0.0, 2.0, 0.0));
 /// ```
@@ -566,7 +566,7 @@ pub fn rate_seen_from_space(
 ///
 /// ```
 /// use spinning_bodies::frame::{SpaceVector, rate_seen_from_body};
-/// // What is fixed in space moves backwards for the body.
+/// // A vector fixed in space moves backwards as seen from the body.
 /// let (omega, star) = (SpaceVector::new(0.0, 0.0, 2.0), SpaceVector::new(1.0, 0.0, 0.0));
 /// assert_eq!(rate_seen_from_body(SpaceVector::zero(), omega, star), SpaceVector::new(0.0, -2.0, 0.0));
 /// ```

@@ -57,7 +57,7 @@ impl TruncatedFluid {
     /// use nalgebra::Complex;
     /// use spinning_bodies::ideal_fluid::TruncatedFluid;
     /// let wave = TruncatedFluid::new(5, &[([1, 0], Complex::new(1.0, 0.0))])?;
-    /// // The mirror image comes along.
+    /// // The mirror image is set as well.
     /// assert_eq!(wave.vorticity([-1, 0]), Complex::new(1.0, 0.0));
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
@@ -128,7 +128,7 @@ impl TruncatedFluid {
     /// use nalgebra::Complex;
     /// use spinning_bodies::ideal_fluid::TruncatedFluid;
     /// let wave = TruncatedFluid::new(5, &[([1, 0], Complex::new(1.0, 0.0))])?;
-    /// // A single wave stands still.
+    /// // A single wave does not change.
     /// assert_eq!(wave.rate().energy(), 0.0);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```

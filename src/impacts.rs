@@ -235,7 +235,7 @@ impl Strike {
     /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::new(0.0, 0.0, 1.0))?;
     /// let meteorite = Meteorite::new(10.0, BodyVector::new(0.0, 1.0, -1.8))?;
     /// let hit = strike(&planet, &meteorite, BodyVector::new(1.0, 0.0, 0.0))?;
-    /// // 1 rad/s about y comes to 1 rad/s about z.
+    /// // 1 rad/s about y is added to 1 rad/s about z.
     /// assert!((hit.tilt()? - std::f64::consts::FRAC_PI_4).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
@@ -260,7 +260,7 @@ impl Strike {
     /// let planet = Planet::spherical(10.0, 4.0, BodyVector::zero(), BodyVector::zero())?;
     /// let meteorite = Meteorite::new(10.0, BodyVector::new(-1.0, 2.0, 0.0))?;
     /// let hit = strike(&planet, &meteorite, BodyVector::new(1.0, 0.0, 0.0))?;
-    /// // 10/9 rad/s is right: a meteorite as heavy as the planet is no small one.
+    /// // The exact result is 10/9 rad/s: a meteorite as heavy as the planet is not small.
     /// assert_eq!(hit.first_order()?.z(), 5.0);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
@@ -356,7 +356,7 @@ pub struct Observed {
 ///
 /// ```
 /// use spinning_bodies::impacts::{URANUS, grazing_mass_ratio};
-/// // A grazing hit at escape speed that tilts Uranus as it is tilted and leaves it its rate of spin.
+/// // A grazing hit at escape speed that tilts Uranus as far as it is tilted, without changing its rate of spin.
 /// let rim_speed = URANUS.radius * std::f64::consts::TAU / URANUS.period;
 /// let ratio = grazing_mass_ratio(URANUS.inertia_factor, rim_speed, URANUS.escape_speed, URANUS.obliquity)?;
 /// assert!((ratio - 0.041).abs() < 5e-4);

@@ -152,7 +152,7 @@ impl GasBox {
     /// ```
     /// use spinning_bodies::pythagoras::GasBox;
     /// let gas = GasBox::new([0.0, 0.0], [3.0, 0.0], [3.0, 4.0])?;
-    /// // ½·9 and ½·16 one way, ½·25 the other.
+    /// // ½·9 and ½·16 in one sense, ½·25 in the other.
     /// let torques = gas.side_torques();
     /// assert_eq!((torques.ar, torques.rb, torques.ab), (-4.5, -8.0, 12.5));
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -280,7 +280,7 @@ pub fn reversal_angle(ar: f64, rb: f64) -> Result<Option<f64>> {
 ///
 /// ```
 /// use spinning_bodies::pythagoras::polygon_torques;
-/// // A gas turns no closed box.
+/// // Gas does not turn a closed box.
 /// let torques = polygon_torques(&[[0.0, 0.0], [2.0, 0.0], [3.0, 1.0], [1.0, 4.0]], [0.3, 0.7])?;
 /// assert!(torques.iter().sum::<f64>().abs() < 1e-15);
 /// # Ok::<(), spinning_bodies::Error>(())

@@ -72,7 +72,7 @@ impl MaclaurinSpheroid {
     /// ```
     /// use spinning_bodies::rotating_fluid::MaclaurinSpheroid;
     /// assert!((MaclaurinSpheroid::from_axis_ratio(0.8)?.eccentricity - 0.6).abs() < 2e-16);
-    /// // The disc has half its gravitational energy in its motion, the sphere none.
+    /// // The kinetic energy of the disc is half its gravitational energy, that of the sphere zero.
     /// assert!((MaclaurinSpheroid::from_axis_ratio(1e-9)?.energy_ratio - 0.5).abs() < 1e-8);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```

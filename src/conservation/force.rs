@@ -55,7 +55,7 @@ pub fn uniform_gravity(
 ///
 /// ```
 /// use spinning_bodies::{conservation::angular_momentum_rate, frame::SpaceVector};
-/// // No torque, and yet L about a point that moves across the momentum changes.
+/// // Even without torque, L about a point that moves across the momentum changes.
 /// let (moving, momentum) = (SpaceVector::new(1.0, 0.0, 0.0), SpaceVector::new(0.0, 2.0, 0.0));
 /// let rate = angular_momentum_rate(SpaceVector::zero(), moving, momentum);
 /// assert_eq!(rate, SpaceVector::new(0.0, 0.0, -2.0));

@@ -181,7 +181,7 @@ impl Entry {
 /// for joules in [8.0, 5.0, 5.5, 3.0] {
 ///     ledger.record(kinetic, joules)?;
 /// }
-/// // 5.5 J lies below the first value and is a violation all the same: half a joule came from nowhere.
+/// // 5.5 J is below the first value, but a violation all the same: half a joule has appeared.
 /// assert_eq!(ledger.entries()[0].relative_drift(), 0.05);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
@@ -230,7 +230,7 @@ impl Ledger {
     /// ```
     /// use spinning_bodies::conservation::{Law, Ledger};
     /// let mut ledger = Ledger::new();
-    /// // A heat that starts at zero, beside the 4 J of the run.
+    /// // Heat starts at zero and is compared with the 4 J of the run.
     /// let heat = ledger.open_scaled("heat", Law::NonDecreasing, 0.0, 4.0)?;
     /// ledger.record(heat, 1.0)?;
     /// ledger.record(heat, 0.5)?;
@@ -301,7 +301,7 @@ impl Ledger {
     /// let mut ledger = Ledger::new();
     /// let energy = ledger.open("energy", Law::Conserved, 4.0)?;
     /// ledger.record(energy, 5.0)?;
-    /// // What is no number is refused, and the books are spoilt for good.
+    /// // A value that is not finite is refused, and the drift stays infinite.
     /// assert!(ledger.record(energy, f64::NAN).is_err());
     /// assert_eq!(ledger.entries()[0].relative_drift(), f64::INFINITY);
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -320,7 +320,7 @@ impl Ledger {
     /// use spinning_bodies::{conservation::Ledger, frame::SpaceVector};
     /// let mut ledger = Ledger::new();
     /// let l = ledger.open_vector("angular momentum", SpaceVector::new(1.0, 0.0, 0.0))?;
-    /// // It turned, and its length did not change: that is a drift.
+    /// // It has turned without changing its length, which is a drift too.
     /// ledger.record_vector(l, SpaceVector::new(0.0, 1.0, 0.0))?;
     /// assert!((ledger.entries()[0].relative_drift() - 2.0_f64.sqrt()).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())

@@ -397,7 +397,7 @@ pub fn rc(x: f64, y: f64) -> Result<f64> {
 ///
 /// ```
 /// use spinning_bodies::elliptic::rd;
-/// // All arguments alike: the power alone.
+/// // With equal arguments it is their power −3/2.
 /// assert!((rd(4.0, 4.0, 4.0)? - 0.125).abs() < 1e-16);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```

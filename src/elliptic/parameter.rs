@@ -188,7 +188,7 @@ impl Characteristic {
     ///
     /// ```
     /// use spinning_bodies::elliptic::Characteristic;
-    /// // Next to 1, where n has no digits to tell.
+    /// // Next to 1, where n itself has no digits left.
     /// assert!(Characteristic::from_complement(1e-20)? != Characteristic::from_characteristic(1.0)?);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```

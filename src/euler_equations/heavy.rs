@@ -79,7 +79,7 @@ impl HeavyTop {
     ///
     /// ```
     /// use spinning_bodies::{euler_equations::{AxisMoments, HeavyTop, Integrability}, frame::BodyVector};
-    /// // Two moments twice the third, and C across: Kovalevskaya's.
+    /// // Two moments twice the third, and C at right angles to its axis: Kovalevskaya's top.
     /// let top = HeavyTop::new(AxisMoments::new(2.0, 2.0, 1.0)?, BodyVector::new(3.0, 0.0, 0.0))?;
     /// assert_eq!(top.kind(), Integrability::Kovalevskaya(2));
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -222,7 +222,7 @@ impl HeavyTop {
     /// use spinning_bodies::{euler_equations::{AxisMoments, HeavyTop, TopState}, frame::BodyVector};
     /// let top = HeavyTop::new(AxisMoments::new(2.0, 2.0, 1.0)?, BodyVector::new(0.0, 0.0, 3.0))?;
     /// let state = TopState { omega: BodyVector::new(1.0, 0.0, 2.0), up: BodyVector::new(0.6, 0.0, 0.8) };
-    /// // A regular motion: neighbours part in proportion to the time, and the mean rate is small.
+    /// // A regular motion: neighbours separate in proportion to the time, and the mean rate is small.
     /// assert!(top.lyapunov_exponent(&state, 50.0, 0.01)? < 0.2);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```

@@ -177,7 +177,7 @@ pub fn rate_in_any_axes(
 /// ```
 /// use spinning_bodies::{euler_equations::{AxisMoments, rate_in_space}, frame::{Attitude, SpaceVector}};
 /// let moments = AxisMoments::new(1.0, 2.0, 3.0)?;
-/// // While the axes agree the two rates do, too: Ω ∧ Ω = 0.
+/// // While the axes coincide, so do the two rates: Ω ∧ Ω = 0.
 /// let rate = rate_in_space(&moments, &Attitude::identity(), SpaceVector::new(0.0, 2.0, 3.0), SpaceVector::zero());
 /// assert_eq!(rate, SpaceVector::new(-6.0, 0.0, 0.0));
 /// # Ok::<(), spinning_bodies::Error>(())

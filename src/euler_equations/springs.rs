@@ -73,7 +73,7 @@ impl SpringBody {
     /// let moments = AxisMoments::new(2.0, 2.5, 3.0)?;
     /// let mut body = SpringBody::new(moments, 1e4, BodyVector::new(0.0, 0.0, 1.0))?;
     /// body.advance(0.1, 200)?;
-    /// // Stiff as it is, it keeps turning about its own axis.
+    /// // With stiff springs it keeps turning about its own axis.
     /// assert!((body.omega()?.z() - 1.0).abs() < 1e-2);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```

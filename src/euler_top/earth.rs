@@ -64,7 +64,7 @@ pub fn secular_love_number() -> f64 {
 ///
 /// ```
 /// use spinning_bodies::euler_top::earth::elastic_period;
-/// // A body that yields by half of what a fluid would takes twice as long.
+/// // A body that yields half as much as a fluid would takes twice as long.
 /// assert_eq!(elastic_period(300.0, 0.25, 0.5)?, 600.0);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```

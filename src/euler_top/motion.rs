@@ -53,7 +53,7 @@ impl EulerTop {
     /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
     /// let l = BodyVector::new(0.01, 2.0, 0.03);
     /// let top = EulerTop::new([1.0, 2.0, 3.0], l, Attitude::identity())?;
-    /// // L along the axes of space is what it was.
+    /// // L along the axes of space has not changed.
     /// assert!((top.at(1e6)?.attitude.to_space(top.at(1e6)?.angular_momentum) - top.angular_momentum_in_space()).norm() < 1e-14);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
@@ -616,7 +616,7 @@ impl FreeBody {
     /// let inertia = InertiaMatrix::diagonal(3.0, 1.0, 2.0)?;
     /// let body = FreeBody::new(&inertia, BodyVector::new(1.0, 2.0, 3.0), Attitude::identity())?;
     /// let omega = body.at(100.0)?.omega;
-    /// // The energy 12.5 J is kept.
+    /// // The energy of 12.5 J is conserved.
     /// assert!((inertia.rotational_energy(omega) - 12.5).abs() < 1e-13);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```

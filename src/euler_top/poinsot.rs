@@ -73,7 +73,7 @@ impl Poinsot {
     ///
     /// ```
     /// use spinning_bodies::{euler_top::Poinsot, frame::BodyVector};
-    /// // I = (1, 2, 3), Omega = (1, 1, 1): the plane stands at 6/sqrt(14).
+    /// // I = (1, 2, 3), Ω = (1, 1, 1): the distance of the plane is 6/√14.
     /// let picture = Poinsot::new([1.0, 2.0, 3.0], BodyVector::new(1.0, 2.0, 3.0))?;
     /// assert!((picture.plane_distance - 1.603567451474546308).abs() < 4e-16);
     /// # Ok::<(), spinning_bodies::Error>(())

@@ -91,7 +91,7 @@ impl SymmetricTop {
     ///
     /// ```
     /// use spinning_bodies::euler_top::SymmetricTop;
-    /// // A thrown plate, I₃ = 2I₁: as fast as it spins, seen from the plate.
+    /// // A thrown plate, I₃ = 2I₁: seen from the plate, Ω circles as fast as it spins.
     /// assert_eq!(SymmetricTop::new(1.0, 2.0)?.wobble_rate(3.0), 3.0);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```

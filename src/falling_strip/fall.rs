@@ -196,7 +196,7 @@ impl Fall {
     ///
     /// ```
     /// use spinning_bodies::falling_strip::{Coefficients, Fall, Start};
-    /// // Let go, it falls; its mirror image goes the other way.
+    /// // Released, it falls; its mirror image goes the other way.
     /// let fall = Fall::new(1.0, Coefficients::PUBLISHED)?;
     /// let mirrored = Start { tilt: -0.2, velocity: [-0.01, -0.01], omega: 0.0 };
     /// let [one, other] = [Start::TILTED, mirrored].map(|start| fall.path(start, &[5.0]));

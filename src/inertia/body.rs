@@ -76,7 +76,7 @@ impl MassProperties {
     /// ```
     /// use spinning_bodies::{frame::BodyVector, inertia::MassProperties};
     /// let particle = MassProperties::particle(2.0, BodyVector::new(0.0, 3.0, 0.0))?;
-    /// // About itself it has no moment, about the origin mr².
+    /// // Its moment about itself is zero, about the origin mr².
     /// assert_eq!(particle.inertia().matrix()[(0, 0)], 0.0);
     /// assert_eq!(particle.about(BodyVector::zero())?.matrix()[(0, 0)], 18.0);
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -144,7 +144,7 @@ impl MassProperties {
     /// Centre of mass, m, from the origin of the body's axes.
     ///
     /// ```
-    /// // A cone's centre is where its shape puts the origin.
+    /// // The centre of a cone is the origin of its shape.
     /// let cone = spinning_bodies::inertia::shapes::cone(10.0, 1.0, 2.0)?;
     /// assert_eq!(cone.center().components().norm(), 0.0);
     /// # Ok::<(), spinning_bodies::Error>(())

@@ -298,7 +298,7 @@ impl InertiaMatrix {
     /// ```
     /// use spinning_bodies::{frame::BodyVector, inertia::InertiaMatrix};
     /// use nalgebra::Matrix3;
-    /// // A pull to the middle in proportion to the distance turns nothing.
+    /// // A pull towards the middle in proportion to the distance has no torque.
     /// let torque = InertiaMatrix::diagonal(1.0, 2.0, 3.0)?.torque_in_linear_field(&-Matrix3::identity());
     /// assert_eq!(torque, BodyVector::zero());
     /// # Ok::<(), spinning_bodies::Error>(())

@@ -129,7 +129,7 @@ pub fn spherical_shell(mass: f64, radius: f64) -> Result<MassProperties> {
 ///
 /// ```
 /// use spinning_bodies::inertia::shapes;
-/// // Without a cavity it is the ball, with one of the whole radius the shell.
+/// // Without a cavity it is the ball, with a cavity as large as itself the thin shell.
 /// assert_eq!(shapes::thick_shell(5.0, 0.0, 2.0)?, shapes::ball(5.0, 2.0)?);
 /// assert!((shapes::thick_shell(3.0, 2.0, 2.0)?.inertia().matrix()[(0, 0)] - 8.0).abs() < 1e-14);
 /// # Ok::<(), spinning_bodies::Error>(())
@@ -269,7 +269,7 @@ pub fn cone(mass: f64, radius: f64, height: f64) -> Result<MassProperties> {
 ///
 /// ```
 /// use spinning_bodies::inertia::shapes;
-/// // Half a ball about its axis: as the whole one of the same mass; its centre lies 3R/8 below the plane.
+/// // Half a ball has the moment of a whole one of the same mass about its axis; its centre lies 3R/8 below the plane.
 /// let half = shapes::ball_without_cap(5.0, 8.0, 0.0)?;
 /// assert!((half.inertia().matrix()[(2, 2)] - 128.0).abs() < 1e-12);
 /// # Ok::<(), spinning_bodies::Error>(())

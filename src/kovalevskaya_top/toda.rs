@@ -146,7 +146,7 @@ impl Lattice {
     /// ```
     /// # use spinning_bodies::kovalevskaya_top::toda::{Ends, Lattice};
     /// let lattice = Lattice::new(Ends::Open, &[0.0, 0.0], &[1.0, -1.0])?;
-    /// // ±√(¼ + ¼), and twice these are the velocities with which two particles part.
+    /// // ±√(¼ + ¼); twice these are the velocities with which the two particles separate.
     /// let [a, b] = lattice.eigenvalues()?[..] else { panic!("two") };
     /// assert!((a + 0.5_f64.sqrt()).abs() < 1e-15 && (b - 0.5_f64.sqrt()).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -171,7 +171,7 @@ impl Lattice {
     /// # use spinning_bodies::kovalevskaya_top::toda::{Ends, Lattice};
     /// let mut lattice = Lattice::new(Ends::Open, &[0.0, 0.0], &[1.0, -1.0])?;
     /// lattice.advance(0.01, 4000)?;
-    /// // Apart at last, each with twice an eigenvalue.
+    /// // Once they are far apart, each momentum is twice an eigenvalue.
     /// assert!((lattice.momenta()[1] - 2.0_f64.sqrt()).abs() < 1e-9);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```

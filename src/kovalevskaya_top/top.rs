@@ -355,7 +355,7 @@ impl KovalevskayaTop {
     /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
     /// # let (lever, omega) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(1.0, 0.5, 0.3));
     /// # let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(2.0, -1.0, 2.0))?;
-    /// // Time is what the second integrals gain, and the first gain nothing.
+    /// // The second integrals grow with time, the first do not.
     /// let [a1, b1, a2, b2] = top.periods().expect("separated");
     /// let [n1, n2] = top.frequencies().expect("separated");
     /// assert!((a1 * n1 - a2 * n2).abs() < 1e-14 && (b1 * n1 - b2 * n2 - 1.0).abs() < 1e-14);

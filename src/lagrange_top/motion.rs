@@ -147,10 +147,10 @@ impl LagrangeTop {
     ///
     /// ```
     /// use spinning_bodies::lagrange_top::{LagrangeTop, Nutation};
-    /// // No sum L₃²/2I₃ + Mgl of these is a double.
+    /// // The sum L₃²/2I₃ + Mgl of these numbers is not a double.
     /// let at = |excess| LagrangeTop::above_upright(0.3, 0.1, 0.7, 0.2, 0.2, excess);
     /// assert_eq!(at(0.0)?.kind(), Nutation::Waking);
-    /// // From one passage to the next: longer by ln 10¹⁰⁰/λ for each hundred zeros.
+    /// // The period grows by ln 10¹⁰⁰/λ for each hundred zeros.
     /// let (near, nearer) = (at(1e-100)?, at(1e-200)?);
     /// let rate = (0.7 * at(0.0)?.roots().one_less[0] / 0.6).sqrt();
     /// assert!((nearer.period() - near.period() - 100.0 * 10f64.ln() / rate).abs() < 1e-12);
@@ -212,7 +212,7 @@ impl LagrangeTop {
     ///
     /// ```
     /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::{LagrangeTop, Nutation}};
-    /// // Spun, and let go at rest.
+    /// // Spun, and released with its axis at rest.
     /// let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
     /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
     /// assert_eq!(top.kind(), Nutation::Cusps);
@@ -265,7 +265,7 @@ impl LagrangeTop {
     /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
     /// let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
     /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
-    /// // The upper turning point is where it was let go.
+    /// // The upper turning point is where it was released.
     /// assert!((top.roots().h2 - 0.5_f64.cos()).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
@@ -286,7 +286,7 @@ impl LagrangeTop {
     /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
     /// let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
     /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
-    /// // I₃Ω₃ stays, and after a period the axis is as high as it was.
+    /// // I₃Ω₃ is constant, and after a period the axis is as high as before.
     /// let later = top.at(top.period())?;
     /// assert_eq!(later.omega.z(), 9.0);
     /// assert!((later.up.z() - 0.5_f64.cos()).abs() < 1e-15);
@@ -321,7 +321,7 @@ impl LagrangeTop {
     /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
     /// let heights = top.states([0.0, 0.1, 0.2]).map(|state| Ok(state?.up.z()));
     /// let heights: Vec<f64> = heights.collect::<Result<_, spinning_bodies::Error>>()?;
-    /// // Let go, it falls.
+    /// // Released, it falls.
     /// assert!(heights[0] > heights[1]);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
@@ -366,7 +366,7 @@ impl LagrangeTop {
     /// use spinning_bodies::{frame::{Attitude, BodyVector}, lagrange_top::LagrangeTop};
     /// let tilted = Attitude::about_axis(BodyVector::new(1.0, 0.0, 0.0), 0.5)?;
     /// let top = LagrangeTop::new(1.0, 0.5, 1.0, BodyVector::new(0.0, 0.0, 9.0), tilted)?;
-    /// // A fast top nods with L₃/I₁, nearly.
+    /// // A fast top nods at nearly the rate L₃/I₁.
     /// assert!((top.period() * 4.5 / std::f64::consts::TAU - 1.0).abs() < 0.1);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```

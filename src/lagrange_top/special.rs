@@ -187,7 +187,7 @@ impl Cycloid {
     ///
     /// ```
     /// use spinning_bodies::lagrange_top::Cycloid;
-    /// // Half a turn of the wheel: at the lowest point, and half way on.
+    /// // After half a turn of the wheel the axis is at its lowest point, half way along the arch.
     /// let [fall, turn] = Cycloid { radius: 1e-3, sine: 0.5 }.at(std::f64::consts::PI);
     /// assert!((fall - 2e-3).abs() < 1e-18 && (turn - 2e-3 * std::f64::consts::PI).abs() < 1e-17);
     /// ```
@@ -227,7 +227,7 @@ fn less_its_sine(u: f64) -> f64 {
 ///
 /// ```
 /// use spinning_bodies::lagrange_top::dip;
-/// // With L₃ = 2 from 60°: to the horizontal.
+/// // With L₃ = 2 it sinks from 60° to the horizontal.
 /// let sunk = dip(1.0, 1.0, 2.0, std::f64::consts::FRAC_PI_3)?;
 /// assert!(sunk.lowest_height.abs() < 3e-16 && (sunk.depth.to_degrees() - 30.0).abs() < 1e-13);
 /// # Ok::<(), spinning_bodies::Error>(())

@@ -147,7 +147,7 @@ impl Cat {
     /// use spinning_bodies::{frame::BodyVector, phenomena::{Bend, Cat, Half}};
     /// let half = Half { mass: 2.0, axial: 0.01, transverse: 0.03, to_joint: 0.2 };
     /// let (cat, straight) = (Cat::new([half; 2])?, Bend::default());
-    /// // A straight cat about its spine: twice the moment of a half.
+    /// // A straight cat has twice the moment of a half about its spine.
     /// let l = cat.angular_momentum(&straight, BodyVector::new(1.0, 0.0, 0.0));
     /// assert!((l - BodyVector::new(0.02, 0.0, 0.0)).norm() < 1e-16);
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -295,7 +295,7 @@ impl EqualHalves {
     /// use spinning_bodies::phenomena::EqualHalves;
     /// let cat = EqualHalves::new(0.02, 0.02)?; // as round as balls
     /// let third = 2.0 * std::f64::consts::FRAC_PI_3;
-    /// // Two right angles for a bend of two thirds of them.
+    /// // Half a turn for a bend of 120°.
     /// assert!((cat.turn_per_swing(third)? - std::f64::consts::PI).abs() < 1e-14);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
@@ -330,7 +330,7 @@ impl EqualHalves {
     /// ```
     /// use spinning_bodies::phenomena::EqualHalves;
     /// let cat = EqualHalves::new(0.02, 0.02)?; // as round as balls
-    /// // An even swing is one of them.
+    /// // An even swing is a special case.
     /// assert!((cat.turn_of_uneven_swing(1.0, 1.0)? - cat.turn_per_swing(1.0)?).abs() < 1e-14);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
@@ -350,7 +350,7 @@ impl EqualHalves {
     /// let cat = EqualHalves::new(0.02, 0.02)?; // as round as balls
     /// let third = 2.0 * std::f64::consts::FRAC_PI_3;
     /// assert!((cat.back_bend_for_half_turn(third)?.unwrap() - third).abs() < 1e-13);
-    /// // Who bends forward a little only never turns over.
+    /// // A cat that bends forward only a little never turns over.
     /// assert_eq!(cat.back_bend_for_half_turn(0.1)?, None);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```

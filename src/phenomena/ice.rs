@@ -22,7 +22,7 @@ pub struct Part {
 ///
 /// ```
 /// use spinning_bodies::phenomena::{Part, feet};
-/// // The upper part leans a metre to the right, the feet go to the left of a centre that stays.
+/// // The upper part leans a metre to the right, so the feet move to the left and the centre stays.
 /// let parts = [Part { mass: 1.0, from_feet: [0.0, 0.0] }, Part { mass: 3.0, from_feet: [1.0, 0.0] }];
 /// assert_eq!(feet(&parts, [0.0, 0.0])?, [-0.75, 0.0]);
 /// # Ok::<(), spinning_bodies::Error>(())
@@ -131,7 +131,7 @@ impl Wriggler {
     /// ```
     /// use spinning_bodies::phenomena::Wriggler;
     /// let body = Wriggler::random(7);
-    /// // It starts within its own circle of half a metre.
+    /// // It starts on a circle of half a metre, so its centre is inside.
     /// let [x, y] = body.center(body.start());
     /// assert!(x.hypot(y) < 0.5);
     /// ```

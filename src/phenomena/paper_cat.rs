@@ -72,7 +72,7 @@ impl PaperCat {
     ///
     /// ```
     /// use spinning_bodies::phenomena::PaperCat;
-    /// // Tilted one way, it is turned the other.
+    /// // Tilted one way, it is turned the other way.
     /// assert!(PaperCat::POSTCARD.righting(1.2, 2.0, 0.1, 0.0) < 0.0);
     /// ```
     pub fn righting(&self, air: f64, velocity: f64, tilt: f64, tilt_rate: f64) -> f64 {
@@ -85,7 +85,7 @@ impl PaperCat {
     ///
     /// ```
     /// use spinning_bodies::phenomena::PaperCat;
-    /// // Better aimed by a factor of ten, it falls so much further upside down.
+    /// // Aimed ten times as well, it falls this much further upside down.
     /// let fall = PaperCat::POSTCARD.fall_per_decade(1.2, 9.81);
     /// assert!(fall > 0.0 && fall < 1.0);
     /// ```

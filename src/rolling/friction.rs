@@ -34,7 +34,7 @@ impl Coulomb {
     /// ```
     /// use spinning_bodies::rolling::Coulomb;
     /// assert!(Coulomb::with_grip(0.2, 0.3).is_ok());
-    /// // What holds worse than it slips is no contact.
+    /// // Static friction less than sliding friction is refused.
     /// assert!(Coulomb::with_grip(0.3, 0.2).is_err());
     /// ```
     pub fn with_grip(kinetic: f64, grip: f64) -> Result<Self> {

@@ -15,7 +15,7 @@
 //! use spinning_bodies::rolling::RoundBody;
 //!
 //! let ball = RoundBody::new(0.17, 0.0286, 0.4)?;
-//! assert_eq!(ball.pure_rolling_height(), 1.4); // the chestnut: 7R/5 above the table
+//! assert_eq!(ball.pure_rolling_height(), 1.4); // the classic answer: 7R/5 above the table
 //! # Ok::<(), spinning_bodies::Error>(())
 //! ```
 

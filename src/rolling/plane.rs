@@ -96,7 +96,7 @@ impl Slide {
     /// let ball = RoundBody::new(0.17, 0.028, 0.4)?;
     /// let start = InPlane { velocity: [7.0, 0.0], rim_velocity: [0.0, 7.0] };
     /// let slide = ball.slide_in_plane(start, 0.2, 10.0)?;
-    /// // A parabola: on the way the mean of the first and the last velocity.
+    /// // On a parabola the mean velocity is the mean of the first and the last.
     /// let (place, motion) = slide.at(slide.time);
     /// assert!((place[0] - 6.0 * slide.time).abs() < 1e-14 && motion.slip()[0].abs() < 1e-14);
     /// # Ok::<(), spinning_bodies::Error>(())

@@ -255,7 +255,7 @@ impl Spool {
     /// ```
     /// use spinning_bodies::rolling::{RoundBody, Spool};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
-    /// // Straight up, from the side of the axle.
+    /// // Straight up: the line of force touches the side of the axle.
     /// assert!((spool.foot_of_the_line(std::f64::consts::FRAC_PI_2)? - 0.5).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
@@ -332,7 +332,7 @@ impl Spool {
     /// use spinning_bodies::rolling::{Moment, RoundBody, Spool, Tug};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// let tug = Tug::new(1.2, 0.0)?;
-    /// // Rolling at 0.4 m/s, it winds up half of that.
+    /// // Rolling at 0.4 m/s, it winds up string at half that speed.
     /// assert_eq!(spool.hand_speed(tug, &Moment::moving(0.4, 0.4)), 0.2);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```

@@ -251,7 +251,7 @@ impl Flight {
     /// let motion = Motion { velocity: 1.0, rim_speed: 0.0 };
     /// let start = InFlight { position: 0.0, height: 1.0, climb: -1.0, motion, bounces: 0 };
     /// let flight = Flight::new(0.4, 1.0, (None, None, None), start)?;
-    /// // The floor after a second leaves 3/7 of the velocity.
+    /// // It lands after one second and keeps 3/7 of its velocity.
     /// assert!((flight.exact(1.5)?.position - (1.0 + 0.5 * 3.0 / 7.0)).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```

@@ -109,7 +109,7 @@ fn logarithm_of_ratio(part: f64, whole: f64) -> f64 {
 /// ```
 /// use spinning_bodies::superball::{Motion, Surface, bounce_with};
 /// let thrown = Motion { velocity: 1.0_f64, rim_speed: 0.0 };
-/// // Nothing of the contact speed is left: it rolls, V = RΩ.
+/// // No contact speed is left: the ball rolls, V = RΩ.
 /// let after = bounce_with(thrown, Surface::Floor, 0.4, 0.0);
 /// assert!((after.velocity - after.rim_speed).abs() < 1e-15 && (after.velocity - 5.0 / 7.0).abs() < 1e-15);
 /// ```
@@ -132,7 +132,7 @@ pub fn bounce_with<T: Num + Copy>(
 /// ```
 /// use spinning_bodies::{rolling::Coulomb, superball::{Motion, Surface, gripping_bounce}};
 /// let thrown = Motion { velocity: 1.0, rim_speed: 0.0 };
-/// // Too little grip: friction takes μ times the normal impulse from the velocity.
+/// // With too little grip, friction takes μ times the normal impulse from the velocity.
 /// let slippery = gripping_bounce(thrown, Surface::Floor, 0.4, 1.0, Coulomb::new(0.1)?, 2.0);
 /// assert!((slippery.velocity - 0.8).abs() < 1e-15);
 /// # Ok::<(), spinning_bodies::Error>(())

@@ -29,7 +29,7 @@ impl ConvexBody {
     /// use spinning_bodies::{frame::BodyVector, inertia::InertiaMatrix, tippe_top::{ConvexBody, Surface}};
     /// let inertia = InertiaMatrix::diagonal(1.0, 2.0, 3.0)?;
     /// let body = ConvexBody::new(4.0, inertia, Surface::sphere(1.0)?, BodyVector::new(0.0, 0.0, 0.25))?;
-    /// // Standing upright C is R − a above the table.
+    /// // Upright, C is R − a above the table.
     /// assert_eq!(body.lowest_point(BodyVector::new(0.0, 0.0, 1.0))?.z(), -0.75);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```

@@ -126,7 +126,7 @@ impl HoopWithClay {
     /// ```
     /// use spinning_bodies::tippe_top::HoopWithClay;
     /// let hoop = HoopWithClay::new(1.0, 1.0, 0.5, 0.5, 0.125, 8.0)?; // I = ½ kg m², f = 1 N
-    /// // Upright the arm is R − ε alone, half of what the estimate takes.
+    /// // Upright the arm is only R − ε, half of the R in the estimate.
     /// assert_eq!(hoop.refined_rate(4.0, 0.0, 0.0), 0.25);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```

@@ -49,7 +49,7 @@ pub struct QuasiSteady {
 /// let state = quasi_steady(&bodies::tippe_top()?, 9.81, Regularised::new(0.3, 1e-3)?, 150.0)?;
 /// // A round top can stand upright.
 /// assert!(state.tilt < 1e-9);
-/// // The chiral one leans a little, and friction takes from its spin; the fastest growing pair comes first.
+/// // The chiral one leans slightly and loses spin by friction; the fastest growing pair comes first.
 /// let state = quasi_steady(&bodies::chiral_top()?, 9.81, Regularised::new(0.3, 1e-3)?, 150.0)?;
 /// assert!(state.tilt > 0.0 && state.tilt < 0.2);
 /// assert!(state.spin_rate < 0.0 && state.growth_rates[0].growth >= state.growth_rates[5].growth);
@@ -247,7 +247,7 @@ fn jacobian<const N: usize>(
 ///
 /// ```
 /// use spinning_bodies::tippe_top::{bodies, rolling_growth_rates};
-/// // The rattleback: stable one way round, unstable the other.
+/// // The rattleback is stable for one sense of spin, unstable for the other.
 /// let stone = bodies::rattleback()?;
 /// let [one, other] = [5.0, -5.0].map(|spin| rolling_growth_rates(&stone, 9.81, spin).map(|rates| rates[0].growth));
 /// assert!(one? != other?);

@@ -142,7 +142,7 @@ impl TippeTop {
     /// use spinning_bodies::tippe_top::TippeTop;
     /// let unit = 0.02 * 0.02 * 0.02; // MR²
     /// let top = TippeTop::new(0.02, 0.02, 0.3, 131.0 / 350.0 * unit, 0.4 * unit, 9.81)?;
-    /// // Without spin it is the height of C alone: 2MgRα from upright to inverted.
+    /// // Without spin only the height of C counts: 2MgRα from upright to inverted.
     /// let lift = top.effective_potential(std::f64::consts::PI, 0.0) - top.effective_potential(0.0, 0.0);
     /// assert!((lift / (2.0 * 0.02 * 9.81 * 0.02 * 0.3) - 1.0).abs() < 1e-14);
     /// # Ok::<(), spinning_bodies::Error>(())
@@ -163,7 +163,7 @@ impl TippeTop {
     /// use spinning_bodies::tippe_top::TippeTop;
     /// let unit = 0.02 * 0.02 * 0.02; // MR²
     /// let top = TippeTop::new(0.02, 0.02, 0.3, 131.0 / 350.0 * unit, 0.4 * unit, 9.81)?;
-    /// // There the effective potential is flat.
+    /// // At the steady state the effective potential is flat.
     /// let (tilt, step) = (1.0, 1e-4);
     /// let jellett = top.steady_jellett(tilt).unwrap();
     /// let [below, here, above] = [tilt - step, tilt, tilt + step].map(|tilt| top.effective_potential(tilt, jellett));
@@ -230,7 +230,7 @@ impl TippeTop {
     /// use spinning_bodies::tippe_top::TippeTop;
     /// let unit = 0.02 * 0.02 * 0.02; // MR²
     /// let top = TippeTop::new(0.02, 0.02, 0.3, 131.0 / 350.0 * unit, 0.4 * unit, 9.81)?;
-    /// // A little too slow to stand on its head: it ends short of that.
+    /// // Slightly too slow to turn over completely, it ends short of that.
     /// let spin = 0.99 * top.least_spin_to_invert().unwrap();
     /// assert!(top.final_tilt(top.jellett_of_spin(spin, 0.0), 0.0)? < std::f64::consts::PI);
     /// # Ok::<(), spinning_bodies::Error>(())

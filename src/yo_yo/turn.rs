@@ -59,7 +59,7 @@ impl Turn {
     /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
     /// let turn = Turn::new(toy, 8.0, 200.0)?;
     /// assert!((turn.fastest - 40_400.0_f64.sqrt()).abs() < 1e-12);
-    /// // The weight, and the momentum of 2 N s turned round.
+    /// // The weight, plus the reversal of a momentum of 2 N s.
     /// assert!((turn.mean_tension - 8.0 - 4.0 / turn.duration).abs() < 1e-12);
     /// // Too slow to be carried round.
     /// assert!(Turn::new(toy, 8.0, 10.0).is_err());
@@ -141,7 +141,7 @@ impl Turn {
     /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
     /// let turn = Turn::new(toy, 8.0, 200.0)?;
     /// assert_eq!(turn.work_of_lift(0.0), 0.0);
-    /// // Far more than the weight alone would ask.
+    /// // Far more than work against the weight alone.
     /// assert!(turn.work_of_lift(0.01) > 10.0 * 8.0 * 0.01);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```

@@ -232,7 +232,7 @@ impl Unwinding {
     /// ```
     /// use spinning_bodies::yo_yo::{Unwinding, YoYo};
     /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
-    /// // As fast as a fall from the hand makes it.
+    /// // The speed is that of a fall from the hand.
     /// assert!(Unwinding::energy_at(&toy, 8.0, 0.25, 1.0)?.abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```

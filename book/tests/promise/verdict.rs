@@ -79,7 +79,7 @@ impl Outcome {
                 if promised && (self.known || !grown) {
                     faults.push(Fault::Refused);
                 }
-                if !why.contains("grow") {
+                if !why.contains("amplifies") {
                     faults.push(Fault::Unnamed);
                 }
             }

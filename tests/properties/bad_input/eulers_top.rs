@@ -23,7 +23,8 @@ fn what_is_no_body_is_named() {
     refused!(top([0.0, 1.0, 1.0], [1.0; 3]), Condition);
     refused!(top([1.0, 2.0, -2.0], [1.0; 3]), Negative);
     refused!(top([1.0, 2.0, 3.1], [1.0; 3]), TriangleInequality);
-    refused!(top([1.0, 2.0, 2.5], [1.5e308; 3]), NotFinite);
+    let beyond = top([1.0, 2.0, 2.5], [1.5e308; 3]);
+    refused!(beyond, NotFinite, "the size of the angular momentum");
     // A needle whose own spin is too slow for any double.
     let (needle, slow) = ([1e-300, 1e-150, 1e-150], vector([7.7e-128, 2.2e-308, 0.0]));
     assert!(matches!(

@@ -2,7 +2,7 @@
 
 use super::*;
 use spinning_bodies::scene::Progress;
-use spinning_bodies::scene::contact::{State, Support, TableTop};
+use spinning_bodies::scene::contact::{State, Support, TableTop, passage};
 use spinning_bodies::scene::effects::{AirDrag, NoSlip, Regularised, Resistance, Viscous};
 use spinning_bodies::tippe_top::{ConvexBody, Start, Surface, bodies};
 
@@ -135,6 +135,10 @@ fn a_struck_ball_slides_until_it_rolls() {
     assert!((phases[1].start - known.time).abs() < 1e-8);
     let sliding = end(&scene, 0.5 * known.time, 1e-9);
     assert!((sliding.friction - 0.2 * sliding.reaction).abs() < 1e-15 * sliding.reaction);
+    // V = 0.7 m/s − 0.2 gt, so that a straight line between two rows is the motion.
+    let rows = motion(&scene, &[0.0, 0.1], 1e-9).rows;
+    let slower = passage(&rows, |state| -state.velocity.x(), -0.6).unwrap();
+    near!(slower, 0.1 / (0.2 * G), 1e-8);
     // Just before, where steps count the way to rest and not the time.
     let left = [6e-3, 4e-3, 2e-3].map(|part| part * known.time);
     let late = motion(&scene, &left.map(|left| known.time - left), 1e-9);

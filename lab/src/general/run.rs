@@ -121,6 +121,11 @@ impl<'a, const N: usize> Run<'a, N> {
         };
         // Components with their own tolerances: tolerance × (|y| + scale).
         let absolute = |tolerance: f64| self.scales.map(|scale| tolerance * scale);
+        // Steps of one length, no longer than this, that add up to a phase.
+        let even = |step: f64| -> Result<_> {
+            let step = positive("the step", step)? / clock.span.abs();
+            Ok(move |length: f64| length / (length / step).ceil().max(1.0))
+        };
         // Each method is a type of its own.
         macro_rules! by_tolerance {
             ($method:ident, $tolerance:expr) => {{
@@ -135,28 +140,30 @@ impl<'a, const N: usize> Run<'a, N> {
         }
         match (self.method, self.effort) {
             (Method::Rk4, Effort::Step(step)) => {
-                let step = positive("the step", step)? / clock.span.abs();
-                let make = |length: f64| {
-                    let count = (length / step).ceil().max(1.0);
-                    ExplicitRungeKutta::rk4(length / count).max_steps(MOST_STEPS)
-                };
+                let step = even(step)?;
+                let make = |length| ExplicitRungeKutta::rk4(step(length)).max_steps(MOST_STEPS);
                 self.drive(make, clock, start, times, event)
             }
             (Method::Dopri5, Effort::Tolerance(most)) => by_tolerance!(dopri5, most),
             (Method::Dop853, Effort::Tolerance(most)) => by_tolerance!(dop853, most),
             (Method::Verner98, Effort::Tolerance(most)) => by_tolerance!(rkv989e, most),
             (Method::Gauss, Effort::Step(step)) => {
-                let step = positive("the step", step)? / clock.span.abs();
-                let make = |length: f64| {
-                    let count = (length / step).ceil().max(1.0);
-                    held(ImplicitRungeKutta::gauss_legendre_6(), length / count)
-                };
-                // Newton's method has one tolerance for all components, so they are scaled to similar magnitude.
-                let scaled = Scaled::new(self.system, event, self.scales);
-                let run = Run::new(&scaled, &[1.0; N], self.method, self.effort);
-                let start = scaled.to_units(start);
-                let passage = run.drive(make, clock, &start, times, &scaled)?;
-                Ok(scaled.passage(passage))
+                let step = even(step)?;
+                let make = |length| held(ImplicitRungeKutta::gauss_legendre_6(), step(length));
+                let mut sizes = *self.scales;
+                loop {
+                    // Newton's method has one tolerance for all components, so they are scaled to similar magnitude.
+                    let scaled = Scaled::new(self.system, event, &sizes);
+                    let run = Run::new(&scaled, &[1.0; N], self.method, self.effort);
+                    let start = scaled.to_units(start);
+                    let driven = run.drive(make, clock, &start, times, &scaled);
+                    // A component that outgrows its size is rounded by more than that tolerance.
+                    let stalled = matches!(driven, Err(Error::Integration { reason: STIFF, .. }));
+                    if !stalled || sizes == scaled.sizes.get() {
+                        return Ok(scaled.passage(driven?));
+                    }
+                    sizes = scaled.sizes.get();
+                }
             }
             _ => Err(Error::Integration {
                 reason: "rk4 and gauss must be given a step, every other method a tolerance",
@@ -169,7 +176,7 @@ impl<'a, const N: usize> Run<'a, N> {
     /// output loses up to four digits against the steps.
     fn drive<M>(
         &self,
-        make: impl Fn(f64) -> M,
+        make: impl Fn(f64) -> M + Copy,
         clock: Clock,
         start: &[f64; N],
         times: &[f64],
@@ -230,13 +237,9 @@ impl<'a, const N: usize> Run<'a, N> {
         for &component in states.iter().chain([&end.1]).flatten() {
             finite("the state after integration", component)?;
         }
-        let time = match stopped {
-            Stop::AtTheEnd => clock.start + clock.span,
-            Stop::AtTheEvent => clock.time(end.0),
-        };
         Ok(Passage {
             states,
-            time,
+            time: clock.time(end.0),
             end: end.1,
             stopped,
             cost,
@@ -273,6 +276,8 @@ fn spent<const N: usize>(run: &Finished<f64, [f64; N]>) -> Cost {
     }
 }
 
+const STIFF: &str = "the equations are stiff: some effect is over long before a step is; without it, or to a looser accuracy, they may not be";
+
 fn refused<const N: usize>(refusal: &Refusal<f64, [f64; N]>, clock: Clock) -> Error {
     let (reason, phase) = match refusal {
         Refusal::MaxSteps { t, .. } => (
@@ -283,10 +288,7 @@ fn refused<const N: usize>(refusal: &Refusal<f64, [f64; N]>, clock: Clock) -> Er
             "the step became too small: the tolerance is below rounding, or the motion is not finite",
             *t,
         ),
-        Refusal::Stiffness { t, .. } => (
-            "the equations are stiff: some effect is over long before a step is; without it, or to a looser accuracy, they may not be",
-            *t,
-        ),
+        Refusal::Stiffness { t, .. } => (STIFF, *t),
         Refusal::LinearAlgebra { t, .. } => (
             "the implicit steps have no solution: the motion is not finite, or the step too long; a method that chooses its steps may do",
             *t,

@@ -1,5 +1,7 @@
 //! The equations scaled so that every component is near 1.
 
+use core::cell::Cell;
+
 use spinning_bodies::Result;
 use spinning_bodies::integrators::{Event, Passage, System};
 
@@ -8,6 +10,8 @@ pub(super) struct Scaled<'a, const N: usize> {
     system: &'a dyn System<N>,
     event: &'a dyn Event<N>,
     units: [f64; N],
+    /// The scales, or the greatest that a step has come to where that is more.
+    pub sizes: Cell<[f64; N]>,
 }
 
 impl<'a, const N: usize> Scaled<'a, N> {
@@ -21,6 +25,7 @@ impl<'a, const N: usize> Scaled<'a, N> {
             system,
             event,
             units,
+            sizes: Cell::new(*scales),
         }
     }
 
@@ -33,12 +38,9 @@ impl<'a, const N: usize> Scaled<'a, N> {
     }
 
     pub(super) fn passage(&self, passage: Passage<[f64; N]>) -> Passage<[f64; N]> {
+        let states = passage.states.iter().map(|y| self.out_of_units(y));
         Passage {
-            states: passage
-                .states
-                .iter()
-                .map(|y| self.out_of_units(y))
-                .collect(),
+            states: states.collect(),
             end: self.out_of_units(&passage.end),
             ..passage
         }
@@ -57,7 +59,11 @@ impl<const N: usize> System<N> for Scaled<'_, N> {
 
 impl<const N: usize> Event<N> for Scaled<'_, N> {
     fn value(&self, t: f64, y: &[f64; N]) -> f64 {
-        self.event.value(t, &self.out_of_units(y))
+        let y = self.out_of_units(y);
+        let sizes = self.sizes.get();
+        self.sizes
+            .set(core::array::from_fn(|n| sizes[n].max(y[n].abs())));
+        self.event.value(t, &y)
     }
 }
 

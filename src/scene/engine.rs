@@ -248,8 +248,9 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
                 } else {
                     until
                 };
-                let passage = leg(late, Effort::Step(half))?;
-                halved = Some(passage).filter(|p| p.stopped == Stop::AtTheEvent || late == until);
+                // What even steps cannot follow is for those that are chosen.
+                let passage = leg(late, Effort::Step(half)).ok();
+                halved = passage.filter(|p| p.stopped == Stop::AtTheEvent || late == until);
             }
             let passage = match halved {
                 Some(passage) => passage,

@@ -184,7 +184,8 @@ impl Strip {
 }
 
 /// |ω|ω has a kink where the strip turns back. A step across it is in error by its jump times the cube of the step, whatever the order of the
-/// method; so the phases are those of one sense of turning, 1 or −1, in which |ω| is smooth.
+/// method; so the phases are those of one sense of turning, 1 or −1, in which |ω| is smooth. A phase lasts until the strip turns the other way by more
+/// than what rounding makes of a rest: read with the wrong sense for good, the resistance would drive.
 impl Flow<7> for Strip {
     type Phase = f64;
 
@@ -221,12 +222,11 @@ impl Flow<7> for Strip {
     fn margin(&self, sense: f64, _: f64, y: &[f64; 7]) -> Option<f64> {
         let kink = |damping: RotationalDamping| damping.quadratic != 0.0;
         let bends = self.equations.damping.is_some_and(kink);
-        bends.then_some(sense * y[5])
+        bends.then(|| sense * y[5] + AT_REST * self.scales()[5])
     }
 
-    fn next(&self, sense: f64, _: Stop, _: f64, y: &mut [f64; 7]) -> Result<f64> {
-        y[5] = 0.0;
-        Ok(-sense)
+    fn next(&self, _: f64, _: Stop, _: f64, y: &mut [f64; 7]) -> Result<f64> {
+        Ok(1.0_f64.copysign(y[5]))
     }
 
     /// With what falls in the square of the time, and with no more energy than at the start: two energies that cancel.
@@ -254,6 +254,9 @@ impl Flow<7> for Strip {
         .fold(0.0, greater)
     }
 }
+
+/// What turns no faster than this, in units of the scale, may turn either way: its square is less than rounding. Starts that are compared differ by less.
+const AT_REST: f64 = 1e-9;
 
 /// What may be asked for.
 const SOLVERS: &str = "the solver of a strip is `exact` in a vacuum, or one that steps";

@@ -267,3 +267,30 @@ fn methods_agree_and_refusals_are_named() {
     refused!(stranger, Effect);
     assert!(Plate::new(0.01, 1e-3, 1.2, 2.0, 0.3).is_err());
 }
+
+/// Let go edge on it stays so for as long as rounding lets it: too long, and that is what is told.
+#[test]
+fn what_falls_edge_on_tells_how_it_grows() {
+    let plate = Sheet::new(0.017, 5.6, 31.0, 9.81).unwrap().plate();
+    let angle = std::f64::consts::FRAC_PI_2;
+    let strip = Strip::new(
+        plate.unwrap(),
+        StripStart {
+            angle,
+            ..StripStart::default()
+        },
+    )
+    .unwrap();
+    let resistance = RotationalDamping {
+        linear: 0.0,
+        quadratic: 0.04,
+    };
+    let strip = strip.with(gravity()).unwrap().with(DRAG).unwrap();
+    let strip = strip
+        .with(resistance)
+        .unwrap()
+        .with(AddedMass { factor: 0.1 })
+        .unwrap();
+    let request = Request::at([6.0]).unwrap().to_accuracy(1e-3).unwrap();
+    refused!(strip.simulate(&request), Amplified);
+}

@@ -58,6 +58,11 @@ impl Coulomb {
     pub(crate) const fn grip(&self) -> f64 {
         self.grip
     }
+
+    /// Whether it can do anything.
+    pub(crate) const fn acts(&self) -> bool {
+        self.grip > 0.0
+    }
 }
 
 /// Rolling resistance: the reaction acts `arm` radii ahead of the centre, which makes a couple against the rotation.

@@ -112,7 +112,7 @@ impl Roller {
     /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         match effect.into() {
-            Effect::Coulomb(law) => self.friction = Some(law),
+            Effect::Coulomb(law) => self.friction = law.acts().then_some(law),
             Effect::RollingResistance(law) => self.resistance = Some(law),
             Effect::Sheet(sheet) => self.sheet = Some(sheet),
             other => return Err(other.refused("a roller", "friction, rolling_resistance, sheet")),

@@ -88,7 +88,7 @@ impl TuggedSpool {
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         match effect.into() {
             Effect::Tug(tug) => self.roller.load = self.spool.load(tug, self.gravity)?,
-            Effect::Coulomb(law) => self.roller.friction = Some(law),
+            Effect::Coulomb(law) => self.roller.friction = law.acts().then_some(law),
             Effect::RollingResistance(law) => self.roller.resistance = Some(law),
             other => return Err(other.refused("a spool", "tug, friction, rolling_resistance")),
         }

@@ -76,7 +76,7 @@ impl Friction {
     /// Whether the law has any effect.
     pub(crate) fn acts(&self) -> bool {
         match self {
-            Self::Coulomb(law) => law.grip() > 0.0,
+            Self::Coulomb(law) => law.acts(),
             Self::Regularised(law) => law.mu > 0.0,
             Self::Viscous(law) => law.coefficient > 0.0,
             Self::NoSlip => true,

@@ -114,3 +114,16 @@ fn a_ball_that_a_gentle_pull_has_left_behind() {
     assert!(motion.rows[0].1.moment.velocity.abs() < 1e-15);
     assert!(motion.error_estimate < 1e-12);
 }
+
+/// It spins on the spot until the couple has stopped it, and the slip with it.
+#[test]
+fn friction_of_nothing_beside_rolling_resistance() {
+    let ball = RoundBody::new(0.17, 0.028_575, 0.4).unwrap();
+    let scene = Roller::new(ball, 9.81, 0.0, -1.0).unwrap();
+    let scene = scene.with(mu(0.0)).unwrap();
+    let motion = agreed(
+        &scene.with(RollingResistance::new(0.1).unwrap()).unwrap(),
+        times(),
+    );
+    assert_eq!(motion.rows[0].1.moment.rim_speed, 0.0);
+}

@@ -396,6 +396,15 @@ impl OnTheTable {
         }
     }
 
+    /// The numbers after a landing with these, whether C falls then or rises.
+    fn landings(&self, takeoff: &TakeOff, y: &Numbers) -> impl Iterator<Item = Numbers> {
+        let fallen = takeoff.height - self.body().height(&Pose::of(y)).0;
+        let climb = (takeoff.climb.powi(2) + 2.0 * self.table.gravity * fallen).sqrt();
+        [climb, -climb]
+            .into_iter()
+            .filter_map(|climb| self.table.landed(y, climb, &|_| Ok(())).ok())
+    }
+
     fn slip(&self, y: &Numbers) -> f64 {
         self.table.slides(&Pose::of(y)).slip.norm()
     }
@@ -572,9 +581,7 @@ impl Flow<NUMBERS> for OnTheTable {
     }
 
     fn next(&self, mode: Mode, _: Stop, t: f64, y: &mut Numbers) -> Result<Mode> {
-        if let Mode::Airborne(takeoff) = mode {
-            let (_, climb) = takeoff.at(t, self.table.gravity);
-            *y = self.table.landed(y, climb)?;
+        if let Mode::Airborne(_) = mode {
             return self.settled(t, y);
         }
         let pose = Pose::of(y);
@@ -610,19 +617,37 @@ impl Flow<NUMBERS> for OnTheTable {
         }
     }
 
-    fn distance(&self, (_, a): &(Mode, Numbers), (_, b): &(Mode, Numbers)) -> f64 {
-        let angle = Pose::of(a).attitude().angle_to(&Pose::of(b).attitude());
+    /// Where one of the two has just landed, the other is about to.
+    fn distance(&self, (p, a): &(Mode, Numbers), (q, b): &(Mode, Numbers)) -> f64 {
         let scales = self.scales();
-        let relative = |n: usize| (a[n] - b[n]).abs() / scales[n];
-        (4..9).map(relative).fold(angle, engine::greater)
+        let apart = |a: &Numbers, b: &Numbers| {
+            let angle = Pose::of(a).attitude().angle_to(&Pose::of(b).attitude());
+            let relative = |n: usize| (a[n] - b[n]).abs() / scales[n];
+            (4..9).map(relative).fold(angle, engine::greater)
+        };
+        let (takeoff, flying, other) = match (p, q) {
+            (Mode::Airborne(_), Mode::Airborne(_)) => return apart(a, b),
+            (Mode::Airborne(takeoff), _) => (takeoff, a, b),
+            (_, Mode::Airborne(takeoff)) => (takeoff, b, a),
+            _ => return apart(a, b),
+        };
+        let landed = self.landings(takeoff, flying);
+        landed.fold(apart(a, b), |least, y| least.min(apart(&y, other)))
     }
 }
 
 impl OnTheTable {
+    /// Up to the end of the landing blow, if there is one.
     fn flown(&self, takeoff: TakeOff, ahead: &Ahead<'_, NUMBERS>) -> Result<Passage<Numbers>> {
         let flight = Flight::from(self.body(), self.table.gravity, ahead.start.1, takeoff)?;
         let landing = flight.landing(ahead.end, |time| ahead.budget.spend(1, time))?;
-        ahead.in_closed_form(landing, |t| flight.at(t))
+        let mut passage = ahead.in_closed_form(landing, |t| flight.at(t))?;
+        if let Some(time) = landing {
+            let (_, climb) = takeoff.at(time, self.table.gravity);
+            let spent = |evaluations| ahead.budget.spend(evaluations, time);
+            passage.end = self.table.landed(&passage.end, climb, &spent)?;
+        }
+        Ok(passage)
     }
 
     /// Near rest, where friction turns with the slip, faster and faster. Counted is not the time but ∫μg dt/|slip|: the slip then goes to nothing
@@ -672,8 +697,8 @@ impl OnTheTable {
                 z = part.end;
             }
             passage.end = parted(&z);
-            // Located to rounding.
-            if left(&z) > 1e-9 * whole {
+            // Located to rounding, of the time as well.
+            if left(&z) > 1e-9 * whole + 4.0 * f64::EPSILON * self.turning * time {
                 passage.time = now + z[NUMBERS];
                 passage.stopped = Stop::AtTheEvent;
                 return Ok(passage);

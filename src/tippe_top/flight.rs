@@ -8,7 +8,7 @@ use super::friction::Friction;
 use crate::error::{Error, Result};
 use crate::euler_top::{FreeBody, State};
 use crate::frame::BodyVector;
-use crate::integrators::{Effort, Kept, Leg, System, halved};
+use crate::integrators::{Effort, Kept, Leg, System, Watched, halved};
 
 /// A free body whose centre of mass moves on a parabola.
 #[derive(Debug, Clone)]
@@ -163,12 +163,12 @@ impl Table {
     /// v·n = 0, where K is the inverse effective mass of the point in contact. So an impact can only lose energy.
     ///
     /// # Errors
-    /// [`Error::Integration`] for an impact that is not finite.
-    pub(crate) fn landed(&self, y: &Numbers, climb: f64) -> Result<Numbers> {
+    /// [`Error::Integration`] for an impact that is not finite; those of `spent`, which receives the evaluations of every step.
+    pub(crate) fn landed(&self, y: &Numbers, climb: f64, spent: Spent<'_>) -> Result<Numbers> {
         let pose = Pose::of(y);
         let arm = self.body.arm(&pose.up);
         let contact = pose.level + pose.up * climb + pose.omega.cross(&arm);
-        let after = self.blow(&pose.up, &contact, self.body.yielding(&arm))?;
+        let after = self.blow(&pose.up, &contact, self.body.yielding(&arm), spent)?;
         Ok(self.body.struck(y, &pose, climb, after))
     }
 
@@ -185,6 +185,7 @@ impl Table {
         up: &Vector3<f64>,
         contact: &Vector3<f64>,
         matrix: Matrix3<f64>,
+        spent: Spent<'_>,
     ) -> Result<Vector3<f64>> {
         let fall = -up.dot(contact);
         if fall <= 0.0 {
@@ -206,7 +207,7 @@ impl Table {
                 let push = yielding.holding();
                 let normal = up.dot(&push);
                 let holds = |grip: f64| (push - up * normal).norm() <= grip * normal;
-                let (slip, left) = self.slowed(&yielding, &slip, fall)?;
+                let (slip, left) = self.slowed(&yielding, &slip, fall, spent)?;
                 if left <= 0.0 {
                     return Ok(slip);
                 }
@@ -217,7 +218,7 @@ impl Table {
                 let push = matrix * (up - along * law.kinetic());
                 Ok(along * (push.dot(&along) / up.dot(&push) * left))
             }
-            Some(_) => Ok(self.slowed(&yielding, &slip, fall)?.0),
+            Some(_) => Ok(self.slowed(&yielding, &slip, fall, spent)?.0),
         }
     }
 
@@ -232,6 +233,7 @@ impl Table {
         yielding: &Yielding,
         slip: &Vector3<f64>,
         fall: f64,
+        spent: Spent<'_>,
     ) -> Result<(Vector3<f64>, f64)> {
         let (up, size) = (yielding.up, slip.norm());
         let sudden = matches!(self.friction, Some(Friction::Coulomb(_)));
@@ -265,7 +267,7 @@ impl Table {
         }
         let least = NO_SLIP * (size + fall);
         let leg = Leg {
-            system: &rate as &dyn System<3>,
+            system: &Watched(&rate, |_| spent(A_STEP), 0.0) as &dyn System<3>,
             kept: Kept::Nothing,
             start: (0.0, &start),
             scales: &[least, least, fall],
@@ -284,6 +286,11 @@ impl Table {
     }
 }
 
+/// Receives counts of evaluations, and may refuse them as too many.
+type Spent<'a> = &'a dyn Fn(u64) -> Result<()>;
+
+/// Evaluations of a step within an impact.
+const A_STEP: u64 = 12;
 /// Tolerance of a step within an impact.
 const IN_A_BLOW: f64 = 1e-13;
 /// A slip that changes by less than this fraction of the change in approach is held constant by a smooth law.
@@ -335,7 +342,8 @@ mod tests {
         };
         let matrix = Matrix3::new(A, 0.0, B, 0.0, 30.0, 0.0, B, 0.0, C);
         let contact = Vector3::new(slip, 0.0, -approach);
-        table.blow(&Vector3::z(), &contact, matrix).unwrap().into()
+        let after = table.blow(&Vector3::z(), &contact, matrix, &|_| Ok(()));
+        after.unwrap().into()
     }
 
     /// Entries of the inverse effective mass: along the table, mixed, and vertical.

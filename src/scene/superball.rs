@@ -232,9 +232,12 @@ impl Superball {
     fn followed(&self, flight: &Flight, request: &Request) -> Result<(Vec<InFlight>, (Cost, f64))> {
         let mut times = request.times().to_vec();
         times.sort_by(f64::total_cmp);
-        let ordered = flight.followed(&times)?;
-        let counted = times.iter().zip(&ordered);
-        let counted: Vec<_> = counted.map(|(&t, ball)| (t, Some(ball.bounces))).collect();
+        let budget = request.budget();
+        let bounced = |time| budget.spend(1, time);
+        let mut counted: Vec<_> = times.iter().map(|&t| (t, None)).collect();
+        let ordered = flight.sampled(&counted, &bounced)?;
+        let counts = counted.iter_mut().zip(&ordered);
+        counts.for_each(|((_, count), ball)| *count = Some(ball.bounces));
         let all = ordered.iter().chain([&self.start]).map(numbers);
         let greatest = all.fold([f64::MIN_POSITIVE; 5], |most, ball| {
             core::array::from_fn(|n| greater(most[n], ball[n].abs()))
@@ -251,7 +254,8 @@ impl Superball {
             start.motion.velocity *= 1.0 + 0.8 * sense * MOVED;
             start.motion.rim_speed *= 1.0 - 0.9 * MOVED;
             twin.gravity = self.gravity.map(|g| g * (1.0 - 0.6 * MOVED));
-            let twins = twin.flight()?.sampled(&counted)?;
+            budget.begin(request.furthest);
+            let twins = twin.flight()?.sampled(&counted, &bounced)?;
             let pairs = ordered.iter().zip(&twins);
             off = pairs
                 .map(|(a, b)| apart(&numbers(a), &numbers(b), &sizes))

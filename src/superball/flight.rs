@@ -53,6 +53,9 @@ pub struct Flight {
     start: InFlight,
 }
 
+/// Receives the time of a bounce, and may end the run there.
+type Told<'a> = &'a dyn Fn(f64) -> Result<()>;
+
 /// Most bounces followed one by one.
 const MOST_BOUNCES: u64 = 10_000_000;
 
@@ -362,11 +365,11 @@ impl Flight {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn last_contact(&self) -> Result<Option<f64>> {
-        Ok(self.pile()?.map(|(_, _, last)| last))
+        Ok(self.pile(&|_| Ok(()))?.map(|(_, _, last)| last))
     }
 
     /// The time from which the flights form a geometric series, the ball as it leaves the floor then, and the time at which the bounces end.
-    fn pile(&self) -> Result<Option<(f64, InFlight, f64)>> {
+    fn pile(&self, bounced: Told<'_>) -> Result<Option<(f64, InFlight, f64)>> {
         let (mut time, mut ball) = (DoubleDouble::from(0.0), self.start);
         let [normal, _] = self.restitution();
         let Some(g) = self.gravity.filter(|_| normal < 1.0 || self.lies(&ball)) else {
@@ -378,6 +381,7 @@ impl Flight {
                 return Ok(self.lies(&ball).then_some((time, ball, time)));
             };
             time = time + wait;
+            bounced(time.value())?;
             ball = self.bounced(&ball, wait.value(), surface, speed.value());
             let climb = ball.climb;
             if surface == Surface::Floor && climb * climb <= 2.0 * g * self.room {
@@ -414,12 +418,17 @@ impl Flight {
     /// ```
     pub fn followed(&self, times: &[f64]) -> Result<Vec<InFlight>> {
         let samples: Vec<(f64, Option<u64>)> = times.iter().map(|&t| (t, None)).collect();
-        self.sampled(&samples)
+        self.sampled(&samples, &|_| Ok(()))
     }
 
-    /// The same at times that may come with a number of bounces; then the ball is given after exactly that many, even if another falls on the same time.
-    pub(crate) fn sampled(&self, samples: &[(f64, Option<u64>)]) -> Result<Vec<InFlight>> {
-        let pile = self.pile()?;
+    /// The same at times that may come with a number of bounces; then the ball is given after exactly that many, even if another falls on the same
+    /// time. `bounced` receives the time of every bounce, and may end the run.
+    pub(crate) fn sampled(
+        &self,
+        samples: &[(f64, Option<u64>)],
+        bounced: Told<'_>,
+    ) -> Result<Vec<InFlight>> {
+        let pile = self.pile(bounced)?;
         let mut states = Vec::with_capacity(samples.len());
         // One addition for each bounce, with similar rounding errors each time: in twice the precision.
         let (mut now, mut ball) = (DoubleDouble::from(0.0), self.start);
@@ -447,6 +456,7 @@ impl Flight {
                     return Err(too_many(now.value()));
                 }
                 now = then;
+                bounced(now.value())?;
                 ball = self.bounced(&ball, wait, surface, speed.value());
                 next = self.contact(&ball);
             }

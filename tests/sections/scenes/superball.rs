@@ -174,3 +174,9 @@ fn what_is_told_of_many_bounces_by_steps() {
         }
     }
 }
+
+#[test]
+fn bounces_count_as_work() {
+    let events = times().by(Choice::Use(Solver::Events));
+    refused!(ball().simulate(&events.within(10)), Budget);
+}

@@ -179,6 +179,7 @@ strip | areal_density = 0.08 | areal_density = 0 | areal_density
 strip | added_mass = 1.0 | added_mass = -1.0 | added_mass
 superball | until = 1.0 | until = 1e20 | times`, `until
 strip | until = 1.0 | until = -1.0 | times`, `until
+nutation-dies | moments = [2.0e-4, 2.0e-4, 7.0e-5] | moments = [2.0e-4, 2.0e-4, 0.0] | moments
 "#;
 
 /// The parts of each row of such a table; `\n` begins a line.

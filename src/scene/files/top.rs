@@ -43,6 +43,8 @@ pub fn top(file: &File<'_, Body, Initial, Effects>) -> Made<Top> {
         Some(_) => "initial.omega",
         None => "initial.angular_momentum",
     };
+    let moments = file.body.matter.moments;
+    let matter = moments.map_or("body.inertia", |_| "body.moments");
     let (body, outline) = made?;
     let top = file.right(key, Top::new(body, start?))?;
     let acting = listed![
@@ -53,6 +55,7 @@ pub fn top(file: &File<'_, Body, Initial, Effects>) -> Made<Top> {
         effects.tip_friction,
     ];
     let top = with(file, top, acting, Top::with)?;
+    file.right(matter, top.can_be_resisted())?;
     Some((top, free(outline, Around::Pivot)))
 }
 

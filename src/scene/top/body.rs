@@ -1,6 +1,6 @@
 //! The body of a top and how it starts.
 
-use crate::error::{Error, Result, finite, not_negative};
+use crate::error::{Error, Result, finite, not_negative, positive};
 use crate::euler_equations::AxisMoments;
 use crate::frame::finite_vector;
 use crate::frame::{Attitude, BodyVector};
@@ -173,6 +173,13 @@ impl Body {
     /// MC, kg m.
     pub(super) fn arm(&self) -> [f64; 3] {
         self.center.map(|component| self.mass * component)
+    }
+
+    /// # Errors
+    /// [`Error::NotPositive`] for an axis without moment.
+    pub(super) fn has_every_moment(&self) -> Result<()> {
+        let quantity = "a principal moment of a body without a closed form";
+        (self.moments.iter()).try_for_each(|&moment| positive(quantity, moment).map(|_| ()))
     }
 
     /// Whether axis 3 is an axis of symmetry, C on it.

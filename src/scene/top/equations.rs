@@ -3,7 +3,7 @@
 use super::body::DOUBT;
 use super::ledger::Conserved;
 use super::{State, Top};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::euler_equations::quaternion_rate;
 use crate::frame::{Attitude, BodyVector};
 use crate::integrators::geometric::Phase;
@@ -46,15 +46,10 @@ impl Turning {
     /// The top with `energy` (J) as the scale of what may be lost.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for a body with an axis without moment.
+    /// [`Error::NotPositive`](crate::Error::NotPositive) for a body with an axis without moment.
     pub fn new(top: &Top, energy: f64) -> Result<Self> {
         let moments = top.body.moments;
-        if let Some(&moment) = moments.iter().find(|&&moment| moment == 0.0) {
-            return Err(Error::NotPositive {
-                quantity: "a principal moment of a body without a closed form",
-                value: moment,
-            });
-        }
+        top.body.has_every_moment()?;
         let start = top.start.phase(&top.body)?;
         let spin = start.l[2];
         Ok(Self {

@@ -205,6 +205,16 @@ impl Top {
         self.gravity.map_or(0.0, Gravity::value)
     }
 
+    /// Nothing, if every axis has a moment or nothing resists: no closed form takes what does.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`].
+    #[cfg(feature = "scene-files")]
+    pub(super) fn can_be_resisted(&self) -> Result<()> {
+        let mut resisting = self.resisting();
+        resisting.try_for_each(|_| self.body.has_every_moment())
+    }
+
     /// The names of what resists.
     fn resisting(&self) -> impl Iterator<Item = &'static str> {
         let effects: [Option<Effect>; 4] = [

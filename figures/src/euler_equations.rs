@@ -127,11 +127,15 @@ pub fn momentum_flow(values: &Values) -> Result<Figure> {
     let is = |axis: usize, nature: Nature| still[2 * axis].nature == nature;
     let parted = is(middle, Nature::Saddle);
     let fastest = fastest_flow(&sorted);
-    // A slow flow gets as many dots as a fast one.
-    let tick = if fastest > 0.0 {
-        (0.8 / (3.0 * fastest) * 10.0).round() / 10.0
-    } else {
-        1.0
+    // A slow flow gets as many dots as a fast one, and a saddle that is left slowly not too many.
+    let growth = still[2 * middle].growth_squared.max(0.0).sqrt();
+    let pace = match parted {
+        true => 1.075 * (fastest * growth.max(0.05 * fastest)).sqrt(),
+        false => fastest,
+    };
+    let tick = match pace > 0.0 {
+        true => (0.8 / (3.0 * pace) * 10.0).round() / 10.0,
+        false => 1.0,
     };
 
     // Started where they are nearest to the saddle, in front: the odd gap between the last dots lies behind.
@@ -153,17 +157,19 @@ pub fn momentum_flow(values: &Values) -> Result<Figure> {
         let tilt = side * slope.atan().to_degrees();
         for sign in [1.0, -1.0] {
             let start = off_axis(small, large, sign, tilt);
-            border.push(Orbit::new(&moments, start, middle, (tick, 40))?);
+            border.push(Orbit::new(&moments, start, middle, (tick, 120))?);
         }
     }
 
     let claim = match orbits.len() {
-        0 => "With three equal moments the angular momentum stays where it is in the body.",
+        0 => "With three equal moments the angular momentum stays where it is in the body.".to_owned(),
         _ if parted => {
-            "Without torque the angular momentum flows on a sphere, round four centres and past two saddles."
+            "Without torque the angular momentum flows on a sphere, round four centres and past two saddles.".to_owned()
         }
         _ => {
-            "With two equal moments the angular momentum runs round the third axis in circles, and rests where they have their middle."
+            let other = if is(small, Nature::Center) { small } else { large };
+            let name = ["first", "second", "third"][other];
+            format!("With two equal moments the angular momentum runs round the {name} axis in circles, and rests where they have their middle.")
         }
     };
     let named = |axis: usize| format!("x_{}", axis + 1);
@@ -173,7 +179,7 @@ pub fn momentum_flow(values: &Values) -> Result<Figure> {
         named(small),
         named(large),
         named(middle),
-        number(still[2 * middle].growth_squared.max(0.0).sqrt(), 4),
+        number(growth, 4),
         large + 1,
         number(slope, 4),
         small + 1,

@@ -33,15 +33,21 @@ const HOLD: f64 = 0.06;
 /// The elevation of the view, radians, and the units per metre.
 const SEEN: f64 = 0.36;
 const SCALE: f64 = 1750.0;
+/// How deep the foot of the stand is below the support, m, and height of the picture, units.
+const FOOT: f64 = 0.075;
+const PAGE: f64 = 312.0;
 
-/// Seen from slightly above; the support is low enough for the wheel and the circle of the tip to fit above it.
+/// Seen from slightly above, in the middle of the page, as large as the wheel, the stand and the circle of the tip of L allow.
 fn view(values: &Values) -> View {
     let (sin, cos) = values.of(&TILT).to_radians().sin_cos();
     let length = LENGTH * ALONG * TAU * values.of(&TURNS);
     let (rise, depth) = (SEEN.cos(), SEEN.sin());
-    let circle = length * (cos * rise + sin * depth);
-    let wheel = ARM * cos * rise + WHEEL;
-    View::new(-1.0, SEEN, [250.0, 36.0 + SCALE * circle.max(wheel)], SCALE)
+    let above = (length * (sin * depth + cos * rise)).max(ARM * cos * rise + WHEEL);
+    let below = (length * (sin * depth - cos * rise)).max(FOOT);
+    let (room, tall) = (PAGE - 84.0, above + below);
+    let scale = SCALE.min(room / tall);
+    let pivot = 34.0 + 0.5 * (room + scale * (above - below));
+    View::new(-1.0, SEEN, [250.0, pivot], scale)
 }
 
 /// The wheel on its axle, L now and a moment later, and the torque that carries the one to the other.
@@ -87,14 +93,11 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
          wheel; the purple torque is level and points across the axle, and the orange arrow half a second later has moved that way, along a dotted circle round the vertical."
     );
     let view = view(values);
-    let lowest = path.iter().map(|l| view.project(&(l * LENGTH))[1]);
-    let stand = view.project(&Vector::zeros())[1] + 180.0;
-    let height = lowest.map(|y| y + 40.0).fold(stand, f64::max);
     let at = |p: &Vector| view.project(p);
-    let made = figure("gyroscope", height, words, |pen| {
+    let made = figure("gyroscope", PAGE, words, |pen| {
         let origin = Vector::zeros();
         let axle = Vector::new(tilt.sin(), 0.0, tilt.cos());
-        let foot = Vector::new(0.0, 0.0, -0.075);
+        let foot = Vector::new(0.0, 0.0, -FOOT);
         let hub = axle * ARM;
         let [across, upward] = [Vector::y(), Vector::y().cross(&axle)];
         let rim = view.trace(&ellipse(hub, across * WHEEL, upward * WHEEL, 96));
@@ -143,7 +146,7 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
                 let angle = direction + TAU / 24.0 * f64::from(turned);
                 polar(at(&by), 18.0 + 8.0 * f64::from(out), angle)
             });
-            let inside = within([44.0, 556.0], [12.0, height - 12.0]);
+            let inside = within([44.0, 556.0], [12.0, PAGE - 12.0]);
             pen.name(places.filter(inside), text, lettering);
         }
     });

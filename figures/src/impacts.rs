@@ -91,6 +91,7 @@ pub fn meteorite(values: &Values) -> Result<Figure> {
         pen.line([CENTER, place], inked(AXIS).dotted());
         pen.arrow(come, place, inked(DATA));
         pen.dot(come, 7.0);
+        glass(pen, tips[1], tips[2]);
         let mut name = |at: Point, text: &str, lettering, half: f64| {
             let far = [1.0, 1.4, 1.9, 2.5];
             let places = far.into_iter().flat_map(|far| {
@@ -99,7 +100,7 @@ pub fn meteorite(values: &Values) -> Result<Figure> {
                 let around = [beside, [[0.0, -y], [-x, y], [x, y], [0.0, y]]];
                 around.concat().into_iter().map(move |by| shifted(at, by))
             });
-            let inside = within([half + 4.0, 412.0 - half], [14.0, 368.0]);
+            let inside = within([half + 4.0, 592.0 - half], [14.0, 368.0]);
             pen.name(places.filter(inside), text, lettering);
         };
         name(tips[0], "before, *Ω*", label(Omega), 42.0);
@@ -108,8 +109,6 @@ pub fn meteorite(values: &Values) -> Result<Figure> {
         name(between(come, place, 0.4), "*v*", label(Ink), 5.0);
         name(place, "*x*", label(Ink), 5.0);
         name(CENTER, "*C*", label(Ink), 6.0);
-
-        glass(pen, tips[1], tips[2]);
     });
     let row = |v: BodyVector| [v.x(), v.y(), v.z()];
     let columns = "Ω_x (Ω) | Ω_y (Ω) | Ω_z (Ω)";
@@ -154,14 +153,6 @@ fn glass(pen: &mut Pen, exact: Point, rough: Point) {
         pen.arrow(on(t), there, style);
     }
     let tips = [enlarged(exact), enlarged(rough)];
-    let shaft = |tip: Point, end: Point| {
-        let back = between(CENTER, tip, 0.5);
-        let length = distance(back, tip).max(1.0);
-        let beyond = [end[0] + back[0] - tip[0], end[1] + back[1] - tip[1]];
-        along(&[end, between(end, beyond, GLASS_RADIUS / length)], 4.0)
-    };
-    let mut taken = shaft(exact, tips[0]);
-    taken.extend(shaft(rough, tips[1]));
     for (tip, lines) in tips.into_iter().zip([&["exact"][..], &["first", "order"]]) {
         let half = [20.0, 8.0 * lines.len() as f64];
         let places = (0..24).flat_map(|k| {
@@ -171,8 +162,7 @@ fn glass(pen: &mut Pen, exact: Point, rough: Point) {
             })
         });
         let inside = places.filter(|p| distance(*p, GLASS) < GLASS_RADIUS - 24.0);
-        let [x, y] = roomiest(inside, half, &taken);
-        taken.extend(area([x, y], half));
+        let [x, y] = pen.room(inside, half);
         for (line, text) in lines.iter().enumerate() {
             let at = [x, y + 13.0 - half[1] + 16.0 * line as f64];
             pen.text(at, Middle, text, small(Omega));

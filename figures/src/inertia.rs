@@ -97,22 +97,29 @@ pub fn ellipsoid(values: &Values) -> Result<Figure> {
 fn box_with_bulges(pen: &mut Pen, view: &View, half: &Vector, semi: &Vector) {
     // The half axes of a body along the k-th axis and the two that follow it.
     let axes = |of: &Vector, k: usize| [k, (k + 1) % 3, (k + 2) % 3].map(|j| Vector::ith(j, of[j]));
-    // The three faces towards the eye, and the caps on them.
-    for (k, alpha) in [(2, 0.05), (0, 0.1), (1, 0.17)] {
-        let [n, u, v] = axes(half, k);
-        let middle = n * view.toward[k].signum();
-        let corners = [u + v, u - v, -u - v, v - u].map(|corner| middle + corner);
-        pen.fill(view.trace(&corners), Ink, alpha);
-    }
-    for k in [1, 0, 2] {
+    let cap = |pen: &mut Pen, k: usize, side: f64| {
         let [n, u, v] = axes(semi, k);
-        let n = n * view.toward[k].signum();
+        let n = n * view.toward[k].signum() * side;
         let rim = (half[k] / semi[k]).acos();
         let cap = spaced([0.0, rim], 40).flat_map(|angle| {
             let (s, c) = angle.sin_cos();
             view.trace(&ellipse(n * c, u * s, v * s, 180))
         });
         pen.fill(hull(&cap.collect::<Vec<_>>()), Shade, 1.0);
+    };
+    // The caps behind, the three faces towards the eye, and the caps on them.
+    for k in 0..3 {
+        cap(pen, k, -1.0);
+    }
+    for (k, alpha) in [(2, 0.05), (0, 0.1), (1, 0.17)] {
+        let [n, u, v] = axes(half, k);
+        let middle = n * view.toward[k].signum();
+        let corners = [u + v, u - v, -u - v, v - u].map(|corner| middle + corner);
+        pen.fill(view.trace(&corners), Paper, 1.0);
+        pen.fill(view.trace(&corners), Ink, alpha);
+    }
+    for k in [1, 0, 2] {
+        cap(pen, k, 1.0);
     }
 
     let mut curves: Vec<(Vec<Vector>, f64)> = Vec::new();

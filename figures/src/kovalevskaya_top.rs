@@ -208,21 +208,20 @@ pub fn bands(values: &Values) -> Result<Figure> {
     let made = figure("kovalevskaya-bands", 226.0, words, |pen| {
         let x = |s: f64| 30.0 + 540.0 * (s - from) / (to - from);
         let y = |p: f64| LEVEL - 13.0 * (p / 0.01).asinh();
-        let seen = |p: &&(f64, f64)| (8.0..=216.0).contains(&y(p.1));
-        let graph = grid.iter().filter(seen).map(|&(s, p)| [x(s), y(p)]);
-        let graph: Vec<Point> = graph.collect();
+        let seen = |[_, y]: &Point| (8.0..=216.0).contains(y);
+        let graph: Vec<Point> = grid.iter().map(|&(s, p)| [x(s), y(p)]).collect();
         pen.line([[20.0, LEVEL], [580.0, LEVEL]], inked(AXIS));
-        let taken = along(&graph, 6.0);
+        // Nothing is drawn where it is beyond the picture.
+        pen.lines(graph.split(|p| !seen(p)), inked(DATA));
         if let Some((((low, high), turn), _)) = moving {
-            band(pen, [20.0, x(turn)], "*s*_{2}", &taken);
-            band(pen, [x(low), x(high)], "*s*_{1}", &taken);
+            band(pen, [20.0, x(turn)], "*s*_{2}");
+            band(pen, [x(low), x(high)], "*s*_{1}");
         }
-        pen.line(&graph, inked(DATA));
         for e in &real {
             pen.dot([x(*e), LEVEL], 3.5);
         }
         pen.label([588.0, LEVEL - 8.0], End, "*s*");
-        let top = graph.first().copied().unwrap_or_default();
+        let top = graph.iter().find(|p| seen(p)).copied().unwrap_or_default();
         let spot = [top[0] + 80.0, (top[1] + 12.0).max(24.0)];
         pen.label(spot, Start, "*P*(*s*)");
     });
@@ -313,10 +312,9 @@ pub fn classes(values: &Values) -> Result<Figure> {
 }
 
 /// A part of the axis with the name of the variable that moves there, clear of the curve.
-fn band(pen: &mut Pen, [from, to]: [f64; 2], name: &str, taken: &[Point]) {
+fn band(pen: &mut Pen, [from, to]: [f64; 2], name: &str) {
     pen.line([[from, LEVEL], [to, LEVEL]], inked(7.0).alpha(0.4));
     let middle = 0.5 * (from + to);
     let places = [22.0, -20.0, 40.0, -38.0, 60.0, -58.0, 80.0].map(|dy| [middle, LEVEL + dy]);
-    let [x, y] = roomiest(places, [12.0, 9.0], taken);
-    pen.text([x, y + 5.0], Middle, name, label(Ink).strong());
+    pen.name(places, name, label(Ink).strong());
 }

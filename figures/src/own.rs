@@ -375,12 +375,7 @@ pub(crate) fn corners(points: &[Point]) -> Vec<Point> {
 fn ticks(axis: &Axis, apart: f64) -> Vec<(f64, String)> {
     let [low, high] = axis.shown.map(f64::log10);
     if axis.scale == Scale::Linear || high - low < 2.0 {
-        let ticks = axis.ticks(apart);
-        // A single number does not show a scale.
-        return match ticks.len() {
-            0 | 1 => axis.ticks(0.5 * apart),
-            _ => ticks,
-        };
+        return axis.ticks(apart);
     }
     let length = (axis.ends[1] - axis.ends[0]).abs();
     let every = ((high - low) * apart / length).ceil().max(1.0) as usize;

@@ -54,7 +54,7 @@ impl Axis {
     /// Round numbers along it and their texts, at least `apart` units from each other.
     pub fn ticks(&self, apart: f64) -> Vec<(f64, String)> {
         let [low, high] = self.shown;
-        match self.scale {
+        let ticks: Vec<(f64, String)> = match self.scale {
             Scale::Linear => {
                 let least = (high - low).abs() * apart / (self.ends[1] - self.ends[0]).abs();
                 let digits = least.log10().floor();
@@ -85,6 +85,11 @@ impl Axis {
                 }
                 ticks
             }
+        };
+        // One number alone tells no scale.
+        match ticks.len() {
+            0 | 1 if apart > 20.0 => self.ticks(0.5 * apart),
+            _ => ticks,
         }
     }
 }

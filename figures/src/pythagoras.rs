@@ -109,7 +109,7 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
     let [arm_ar, arm_rb, arm_ab] = arms.map(halves);
     let [first, second, third] = &shown;
     let [one, two] = [first, second].map(|torque| torque.replace('\u{2212}', "-"));
-    let sum = halves(torques.iter().sum());
+    let sum = short(torques.iter().sum(), 2);
     let words = words!(
         "A box of gas does not start to turn by itself, and that is the {theorem}.",
         "Sides $AR = {ar}$, $RB = {rb}$, $AB = {ab}$, $\\gamma = {angle}°$ at $R$. The gas pushes on each side with a force proportional to its length, \
@@ -168,13 +168,18 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
             pen.arrow(middle, tip, inked(2.8));
             let sign = if torques[k] > 0.0 { "+" } else { "" };
             let text = format!("{sign}{}", shown[k]);
-            let (beside, anchor) = match outward {
-                [_, down] if down > 0.75 => ([0.0, 22.0], Middle),
-                [_, down] if down < -0.75 => ([0.0, -10.0], Middle),
-                [side, _] if side < 0.0 => ([-10.0, 5.0], End),
-                _ => ([10.0, 5.0], Start),
-            };
-            pen.text(shifted(tip, beside), anchor, &text, sized(Torque, 20.0));
+            // Beyond the tip, level with it where the arrow is more level than steep, or further round.
+            let half = 10.0 + 4.6 * text.chars().count() as f64;
+            let [side, down] = [outward[0] * half, outward[1].signum() * 16.0];
+            let mut places = vec![[0.0, down], [side.signum() * half, 0.0]];
+            if outward[1].abs() < 0.75 {
+                places.swap(0, 1);
+            }
+            let further = [half, -half]
+                .map(|across| [0.0, down, -down, -2.0 * down].map(|y| [1.2 * across, y]));
+            places.extend(further.concat());
+            let places = places.into_iter().map(|beside| shifted(tip, beside));
+            pen.name(places, &text, sized(Torque, 20.0));
         }
         // The hinge, and the sense of each torque.
         pen.dot(a, 5.0);

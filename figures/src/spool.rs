@@ -37,9 +37,9 @@ fn tugged(pen: &mut Pen, center: Point, ratio: f64, (angle, foot, way): (f64, f6
     pen.disc(center, RADIUS, Shade, 0.6);
     pen.ring(center, RADIUS, inked(DATA));
     pen.ring(center, r, inked(SECONDARY));
-    let end = match (foot - x).abs() < 105.0 {
+    let end = match (foot - x).abs() < 82.0 {
         true => [foot, GROUND],
-        false => along(-98.0),
+        false => along(-84.0),
     };
     let tip = along(98.0);
     pen.line([touch, end], inked(AXIS).dotted());
@@ -68,8 +68,7 @@ fn told(way: Way) -> &'static str {
 
 /// To a tenth of a degree, without a trailing zero.
 fn degrees(angle: f64) -> String {
-    let text = number(angle.to_degrees(), 1);
-    format!("{}°", text.strip_suffix(".0").unwrap_or(&text))
+    short(angle.to_degrees(), 1) + "°"
 }
 
 /// The line of force above, through and below the point of contact.
@@ -106,7 +105,7 @@ pub fn three_tugs(values: &Values) -> Result<Figure> {
     );
     let made = figure("spool", 276.0, words, |pen| {
         pen.line([[8.0, GROUND], [592.0, GROUND]], inked(SECONDARY));
-        for (k, x) in [124.0, 322.0, 494.0].into_iter().enumerate() {
+        for (k, x) in [120.0, 316.0, 512.0].into_iter().enumerate() {
             let foot = x - feet[k] / 0.05 * RADIUS;
             tugged(pen, [x, GROUND - RADIUS], ratio, (angles[k], foot, ways[k]));
         }

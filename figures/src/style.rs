@@ -384,7 +384,7 @@ impl Pen {
             .push((text, format!(" font-size=\"{size:.0}\"{weight}")));
     }
 
-    /// A name where there is room for it: at the first of the places for its middle that is well clear of all lines, discs and words drawn so far.
+    /// A name at the first of these places where it has [`Pen::room`].
     pub fn name(
         &mut self,
         places: impl IntoIterator<Item = Point>,
@@ -392,15 +392,31 @@ impl Pen {
         lettering: Lettering,
     ) {
         let size = lettering.size;
-        let at = roomiest(places, half_of(text, size), &self.taken());
+        let at = self.room(places, half_of(text, size));
         let line = shifted(at, [0.0, LOWER * size]);
         self.text(line, Anchor::Middle, text, lettering);
     }
 
-    /// Points all over the marks that a name must not touch. Circles and faint marks may lie under a name.
+    /// The place for a label of these half sides: the first of the places for its middle that is well clear of all lines, discs and words
+    /// so far, or the clearest.
+    pub fn room(&self, places: impl IntoIterator<Item = Point>, half: [f64; 2]) -> Point {
+        let taken = self.taken();
+        let mut best = ([0.0; 2], f64::MIN);
+        for place in places {
+            let apart = |k: usize, point: &Point| (point[k] - place[k]).abs() - half[k];
+            let nearest = taken.iter().map(|p| apart(0, p).max(apart(1, p)));
+            let room = nearest.fold(4.0, f64::min);
+            if room > best.1 {
+                best = (place, room);
+            }
+        }
+        best.0
+    }
+
+    /// Points all over the marks that a name must not touch. Light and shade, thin circles and faint marks may lie under it.
     fn taken(&self) -> Vec<Point> {
         let units = |&(x, y): &BackendCoord| [f64::from(x) / SCALE, f64::from(y) / SCALE];
-        let strong = |paint: &Paint| paint.alpha >= 0.4;
+        let strong = |paint: &Paint| paint.alpha >= 0.35 && !matches!(paint.role, Shade | Paper);
         let mut taken = Vec::new();
         for (mark, _) in &self.marks {
             match mark {
@@ -410,14 +426,6 @@ impl Pen {
                 }
                 Mark::Polygon(points, paint) if strong(paint) => {
                     taken.extend(points.iter().map(units))
-                }
-                Mark::Circle {
-                    center,
-                    radius,
-                    paint,
-                    filled: true,
-                } if strong(paint) => {
-                    taken.extend(area(units(center), [f64::from(*radius) / SCALE; 2]));
                 }
                 Mark::Text {
                     at,
@@ -434,6 +442,19 @@ impl Pen {
                         Anchor::End => x - half[0],
                     };
                     taken.extend(area([x, y - LOWER * size], half));
+                }
+                Mark::Circle {
+                    center,
+                    radius,
+                    paint,
+                    filled,
+                } if strong(paint) => {
+                    let (center, radius) = (units(center), f64::from(*radius) / SCALE);
+                    match *filled {
+                        true => taken.extend(area(center, [radius; 2])),
+                        false if f64::from(paint.width) < AXIS * SCALE => (),
+                        false => taken.extend(arc(center, radius, 0.0, 6.3)),
+                    }
                 }
                 _ => (),
             }
@@ -631,18 +652,4 @@ pub fn area([x, y]: Point, half: [f64; 2]) -> Vec<Point> {
     let rows = along(&[[x, y - half[1]], [x, y + half[1]]], 8.0);
     let across = |[x, y]: Point| along(&[[x - half[0], y], [x + half[0], y]], 8.0);
     rows.into_iter().flat_map(across).collect()
-}
-
-/// The place for a label of these half sides: the first of the places for its middle that is well clear of everything taken, or the clearest.
-pub fn roomiest(places: impl IntoIterator<Item = Point>, half: [f64; 2], taken: &[Point]) -> Point {
-    let mut best = ([0.0; 2], f64::MIN);
-    for place in places {
-        let apart = |k: usize, point: &Point| (point[k] - place[k]).abs() - half[k];
-        let nearest = taken.iter().map(|p| apart(0, p).max(apart(1, p)));
-        let room = nearest.fold(4.0, f64::min);
-        if room > best.1 {
-            best = (place, room);
-        }
-    }
-    best.0
 }

@@ -240,28 +240,18 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
         let tip = between(path[last - 1], path[last], 0.93);
         pen.arrow(tip, path[last], inked(DATA));
 
-        let lines = [&arrive[..], &ghost, &path];
-        let mut taken = lines.map(|line| along(line, 6.0)).concat();
-        for (left, y) in [(place(EDGE, 0.0)[0], CEILING - SLAB), (10.0, FLOOR)] {
-            taken.extend(along(&[[left, y], [590.0, y]], 6.0));
-        }
-        for &(center, _, _) in &flashes {
-            taken.extend(arc(center, RADIUS, 0.0, 6.3));
-        }
         // Beside its arrow, on the other side where the ball comes out here.
         let beside = [[30.0, -12.0], [-14.0, 16.0], [-20.0, 24.0]];
         let beside = beside.map(|[x, y]| [tail[0] + x, tail[1] + y]);
-        let at = roomiest(beside, [9.0, 9.0], &taken);
-        taken.extend(area(at, [9.0, 9.0]));
-        pen.label([at[0], at[1] + 5.0], Middle, "*V*");
+        pen.name(beside, "*V*", label(Ink));
         for (leg, text) in legs.iter().zip(&velocities) {
-            velocity_label(pen, leg, text, &mut taken);
+            velocity_label(pen, leg, text);
         }
         let on = |k| between(ghost[0], ghost[1], 0.3 + 0.01 * f64::from(k));
         let right =
             |k| [50.0, 65.0, 80.0, 100.0, -50.0, -70.0].map(|far| [on(k)[0] + far, on(k)[1] + 4.0]);
         let beside = (0..50).flat_map(right);
-        let [x, y] = roomiest(beside, [28.0, 17.0], &taken);
+        let [x, y] = pen.room(beside, [28.0, 17.0]);
         pen.remark([x, y - 4.0], Middle, "without");
         pen.remark([x, y + 13.0], Middle, "spin");
     });
@@ -274,7 +264,7 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
 }
 
 /// The velocity of a leg beside it, where there is room.
-fn velocity_label(pen: &mut Pen, leg: &Leg, text: &str, taken: &mut Vec<Point>) {
+fn velocity_label(pen: &mut Pen, leg: &Leg, text: &str) {
     let (sign, number) = match text.strip_prefix('\u{2212}') {
         Some(rest) => ("\u{2212}", rest),
         None => ("", text),
@@ -297,8 +287,7 @@ fn velocity_label(pen: &mut Pen, leg: &Leg, text: &str, taken: &mut Vec<Point>) 
     let far = [1.0, 1.3, 1.7, -1.0, -1.3, -1.7];
     let places = far.into_iter().flat_map(beside);
     let inside = places.filter(|p| (40.0..=560.0).contains(&p[0]) && p[1] > 30.0);
-    let at = roomiest(inside, [half, 20.0], taken);
-    taken.extend(area(at, [half, 20.0]));
+    let at = pen.room(inside, [half, 20.0]);
     match number.split_once('/') {
         Some((over, under)) => {
             pen.fraction(at, [sign, over, under, "*V*"], label(Ink));

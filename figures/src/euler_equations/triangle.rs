@@ -118,25 +118,6 @@ pub fn tops(values: &Values) -> Result<Figure> {
             pen.dot(at(m), 4.4);
             pen.label(shifted(at(m), beside), anchor, name);
         }
-        // The brick can be moved, so its name is put where it hides nothing.
-        let [x, y] = at(brick);
-        pen.dot([x, y], 5.4);
-        let mut taken = along(&[corners[1], corners[0], corners[2], corners[1]], 6.0);
-        let others = [book, phone, racket, water, coin, doughnut, egg];
-        taken.extend(others.map(at));
-        taken.push([at(book)[0], at(book)[1] - 17.0]);
-        let places = [
-            [0.0, -16.0],
-            [36.0, 0.0],
-            [0.0, 18.0],
-            [-36.0, 0.0],
-            [36.0, -18.0],
-            [-36.0, -18.0],
-            [36.0, -36.0],
-        ];
-        let places = places.map(|[dx, dy]| [(x + dx).min(568.0), y + dy]);
-        let [x, y] = roomiest(places, [22.0, 8.0], &taken);
-        pen.text([x, y + 5.0], Middle, "brick", label(Ink).strong());
         for (m, who, ratio) in [
             ([1.0, 4.0, 4.0], "Goryachev, Chaplygin", "4 : 4 : 1"),
             ([1.0, 2.0, 2.0], "Kovalevskaya", "2 : 2 : 1"),
@@ -149,22 +130,28 @@ pub fn tops(values: &Values) -> Result<Figure> {
         let [rod, disc, sphere] = corners;
         let (flat, slant) = (between(rod, disc, 0.5), between(rod, sphere, 0.8));
         let oblate = [disc[0] - 10.0, 222.0];
+        let laminae = "laminae, *I*_{3} = *I*_{1} + *I*_{2}";
         for (at, beside, anchor, text) in [
             (rod, [-6.0, 23.0], Start, "rod"),
             (disc, [6.0, 23.0], End, "disc"),
             (sphere, [6.0, -24.0], End, "sphere"),
-            (
-                flat,
-                [0.0, 44.0],
-                Middle,
-                "laminae, *I*_{3} = *I*_{1} + *I*_{2}",
-            ),
+            (flat, [0.0, 44.0], Middle, laminae),
             (oblate, [0.0, 0.0], End, "oblate,"),
             (oblate, [0.0, 21.0], End, "*I*_{1} = *I*_{2}"),
             (slant, [-46.0, 5.0], End, "prolate, *I*_{2} = *I*_{3}"),
         ] {
             pen.text(shifted(at, beside), anchor, text, label(Muted));
         }
+        // The brick moves: its name is where it hides nothing.
+        let brick = at(brick);
+        pen.dot(brick, 5.4);
+        let places = (0..48).map(|k| {
+            let (far, turn) = (18 + 8 * (k / 12), f64::from(k % 12) * PI / 6.0);
+            let [x, y] = polar([0.0; 2], f64::from(far), FRAC_PI_2 + turn);
+            shifted(brick, [1.7 * x, y])
+        });
+        let inside = within([24.0, 576.0], [12.0, 430.0]);
+        pen.name(places.filter(inside), "brick", label(Ink).strong());
     });
     let bodies = [
         ("book", book),

@@ -264,45 +264,28 @@ impl Scene {
         let outline = self.view.trace(&self.outline());
         let lower = |a: &&Point, b: &&Point| (a[0] + a[1]).total_cmp(&(b[0] + b[1]));
         let corner = outline.iter().max_by(lower).copied().unwrap_or(center);
-        // A letter is placed where the curves leave most room.
-        let arms = [self.contact, Vector::z() * self.tip()];
-        let arms = arms.map(|tip| segment(Vector::zeros(), tip, 40)).concat();
-        let rim = self.corners();
-        let rim = [0, 1, 2, 3].map(|k| segment(rim[k], rim[(k + 1) % 4], 40));
-        let [past, future] = [&self.past, &self.future];
-        let curves = [
-            &arms,
-            &rim.concat(),
-            &self.polhode,
-            past,
-            future,
-            &self.outline(),
-        ];
-        let taken = curves.map(|curve| self.view.trace(curve)).concat();
-        let room =
-            |at: &Point| nearest(*at, taken.iter().copied()).map_or(0.0, |p| distance(p, *at));
-        let free = |about: Point| {
-            let places = (0..24).map(|k| polar(about, 17.0, TAU * f64::from(k) / 24.0));
-            places
-                .max_by(|p, q| room(p).total_cmp(&room(q)))
-                .unwrap_or(about)
-        };
         let inside = self.sheet.map(|half| -0.72 * half);
         let inside = self.view.project(&self.on_the_plane(inside[0], inside[1]));
-        for (at, text, role) in [
-            (free(between(center, contact, 0.84)), "*Ω*", Omega),
-            (free(tip), "*L*", AngularMomentum),
-            (free(center), "*O*", Ink),
-            ([corner[0] + 18.0, corner[1] + 11.0], "*Θ*", Ink),
-            (free(inside), "*Π*", Ink),
+        // Round its point, in this direction if there is room.
+        for (about, direction, text, role) in [
+            (between(center, contact, 0.84), 3.6, "*Ω*", Omega),
+            (tip, 0.4, "*L*", AngularMomentum),
+            (center, 0.0, "*O*", Ink),
+            (corner, -0.6, "*Θ*", Ink),
+            (inside, 2.6, "*Π*", Ink),
         ] {
-            pen.text([at[0], at[1] + 5.0], Middle, text, label(role));
+            let places = (0..72).map(|k| {
+                let (far, turn) = (17 + 5 * (k / 24), f64::from((k % 24 + 1) / 2) * TAU / 24.0);
+                let side = if k % 2 == 0 { turn } else { -turn };
+                polar(about, f64::from(far), direction + side)
+            });
+            pen.name(places, text, label(role));
         }
         let seen = self.polhode.iter().filter(|p| self.seen(p)).copied();
         let seen: Vec<Vector> = seen.collect();
         let over = ([488.0, 40.0], Start, "herpolhode", Omega, [484.0, 37.0]);
-        let under = ([84.0, 404.0], End, "polhode", Ink, [88.0, 399.0]);
-        for ((at, anchor, text, role, from), curve) in [(over, past), (under, &seen)] {
+        let under = ([78.0, 444.0], End, "polhode", Ink, [82.0, 439.0]);
+        for ((at, anchor, text, role, from), curve) in [(over, &self.past), (under, &seen)] {
             pen.text(at, anchor, text, small(role));
             if let Some(to) = nearest(from, self.view.trace(curve)) {
                 pen.line([from, to], stroke(role, HAIR));

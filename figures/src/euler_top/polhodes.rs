@@ -185,12 +185,11 @@ pub fn polhodes(values: &Values) -> Result<Figure> {
             let reach = Vector::ith(k, semi[k] + REACH[k] * semi[2]);
             let to = view.project(&reach);
             pen.arrow(view.project(&arms[k]), to, inked(AXIS));
-            let beyond = view.project(&(reach * (1.0 + 0.085 * semi[2] / semi[k])));
-            let at = match k {
-                2 => shifted(to, [14.0, 10.0]),
-                _ => shifted(beyond, [0.0, 5.0]),
-            };
-            pen.label(at, Middle, name);
+            let places = [1.0, 1.4, 1.8].map(|far| match k {
+                2 => shifted(to, [14.0, 5.0]),
+                _ => view.project(&(reach * (1.0 + 0.085 * far * semi[2] / semi[k]))),
+            });
+            pen.name(places, name, label(Ink));
         }
         // On the separatrix between −x₂ and the upper crossing, next to x₂ on it, and on the first ring about x₁.
         let on = |along: f64, sign: f64| {
@@ -198,32 +197,21 @@ pub fn polhodes(values: &Values) -> Result<Figure> {
             let (high, wide) = parting.sin_cos();
             view.project(&Vector::new(wide * c, s, sign * high * c).component_mul(&semi))
         };
-        for (at, anchor, lines, beside, to) in [
-            (
-                [150.0, 76.0],
-                End,
-                ["separatrix", ""],
-                [4.0, -4.0],
-                on(-0.45, 1.0),
-            ),
-            (
-                [478.0, 352.0],
-                Start,
-                ["next to *x*_{2}", "it dawdles"],
-                [-6.0, -6.0],
-                on(1.32, -1.0),
-            ),
+        let [parts, dawdles] = [["separatrix", ""], ["next to *x*_{2}", "it dawdles"]];
+        for (at, anchor, lines, to) in [
+            ([150.0, 76.0], End, parts, on(-0.45, 1.0)),
+            ([478.0, 352.0], Start, dawdles, on(1.32, -1.0)),
             (
                 [112.0, 366.0],
                 End,
                 ["far from it", "it hurries"],
-                [4.0, 0.0],
                 on(0.0, -1.0),
             ),
         ] {
+            let beside = if anchor == End { 4.0 } else { -6.0 };
             pen.note(at, anchor, lines[0]);
             pen.note(shifted(at, [0.0, 19.0]), anchor, lines[1]);
-            pen.line([shifted(at, beside), to], inked(HAIR));
+            pen.line([shifted(at, [beside, -4.0]), to], inked(HAIR));
         }
     });
     let columns = "L₁ (√(2E kg m²)) | L₂ (√(2E kg m²)) | L₃ (√(2E kg m²))";

@@ -73,13 +73,18 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
     // The angle that it still has to go, if any.
     let lag = TAU - reached;
     let degrees = number(lag.abs().to_degrees(), 0);
+    let earth = (days, period) == (RIGID.default, OBSERVED.default);
+    let slower = match earth {
+        true => "The pole of the real Earth circles more slowly than that of a rigid one.",
+        false => "This pole circles more slowly than that of a rigid body: the body gives way.",
+    };
     let (claim, [behind, seen, told]) = match lag {
         _ if degrees == "0" => (
             "A pole that wobbles as that of a rigid body walks beside it.",
             ["at the same place", "back at the start too", "home as well"].map(str::to_owned),
         ),
         _ if lag > 0.0 => (
-            "The pole of the real Earth circles more slowly than that of a rigid one.",
+            slower,
             [
                 format!("{degrees} degrees behind"),
                 format!("still {degrees} degrees short"),

@@ -110,8 +110,8 @@ pub fn cycloids(values: &Values) -> Result<Figure> {
     let [along, down] = reaches.into_iter().fold([0.0; 2], |sum: Point, reach| {
         [sum[0].max(reach[0]), sum[1] + reach[1].max(2.0)]
     });
-    // Units to the radius of the rolling circle: at most 34, and no more than 230 for all arches together.
-    let unit = f64::min(34.0, (RIGHT - LEFT) / along).min(230.0 / down);
+    // Units to the radius of the rolling circle: at most 34, and no more than 226 for all arches together.
+    let unit = f64::min(34.0, (RIGHT - LEFT) / along).min(226.0 / down);
     let made = figure("cycloid", 384.0, words, |pen| {
         let mut from = 40.0;
         for (row, [_, depth]) in rows.iter().zip(reaches) {

@@ -12,8 +12,9 @@ const ORIGIN: Point = [214.0, 490.0];
 const UNIT: Point = [70.0, 112.0];
 /// The plane that is shown: L_vert from and to, greatest L₃.
 const REACH: [f64; 3] = [-2.95, 5.35, 4.15];
-/// Radius of a sphere.
+/// Radius of a sphere, units, and from how far above it is seen, radians.
 const RADIUS: f64 = 52.0;
+const SEEN: f64 = 0.5;
 
 parameters! {
     VERTICAL: "vertical", r"L_{\text{vert}}", "", "vertical angular momentum of your top", [-2.9, 5.3], -0.5, dragged(|values| yours(values).center());
@@ -84,17 +85,21 @@ impl Globe {
         let time = if time.is_finite() { time } else { 20.0 };
         let points = tried(spaced([0.0, time], 600), |t| Ok((t, nose(&top, t)?)))?;
         let turned = top.precession_per_nutation().unwrap_or_default() * self.cycles;
+        // From the side on which more of it is, where the other shows next to nothing.
+        let view = View::new(0.5 * turned, SEEN, [0.0; 2], 1.0);
+        let front = points.iter().filter(|(_, nose)| view.faces(nose)).count();
+        let side = if front < 60 { PI } else { 0.0 };
         Ok(Trace {
             points,
             heights: [roots.h1, roots.h2],
-            azimuth: if circle { 0.0 } else { 0.5 * turned },
+            azimuth: if circle { 0.0 } else { 0.5 * turned + side },
             kind: top.kind(),
         })
     }
 
     /// The sphere, its turning circles and the trace.
     fn draw(&self, pen: &mut Pen, trace: &Trace, (center, radius): (Point, f64)) {
-        let view = View::new(trace.azimuth, 0.5, center, radius);
+        let view = View::new(trace.azimuth, SEEN, center, radius);
         pen.disc(center, radius, Shade, 1.0);
         pen.ring(center, radius, inked(AXIS));
         for h in trace.heights {

@@ -159,8 +159,9 @@ pub fn precession_rates(values: &Values) -> Result<Figure> {
             (30.0, 5.4, "fast"),
             (96.0, -2.7, "fast"),
         ] {
-            let at = place(f64::to_radians(tilt), rate);
-            pen.note(at, Start, text);
+            let at = shifted(place(f64::to_radians(tilt), rate), [14.0, -5.0]);
+            let up = (0..8).map(|k| shifted(at, [0.0, -8.0 * f64::from(k)]));
+            pen.name(up, text, small(Ink));
         }
     });
     let columns = "tilt (°) | rate of precession (√(Mgl/I1))";

@@ -63,10 +63,13 @@ impl Shown {
         let x = self.place(1.0, 0.0)[0];
         pen.line([[x, low], [x, high]], muted(HAIR).dotted());
         for (h, text) in Axis::linear(self.ends, [left, right]).ticks(150.0) {
-            let [x, y] = self.place(h, 0.0);
-            pen.line([[x, y], [x, y + 5.0]], ink);
-            if x > left + 5.0 {
-                pen.note([x + 4.0, y + 24.0], Start, &text);
+            let at = self.place(h, 0.0);
+            pen.line([at, shifted(at, [0.0, 5.0])], ink);
+            if at[0] > left + 5.0 {
+                // On the side that the curves leave free.
+                let half = 4.0 * text.chars().count() as f64;
+                let places = [[4.0 + half, 19.0], [-4.0 - half, 19.0], [4.0 + half, 30.0]];
+                pen.name(places.map(|by| shifted(at, by)), &text, small(Ink));
             }
         }
         pen.label([left + 10.0, high - 6.0], Start, "*f*(*h*)");
@@ -110,7 +113,6 @@ pub fn threshold(values: &Values) -> Result<Figure> {
          the slowest top, of axial momentum {below}: there the curve is positive between the crossing and 1, and the top falls over as far as that."
     );
     let made = figure("sleeping-threshold", 332.0, words, |pen| {
-        shown.axes(pen);
         for (axial, curve) in &curves {
             let points: Vec<Point> = curve.iter().map(|&[h, f]| shown.place(h, f)).collect();
             let style = match axial.total_cmp(&THRESHOLD) {
@@ -130,12 +132,13 @@ pub fn threshold(values: &Values) -> Result<Figure> {
                 pen.dot(shown.place(root, 0.0), 3.6);
             }
         }
+        shown.axes(pen);
         // The number stands at the lower end of its curve, that of the last one over its crest.
         let feet = [0, 1, 2, 3].map(|k: usize| {
             let foot = curves[k].1.first().map_or(1.0, |at| at[0]);
             shown.place(foot, 0.0)[0]
         });
-        let across = spread(feet, 38.0);
+        let across = spread(feet, 42.0);
         for (x, axial) in across.into_iter().zip(spins) {
             let y = FRAME[2] - CUT[0] + 19.0;
             pen.note([x, y], Middle, &brief(axial));
@@ -143,7 +146,8 @@ pub fn threshold(values: &Values) -> Result<Figure> {
         let root = loner(spins[4]);
         let crest = shown.place((1.0 + 2.0 * root) / 3.0, 8.0 / 27.0 * (1.0 - root).powi(3));
         let text = format!("*L*_{{3}} = {below}");
-        pen.note(shifted(crest, [0.0, -9.0]), Middle, &text);
+        let over = [0.0, -20.0, -40.0].map(|aside| shifted(crest, [aside, -13.5]));
+        pen.name(over, &text, small(Ink));
     });
     let columns = "h = cos θ | f(h) (Mgl/I1)";
     Ok(curves.into_iter().fold(made, |made, (axial, curve)| {

@@ -102,7 +102,7 @@ pub fn waking(values: &Values) -> Result<Figure> {
         pen.line(points.map(|row| frame.at(row[1], row[2])), inked(DATA));
         if deepest < STEEPEST && awake.is_none() {
             pen.note(frame.at(79.0, 3.5), Middle, "still asleep");
-        } else if tilt < 0.005 {
+        } else if late.is_some_and(|(late, _)| late > 0.0) {
             pen.note(frame.at(80.9, 1.7), Anchor::Start, "asleep");
         }
     });

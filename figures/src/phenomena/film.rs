@@ -118,34 +118,29 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
         };
         let shown: Vec<Vec<Point>> = curves.iter().map(shown).collect();
         pen.lines(&shown, inked(DATA));
-        let mut write = |places: Vec<Point>, text: &str, half: f64| {
-            let inside = within([LEFT + half, 596.0 - half], [12.0, 384.0]);
-            pen.name(places.into_iter().filter(inside), text, small(Ink));
-        };
-        for ((forward, _, _), points) in curves.iter().zip(&shown) {
-            let end = points.last().copied().unwrap_or([LEFT, BOTTOM]);
-            let around = [
-                [0.0, -14.0],
-                [25.0, 0.0],
-                [25.0, 14.0],
-                [25.0, -14.0],
-                [-22.0, -12.0],
-                [-30.0, 0.0],
-                [0.0, -22.0],
-                [0.0, 18.0],
-            ];
-            let around = around.map(|beside| shifted(end, beside)).into();
-            let half = if forward.fract() == 0.0 { 16.0 } else { 22.0 };
-            write(around, &format!("{}°", name(*forward)), half);
-        }
-        let beside = (0..40).map(|k| RIGHT - 40.0 - 10.0 * f64::from(k));
-        let beside = beside.flat_map(|x| [-12.0, 14.0].map(|dy| [x, level + dy]));
-        write(beside.collect(), "on its feet", 38.0);
         for needed in curves.iter().filter_map(|(_, _, needed)| *needed) {
             let [x, y] = place([needed, 180.0]);
             pen.dot([x, y], 3.6);
             pen.line([[x, y], [x, BOTTOM]], inked(HAIR).dotted());
         }
+        let mut write = |places: Vec<Point>, text: &str| {
+            let half = 3.6 * text.chars().count() as f64;
+            let inside = within([LEFT + half, 596.0 - half], [12.0, 384.0]);
+            pen.name(places.into_iter().filter(inside), text, small(Ink));
+        };
+        for ((forward, _, _), points) in curves.iter().zip(&shown) {
+            let end = points.last().copied().unwrap_or([LEFT, BOTTOM]);
+            let turns = [90.0_f64, 0.0, -40.0, 40.0, 145.0, 180.0, -90.0];
+            let around = [1.0, 1.5, 2.2].into_iter().flat_map(|far| {
+                let turned = turns.map(|turn| turn.to_radians().sin_cos());
+                turned.map(|(up, right)| shifted(end, [25.0 * far * right, -14.0 * far * up]))
+            });
+            let around = around.collect();
+            write(around, &format!("{}°", name(*forward)));
+        }
+        let beside = (0..40).map(|k| RIGHT - 40.0 - 10.0 * f64::from(k));
+        let beside = beside.flat_map(|x| [-12.0, 14.0].map(|dy| [x, level + dy]));
+        write(beside.collect(), "on its feet");
     });
     let mut made = made
         .value("after-90", needed(2).unwrap_or_default())

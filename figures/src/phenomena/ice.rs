@@ -184,13 +184,16 @@ pub fn crawler(values: &Values) -> Result<Figure> {
         far if far < -0.01 => {
             "Without friction nobody gets anywhere, with a little anybody does: these strokes lead backward."
         }
-        _ => {
+        _ if short(far, 3) == "0" => {
             "Without friction nobody gets anywhere, and these strokes do not with friction either."
+        }
+        _ => {
+            "Without friction nobody gets anywhere, and these strokes hardly do with friction either."
         }
     };
     let [rear, push, pull] = shorts([values.of(&REAR), strokes.push, strokes.pull], 2);
     let (apart, iced) = (strokes.length, short(way(&ice), 3));
-    let (lasts, rough, reached) = (short(span, 2), short(mu, 3), number(far, 3));
+    let (lasts, rough, reached) = (short(span, 2), short(mu, 3), short(far, 3));
     let words = words!(
         "{claim}",
         "Left, seen from above: six parts on ice, pulled about by fifteen muscles for 5 s; the dot is the track of their centre of mass. Right: two feet of \

@@ -116,7 +116,8 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
         for degrees in [30.0_f64, 60.0, 90.0] {
             let radius = RADIUS * degrees.to_radians() / WIDEST;
             pen.ring(CENTER, radius, inked(AXIS).alpha(0.5).dotted());
-            let round = (0..40).map(|k| polar(CENTER, radius, -0.62 * PI - 0.12 * f64::from(k)));
+            let round =
+                (0..40).map(|k| polar(CENTER, radius + 12.0, -0.62 * PI - 0.12 * f64::from(k)));
             let text = format!("{}°", number(degrees, 0));
             pen.name(round, &text, small(Ink));
         }

@@ -63,7 +63,7 @@ fn turned([x, y]: Point, center: Point, tilt: f64) -> Point {
     [center[0] + c * x + s * y, center[1] - s * x + c * y]
 }
 
-fn sheet(pen: &mut Pen, center: Point, tilt: f64) -> Vec<Point> {
+fn sheet(pen: &mut Pen, center: Point, tilt: f64) {
     let mut outline: Vec<Point> = SHEET.to_vec();
     outline.extend([[50.0, -4.0], [-44.0, -4.0], [-48.0, 30.0]]);
     let outline = outline.into_iter().map(|p| turned(p, center, tilt));
@@ -76,7 +76,6 @@ fn sheet(pen: &mut Pen, center: Point, tilt: f64) -> Vec<Point> {
     pen.arrow(center, [center[0], center[1] + 54.0], inked(DATA));
     pen.dot(center, 4.5);
     pen.dot(push, 4.5);
-    outline
 }
 
 /// Three tilts in the air, and the sheet to fold.
@@ -104,23 +103,16 @@ pub fn paper_cat(values: &Values) -> Result<Figure> {
          middle of its back and an arrow of weight points down from a dot nearer its feet."
     );
     let made = figure("paper-cat", 280.0, words, |pen| {
-        let mut outline = Vec::new();
         for (tilt, x) in tilts.into_iter().zip([108.0, 312.0, 500.0]) {
-            outline = sheet(pen, [x, 132.0], tilt);
+            sheet(pen, [x, 132.0], tilt);
             let spot = [x, 270.0];
             pen.label(spot, Middle, &format!("{}°", number(tilt.to_degrees(), 0)));
         }
-        outline.extend(outline.first().copied());
-        let mut taken = along(&outline, 4.0);
-        let push = turned([0.0, -44.0], [500.0, 132.0], tilts[2]);
-        taken.extend(along(&[push, [push[0], push[1] + 54.0]], 4.0));
-        taken.extend(along(&[[500.0, 132.0], [500.0, 186.0]], 4.0));
         let beside = (0..12).flat_map(|k| {
             let y = 174.0 + 3.0 * f64::from(k);
             [[534.0, y], [466.0, y], [546.0, y], [454.0, y]]
         });
-        let [x, y] = roomiest(beside, [24.0, 7.0], &taken);
-        pen.note([x, y + 5.0], Middle, "weight");
+        pen.name(beside, "weight", small(Ink));
         let push = turned([0.0, -44.0], [108.0, 132.0], tilts[0]);
         pen.note([push[0] - 10.0, push[1] + 40.0], End, "drag");
     });

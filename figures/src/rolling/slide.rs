@@ -80,7 +80,7 @@ pub fn lines(values: &Values) -> Result<Figure> {
             pen.line([at(0.0, start.velocity), meeting], inked(DATA));
             pen.line([meeting, at(until, rolls)], inked(SECONDARY));
             pen.dot(meeting, 4.5);
-            name = (y.at(rolls) + 5.0).min(name - 14.0);
+            name = (y.at(rolls) + 5.0).min(name - 16.0);
             let text = format!("*H* = {} *R*", short(height, 2));
             pen.note([RIGHT + 12.0, name], Start, &text);
         }

@@ -164,6 +164,11 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
     };
     let turns = motions.map(|of| number(of[0].velocity, 2)).join(", ");
     let (dense, hollow) = (told(0)?, told(2)?);
+    let hollow = if hollow == dense {
+        "does so, too"
+    } else {
+        hollow
+    };
     let [first, second, third] = &names;
     let words = words!(
         "With a dense core it {dense}; a hollow one {hollow}.",
@@ -200,8 +205,9 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
             pen.arrow(path[last - 1], path[last], line);
             ends.push(between(path[last - 1], path[last], 0.9));
         }
-        let mut write = |at: Point, text: &str, lettering, wide: f64| {
-            let places = (0..60).map(|k| {
+        let mut write = |at: Point, text: &str, lettering| {
+            let wide = 32.0 / 7.0 * text.chars().count() as f64;
+            let places = (0..80).map(|k| {
                 let (far, turn) = (1.0 + f64::from(k / 20) * 0.5, f64::from(k % 20) * PI / 10.0);
                 let [x, y] = polar([0.0; 2], 1.0, turn);
                 shifted(at, [(wide + 12.0) * far * x, 18.0 * far * y])
@@ -209,10 +215,10 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
             let inside = within([wide + 4.0, 596.0 - wide], [14.0, 268.0]);
             pen.name(places.filter(inside), text, lettering);
         };
-        write(place(-0.99, 0.99), "thrown", small(Ink), 25.0);
+        write(place(-0.99, 0.99), "thrown", small(Ink));
         for (end, name) in ends.into_iter().zip(&names) {
             let text = format!("κ = {name}");
-            write(end, &text, label(Ink), 32.0);
+            write(end, &text, label(Ink));
         }
     });
     let hollow = number(-motions[2][2].velocity, 3);

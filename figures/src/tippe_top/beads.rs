@@ -47,7 +47,7 @@ pub fn view(pen: &mut Pen, (center, radius): (Point, f64), azimuth: f64, beads: 
     let axis = view.trace(&[-Vector::z(), Vector::z()]);
     pen.line(axis, muted(SECONDARY).dotted());
     let scale = radius / RADIUS;
-    for (k, pair) in beads.iter().enumerate() {
+    for pair in beads {
         pen.line(view.trace(pair), inked(SECONDARY));
         for end in pair {
             let depth = end.dot(&view.toward);
@@ -56,23 +56,30 @@ pub fn view(pen: &mut Pen, (center, radius): (Point, f64), azimuth: f64, beads: 
             pen.disc(at, size, Ink, 0.65);
             pen.ring(at, size, inked(AXIS));
         }
-        let upper = usize::from(pair[0].z < pair[1].z);
-        let [x, y] = view.project(&pair[upper]);
-        let (side, anchor) = match x < center[0] {
-            true => (-15.0 * scale, End),
-            false => (15.0 * scale, Start),
-        };
-        let name = format!("{}", k + 1);
-        // Beads 1 and 2 may stand side by side: one has its number below it.
-        match k {
-            1 => pen.note([x, y + 29.0], Middle, &name),
-            _ => pen.note([x + side, y - 4.0], anchor, &name),
-        }
     }
     let k = view.project(&Vector::zeros());
     let c = view.project(&(0.5 * (beads[0][0] + beads[0][1])));
     pen.dot(k, 3.2);
     pen.dot(c, 3.2);
-    pen.label(shifted(k, [-8.0, -2.0]), End, "*K*");
-    pen.label(shifted(c, [-8.0, 17.0]), End, "*C*");
+    // Beside it, on the outer side first, and above or below the lines.
+    let mut name = |at: Point, [x, y]: Point, text: &str, lettering| {
+        let around = [
+            [x, -y],
+            [x, y],
+            [x, -2.0 * y],
+            [x, 2.0 * y],
+            [0.0, -2.0 * y],
+            [0.0, 2.8 * y],
+        ];
+        pen.name(around.map(|by| shifted(at, by)), text, lettering);
+    };
+    for (n, pair) in beads.iter().enumerate() {
+        let upper = usize::from(pair[0].z < pair[1].z);
+        let at = view.project(&pair[upper]);
+        let out = if at[0] < center[0] { -1.0 } else { 1.0 };
+        let number = (n + 1).to_string();
+        name(at, [out * (4.0 + 15.0 * scale), 9.0], &number, small(Ink));
+    }
+    name(k, [-15.0, 8.0], "*K*", label(Ink));
+    name(c, [-15.0, 12.0], "*C*", label(Ink));
 }

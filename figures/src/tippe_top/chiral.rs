@@ -65,19 +65,16 @@ pub fn both_spins(values: &Values) -> Result<Figure> {
             frame.curve(pen, tilts(rows), style);
         }
         // Each name at the right, as near to its curve as there is room.
-        let curves = [0, 1].map(|k: usize| along(&frame.trace(tilts(&runs[k]).step_by(4)), 6.0));
-        let mut taken = curves.concat();
         let names = ["clockwise, seen from above", "anticlockwise"];
         for (k, role) in [Ink, Muted].into_iter().enumerate() {
-            let half = [3.9 * names[k].len() as f64, 8.0];
-            let x = 572.0 - half[0];
-            let end = curves[k].last().map_or(0.0, |p| p[1]);
-            let mut heights: Vec<f64> = (0..60).map(|k| 48.0 + 5.0 * f64::from(k)).collect();
-            heights.sort_by(|a, b| (a - end).abs().total_cmp(&(b - end).abs()));
-            let places = heights.into_iter().map(|y| [x, y]);
-            let [x, y] = roomiest(places, half, &taken);
-            taken.extend(along(&[[x - half[0], y], [x + half[0], y]], 6.0));
-            pen.text([572.0, y + 5.0], End, names[k], label(role));
+            let x = 572.0 - 3.9 * names[k].len() as f64;
+            let end = frame.y.at(last[k]);
+            let heights = (0..60).map(|k| 48.0 + 5.0 * f64::from(k));
+            let across = |y| [0.0, 90.0, 180.0, 270.0].map(|left| [x - left, y]);
+            let mut places: Vec<Point> = heights.flat_map(across).collect();
+            let far = |at: &Point| (at[1] - end).abs() + 0.6 * (x - at[0]);
+            places.sort_by(|a, b| far(a).total_cmp(&far(b)));
+            pen.name(places, names[k], label(role));
         }
     });
     let columns = "time (s) | tilt (°)";

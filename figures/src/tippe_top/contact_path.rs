@@ -2,7 +2,7 @@
 
 use spinning_bodies::scene::contact::Support;
 
-use super::{ALPHA, FRICTION, SPIN, degrees, run, toy_scene};
+use super::{ALPHA, FRICTION, SPIN, degrees, greatest_tilt, run, toy_scene};
 use crate::prelude::*;
 
 /// The parameters; in the book slow enough to be followed with the eye.
@@ -31,10 +31,13 @@ pub fn path(values: &Values) -> Result<Figure> {
     let tilt = degrees(&rows[rows.len() - 1].1);
     let claim = if tilt > 150.0 {
         "On the ball, the point of contact walks from the heavy pole to the light one.".to_owned()
-    } else {
+    } else if tilt > 15.0 {
         format!(
             "On the ball, the point of contact walks away from the heavy pole, by {tilt:.0} degrees so far."
         )
+    } else {
+        let most = number(greatest_tilt(&rows), 0);
+        format!("On the ball, the point of contact stays within {most} degrees of the heavy pole.")
     };
     let rounds = number(turns, 1);
     let flight = match aloft {
@@ -62,8 +65,11 @@ pub fn path(values: &Values) -> Result<Figure> {
         pen.line([k, c], inked(AXIS));
         pen.dot(k, 3.6);
         pen.dot(c, 3.6);
-        pen.label(shifted(k, [8.0, 0.0]), Start, "*K*");
-        pen.label(shifted(c, [8.0, 12.0]), Start, "*C*");
+        for (at, down, text) in [(k, -5.0, "*K*"), (c, 7.0, "*C*")] {
+            let beside = [down, -down, 2.5 * down].map(|y| [[15.0, y], [-15.0, y], [22.0, y]]);
+            let places = beside.concat().into_iter().map(|by| shifted(at, by));
+            pen.name(places, text, label(Ink));
+        }
         let first = view.project(&path[0]);
         pen.dot(first, 4.0);
         let beside = [[28.0, 0.0], [28.0, -18.0], [-28.0, -18.0], [0.0, -24.0]];

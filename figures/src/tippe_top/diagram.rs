@@ -74,8 +74,15 @@ pub fn energies(values: &Values) -> Result<Figure> {
         (None, Inversion::Never) => "solid from where it is steady".to_owned(),
         (None, _) => "dashed all the way".to_owned(),
     };
+    let falling = falls
+        .iter()
+        .any(|(path, _)| path[28][1] < 0.97 * path[0][1]);
+    let so = match falling {
+        true => "every top falls down a plumb line",
+        false => "a top can only fall down a plumb line: these three stay up for 14 seconds",
+    };
     let words = words!(
-        "Friction takes energy and leaves Jellett's integral alone, so every top falls down a plumb line.",
+        "Friction takes energy and leaves Jellett's integral alone, so {so}.",
         "Energy of the steady states of a tippe top with $\\alpha = {alpha}$, $I_1/I_3 = {gamma}$ against Jellett's integral $J$, given as the spin \
          $J/RI_3(1-\\alpha)$ of the upright top. Solid: stable; dashed: not. {branch} Arrows: three runs released at 0.1 rad, spun at {slow}, {chosen} and {fast} \
          rad/s; after 14 s they are at {a}°, {b}° and {c}°.",
@@ -112,12 +119,11 @@ pub fn energies(values: &Values) -> Result<Figure> {
             frame.curve(pen, [edge].into_iter().chain(second), above);
         }
         // A tilted top is stable where more of J tilts it further.
-        for pair in tilted.windows(2) {
-            let style = match pair[1][0] > pair[0][0] {
-                true => solid,
-                false => inked(SECONDARY).alpha(0.5),
-            };
-            frame.curve(pen, pair.iter().copied(), style);
+        for piece in tilted.chunk_by(|a, b| a[0] < b[0]) {
+            frame.curve(pen, piece.iter().copied(), solid);
+        }
+        for piece in tilted.chunk_by(|a, b| a[0] >= b[0]) {
+            frame.curve(pen, piece.iter().copied(), broken);
         }
         for (spin, tilt) in [(rise, 0.0), (invert, PI)] {
             if let Some(spin) = spin.filter(|spin| *spin < WIDEST) {
@@ -141,8 +147,11 @@ pub fn energies(values: &Values) -> Result<Figure> {
             near.map(|p| p[1]).fold(least, f64::min)
         };
         let beside = |spin: f64, energy: f64, aside| shifted(frame.at(spin, energy), aside);
-        let upright = beside(80.0, energy(&top, 0.0, 80.0), [-12.0, 0.0]);
-        pen.label(upright, End, "upright");
+        let upright = [[-46.0, -8.0], [42.0, 9.0]].map(|aside| {
+            let spins = [80.0, 72.0, 90.0, 60.0];
+            spins.map(|spin| beside(spin, energy(&top, 0.0, spin), aside))
+        });
+        pen.name(upright.concat(), "upright", label(Ink));
         let inverted = beside(1.0, energy(&top, PI, 1.0), [6.0, -10.0]);
         pen.label(inverted, Start, "upside down");
         // Without a branch no state is tilted, and no stable state loses energy.

@@ -2,7 +2,7 @@
 
 use spinning_bodies::scene::contact::{State, passage};
 
-use super::{ALPHA, GAMMA, SPIN, VISCOUS, degrees, run, tippe, tippe_scene};
+use super::{ALPHA, GAMMA, SPIN, VISCOUS, degrees, greatest_tilt, run, tippe, tippe_scene};
 use crate::prelude::*;
 
 /// The parameters.
@@ -36,7 +36,10 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
         None if gain > 0.05 * weight * 0.02 * alpha => {
             format!("In {END} seconds this top climbs to {ends} degrees only, and {paid}")
         }
-        None => format!("In {END} seconds this top leans by {ends} degrees at most, and {paid}"),
+        None => {
+            let most = number(greatest_tilt(&rows), 0);
+            format!("In {END} seconds this top leans by {most} degrees at most, and {paid}")
+        }
     };
     let side = match half {
         Some(half) => format!("It lies on its side at {half:.2} s"),
@@ -87,13 +90,15 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
         pen.label([490.0, places[0] + 5.0], Start, "energy");
         pen.label([490.0, places[1] + 5.0], Start, "*Mg* × height");
         pen.label([490.0, places[1] + 23.0], Start, "of *C*");
-        // In the early gap, which is the wider one.
-        let early = &rows[95].1;
-        let (upper, lower) = (frame.y.at(1e3 * early.energy), frame.y.at(height(early)));
-        if lower - upper > 30.0 {
-            let place = [frame.x.at(0.15 * END), 0.5 * (upper + lower) + 5.0];
-            pen.text(place, Middle, "in the motion", label(Muted));
-        }
+        // In the early gap, which is the wider one, or where no line is in the way.
+        let gaps = [95, 60, 200, 280, 340].map(|k: usize| {
+            let (upper, lower) = (1e3 * rows[k].1.energy, height(&rows[k].1));
+            [
+                frame.x.at(k as f64 / 400.0 * END),
+                frame.y.at(0.5 * (upper + lower)),
+            ]
+        });
+        pen.name(gaps, "in the motion", label(Muted));
     });
     let columns = "time (s) | energy (mJ) | potential energy (mJ)";
     let table = rows.iter().map(|(t, s)| [*t, 1e3 * s.energy, height(s)]);

@@ -90,7 +90,6 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
             let seen = points.iter().filter(|p| shown(p.1[which]));
             seen.map(|p| frame.at(p.0, p.1[which])).collect()
         };
-        let mut taken: Vec<Point> = [0, 1].iter().flat_map(|k| along(&curve(*k), 8.0)).collect();
         for (which, power) in [(0, 2.0), (1, 1.0)] {
             let role = [Ink, Muted][which];
             let seen = |p: &&(f64, [f64; 2])| shown(p.1[which]);
@@ -98,9 +97,7 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
                 let ray = (0..=20).map(|t| mu * (MU[1] / mu).powf(f64::from(t) / 20.0));
                 let ray = ray.map(|at| [at, rates[which] * (at / mu).powf(power)]);
                 let inside = ray.filter(|p| p[1] < RATE[1]);
-                taken.extend(frame.trace(inside.clone()));
-                let dotted = muted(SECONDARY).dotted();
-                frame.curve(pen, inside, dotted);
+                frame.curve(pen, inside, muted(SECONDARY).dotted());
             }
             for piece in points.split(|p| !shown(p.1[which])) {
                 let line: Vec<Point> = piece.iter().map(|p| frame.at(p.0, p.1[which])).collect();
@@ -118,7 +115,7 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
             if line.is_empty() {
                 continue;
             }
-            let half = [4.2 * text.chars().count() as f64, 8.0];
+            let half = 4.2 * text.chars().count() as f64;
             let side = [1.0, -1.0][which];
             let sides = [26.0, 44.0, -26.0, -44.0].map(|far| side * far);
             let middle = line.len() / 2;
@@ -128,12 +125,10 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
             });
             let places = order.flat_map(|k| {
                 let [x, y] = line[k];
-                let x = x.clamp(84.0 + half[0], 556.0 - half[0]);
+                let x = x.clamp(84.0 + half, 556.0 - half);
                 sides.map(|side| [x, (y + side).clamp(44.0, 344.0)])
             });
-            let [x, y] = roomiest(places, half, &taken);
-            taken.extend(along(&[[x - half[0], y], [x + half[0], y]], 8.0));
-            pen.text([x, y + 5.0], Middle, &text, label(role));
+            pen.name(places, &text, label(role));
         }
     });
     let columns = "friction | half the difference over √(g/R) | mean over √(g/R)";

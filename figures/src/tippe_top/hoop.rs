@@ -51,12 +51,15 @@ pub fn hoop_with_clay(values: &Values) -> Result<Figure> {
     };
     let dips = torques.map(|n| (n.z() / n.x()).atan().to_degrees());
     let ([low, high], [dip, dive]) = (numbers(degrees, 0), numbers(dips, 0));
-    let turns = number(values.of(&TURNS), 0);
+    let turns = match number(values.of(&TURNS), 0).as_str() {
+        "1" => "once".to_owned(),
+        turns => format!("{turns} times"),
+    };
     let [first, second] = numbers(slips.map(|slip| slip.y()), 2);
     let off = number(values.of(&OFFSET), 2);
     let words = words!(
         "{claim}",
-        "Pictures i and j of the tutorial. The hoop spins about the vertical, anticlockwise from above, {turns} times a second. At tilts of {low}° and {high}° the \
+        "Pictures i and j of the tutorial. The hoop spins about the vertical, anticlockwise from above, {turns} a second. At tilts of {low}° and {high}° the \
          contact plunges into the page, with {first} and {second} m/s in the toy if $CK$ were {off} of $R$; so friction comes out of it, and its \
          torque $N$ about $C$ points left and {dip}° and {dive}° down. It turns the axis $CK$ away from $L$ both times.",
         "Two hoops on a table, seen along it, each with a lump of clay on its rim. On the left the clay is low and to the left, on the right \
@@ -98,33 +101,34 @@ fn one(pen: &mut Pen, k: Point, alpha: f64, (tilt, torque): (f64, SpaceVector)) 
     pen.line([mass, [mass[0], top + 30.0]], muted(HAIR));
     let tip = shifted(mass, [0.0, -0.86 * RADIUS]);
     pen.arrow(mass, tip, stroke(AngularMomentum, DATA));
-    let place = shifted(mass, [-8.0, -0.74 * RADIUS]);
-    pen.text(place, End, "*L*", label(AngularMomentum));
+    let beside = [[-14.0, -82.0], [-14.0, -66.0], [14.0, -82.0], [14.0, -66.0]];
+    let places = beside.map(|beside| shifted(mass, beside));
+    pen.name(places, "*L*", label(AngularMomentum));
     pen.arc(mass, 34.0, FRAC_PI_2 - tilt, FRAC_PI_2, inked(AXIS));
     let half = FRAC_PI_2 - 0.5 * tilt;
-    let name = shifted(polar(mass, 46.0, half), [0.0, 5.0]);
-    pen.label(name, Middle, "*θ*");
     // The torque, in the plane of the picture.
     let scale = 0.5 * RADIUS / torque.norm();
     let tip = planned(mass, scale, [torque.x(), torque.z()]);
     pen.arrow(mass, tip, stroke(Torque, DATA));
     // Letters stand off the axis, which falls to the right where the clay is above.
     let above = tilt > FRAC_PI_2;
-    let beside = if above { 21.0 } else { -9.0 };
-    let name = shifted(between(mass, tip, 0.5), [-4.0, beside]);
-    pen.text(name, Middle, "*N*", label(Torque));
+    let beside = if above { 16.0 } else { -14.0 };
+    let places = [beside, -beside].map(|beside| {
+        let on = [0.5, 0.3, 0.8].map(|share| between(mass, tip, share));
+        on.map(|at| shifted(at, [-4.0, beside]))
+    });
+    pen.name(places.concat(), "*N*", label(Torque));
     pen.dot(mass, 4.0);
     pen.dot(k, 4.0);
-    let name = match above {
-        true => polar(shifted(mass, [0.0, 5.0]), 17.0, half),
-        false => shifted(mass, [14.0, 19.0]),
-    };
-    pen.label(name, Middle, "*C*");
-    let (beside, anchor) = match above {
-        true => ([-6.0, 22.0], End),
-        false => ([11.0, 19.0], Start),
-    };
-    pen.label(shifted(k, beside), anchor, "*K*");
+    pen.name(
+        [46.0, 58.0, 70.0].map(|far| polar(mass, far, half)),
+        "*θ*",
+        label(Ink),
+    );
+    let c = [shifted(mass, [14.0, 14.0]), polar(mass, 17.0, half)][usize::from(above)];
+    let beside = if above { [-12.0, 17.0] } else { [17.0, 14.0] };
+    pen.name([c], "*C*", label(Ink));
+    pen.name([shifted(k, beside)], "*K*", label(Ink));
     let foot = shifted(k, [0.0, RADIUS]);
     pen.disc(foot, 7.5, Ink, 0.18);
     pen.ring(foot, 7.5, inked(1.4));

@@ -60,7 +60,7 @@ fn target(pen: &mut Pen, center: Point, rings: &[Vec<bool>], name: &str) {
         }
         // The innermost ring has no room for a name.
         if k == 2 || k == 5 {
-            let place = shifted(polar(center, reach(k), 1.18), [0.0, -1.0]);
+            let place = shifted(polar(center, reach(k) + 11.0, 1.18), [0.0, 4.5]);
             pen.remark(place, Middle, &format!("{:.0}°", TILTS[k]));
         }
     }

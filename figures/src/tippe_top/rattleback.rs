@@ -48,14 +48,20 @@ pub fn reversals(values: &Values) -> Result<Figure> {
         passage(&quick, State::spin, 0.0),
         passage(&slow, |s| -s.spin(), 0.0),
     ];
-    let [wrong, right] = lost;
+    let cut = |(end, way): (f64, &str)| {
+        let end = Some(short(end, 3)).filter(|_| end < END)?;
+        Some(format!("after {end} seconds spun the {way} way"))
+    };
+    let cuts = lost.into_iter().zip(["wrong", "right"]).filter_map(cut);
+    let cuts: Vec<String> = cuts.collect();
     let does = match first || second {
         true => "leaves the table",
         false => "shakes itself beyond foretelling",
     };
     let claim = match back {
-        _ if wrong.min(right) < END => format!(
-            "So far off level and so fast, the stone {does}: the curves end after {wrong:.3} seconds spun the wrong way, {right:.3} the right way."
+        _ if !cuts.is_empty() => format!(
+            "So far off level and so fast, the stone {does}: its curve ends {}.",
+            cuts.join(", ")
         ),
         [Some(wrong), Some(right)] if right > wrong => format!(
             "A rattleback spun the wrong way rattles, stops and turns back; spun the right way it takes {} times as long about it.",
@@ -93,7 +99,7 @@ pub fn reversals(values: &Values) -> Result<Figure> {
         for (rows, role) in [(&slow, Muted), (&quick, Ink)] {
             frame.curve(pen, spins(rows), stroke(role, DATA * 0.8));
         }
-        let least = 1.22 * greatest;
+        let least = 1.18 * greatest;
         for (at, text, role) in [
             (-least, "the wrong way", Ink),
             (least, "the right way", Muted),

@@ -26,9 +26,10 @@ pub fn twins(values: &Values) -> Result<Figure> {
     let side = [0, 1].map(|k| passage(&runs[k], degrees, 90.0));
     let most = [0, 1].map(|k| greatest_tilt(&runs[k]));
     let claim = match side.map(|time| time.is_some()) {
-        [true, false] => {
+        [true, false] if degrees(&runs[0][600].1) > 150.0 => {
             "Spun the same way, the top goes over on its head, and its mirror image does not."
         }
+        [true, false] => "Spun the same way, the top falls over, and its mirror image does not.",
         [false, true] => {
             "Spun the same way, the top stays on its foot, and its mirror image goes over."
         }

@@ -73,14 +73,14 @@ pub fn string(values: &Values) -> Result<Figure> {
     let milliseconds = 1e3 * turn.duration;
     let [weights, mean] = [0, 1].map(|digits| number(turn.mean_tension / weight, digits));
     let [long, thick, leaves] = shorts([length, axle, left], 2);
-    let rise = match left < 1.0 {
-        true => "less high every time",
-        false => "all the way up every time",
+    let (rise, leaves) = match left < 1.0 {
+        true => ("less high every time", format!("${leaves}$")),
+        false => ("all the way up every time", "all".to_owned()),
     };
     let words = words!(
         "On the way down and on the way up the string pulls a little less than the weight; in the turn, for {milliseconds:.0} milliseconds, as hard as {weights} yo-yos.",
         "A yo-yo of 55 g and radius 29 mm on {long} m of string round an axle of {thick} mm, let go. Pull while it winds: ${falling:.3}\\,Mg$. First turn: {milliseconds:.1} ms, mean \
-         pull ${mean}\\,Mg$, peak ${peak:.1}\\,Mg$. Every turn leaves ${leaves}$ of the spin.",
+         pull ${mean}\\,Mg$, peak ${peak:.1}\\,Mg$. Every turn leaves {leaves} of the spin.",
         "Two diagrams over {SHOWN} seconds. Above, the depth: arcs of parabolas that meet in sharp points at {long} m, and rise {rise}. \
          Below, the pull of the string: flat just under one weight, with a needle at each of the sharp points, the first {peak:.0} \
          weights high."

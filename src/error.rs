@@ -182,7 +182,7 @@ pub enum Error {
     },
     /// A motion that amplifies rounding beyond the accuracy asked for.
     #[error(
-        "accuracy {} is out of reach, {} was reached: rounding adds up, and the motion amplifies a small change of its start {} times; a looser accuracy or an earlier end may do",
+        "accuracy {} is out of reach, {} was reached: rounding adds up, and in this motion a small change of the start grows {} times; a looser accuracy or an earlier end may do",
         Number(*asked), Number(*reached), Number(*growth)
     )]
     Amplified {

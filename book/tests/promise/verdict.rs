@@ -79,7 +79,7 @@ impl Outcome {
                 if promised && (self.known || !grown) {
                     faults.push(Fault::Refused);
                 }
-                if !why.contains("amplifies") {
+                if !why.contains("grow") {
                     faults.push(Fault::Unnamed);
                 }
             }

@@ -6,10 +6,10 @@ use spinning_bodies::lagrange_top::Nutation;
 use super::{launch, pure_rates};
 use crate::prelude::*;
 
-// L₃ of the curves; each has its handle where its fast branch ends, for a hanging axis.
+// L₃ of the curves; two have their handle where the fast branch ends, for a hanging axis, the third on its rise: rings keep apart.
 parameters! {
     THIN: "thin", "L_3", "", "axial momentum of the thin curve", [0.4, 3.3], 1.2, dragged(|values| hanging(values.of(&THIN)));
-    MIDDLE: "middle", "L_3", "", "axial momentum of the middle curve", [0.4, 3.3], 2.0, dragged(|values| hanging(values.of(&MIDDLE)));
+    MIDDLE: "middle", "L_3", "", "axial momentum of the middle curve", [0.4, 3.3], 2.0, dragged(|values| rising(values.of(&MIDDLE), 5.0));
     THICK: "thick", "L_3", "", "axial momentum of the thick curve", [0.4, 3.3], 3.0, dragged(|values| hanging(values.of(&THICK)));
 }
 /// The parameters.
@@ -23,6 +23,12 @@ const SHOWN: [f64; 2] = [-3.6, 6.2];
 fn hanging(axial: f64) -> Point {
     let rates = pure_rates(-1.0, axial).unwrap_or_default();
     place(PI, rates[1])
+}
+
+/// Where the fast branch reaches the rate w: cos θ = (L₃w − 1)/w².
+fn rising(axial: f64, rate: f64) -> Point {
+    let height = (axial * rate - 1.0) / rate.powi(2);
+    place(height.acos(), rate)
 }
 
 fn place(tilt: f64, rate: f64) -> Point {
@@ -141,10 +147,7 @@ pub fn precession_rates(values: &Values) -> Result<Figure> {
             pen.dot(place(*end, 2.0 / axial), 3.6);
         }
         // The momenta are written where the fast branches leave the picture: cos θ = (L₃w − 1)/w² there.
-        let out = spins.map(|axial| {
-            let height = (axial * SHOWN[1] - 1.0) / SHOWN[1].powi(2);
-            place(height.acos(), SHOWN[1])[0]
-        });
+        let out = spins.map(|axial| rising(axial, SHOWN[1])[0]);
         let out = spread(out, 30.0);
         for (x, axial) in out.into_iter().zip(spins) {
             let text = number(axial, 2);

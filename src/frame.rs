@@ -28,6 +28,7 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector3};
 
 use crate::error::{Error, Result, each_finite, finite};
+use crate::precise::power_of_two_below;
 
 /// Axes attached to the body, turning with it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -482,8 +483,10 @@ impl Attitude {
     /// ```
     pub fn angle_to(&self, other: &Self) -> f64 {
         let difference = self.0.inverse() * other.0;
-        let sine = BodyVector::from_components(difference.imag()).norm();
-        2.0 * sine.atan2(difference.w.abs())
+        let sine = difference.imag();
+        // Over a power of two, for the squares of small angles are numbers then.
+        let unit = power_of_two_below(sine.amax());
+        2.0 * ((sine / unit).norm() * unit).atan2(difference.w.abs())
     }
 }
 

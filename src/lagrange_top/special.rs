@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 use super::motion::LagrangeTop;
 use crate::error::{Error, Result, finite, not_negative, positive, refused, within};
 use crate::frame::{Attitude, BodyVector};
-use crate::precise::{Extended, Number};
+use crate::precise::{Extended, Number, shifted};
 
 /// The rates dφ/dt at which the axis can precess at a given tilt without nutation, rad/s (7.3).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -257,12 +257,14 @@ pub fn dip(transverse: f64, weight_moment: f64, l3: f64, tilt: f64) -> Result<Di
     let one_less = below + fall;
     let whole = one + lambda + root;
     let one_more = (lambda * above).times(2.0).quotient(whole);
-    // Twice sine and cosine of half the lowest tilt.
-    let [sine_half, cosine_half] = [one_less, one_more].map(|x| x.times(2.0).square_root());
-    let lowest_tilt = 2.0 * sine_half.value().atan2(cosine_half.value());
+    let more = one_more.value();
+    // Next to upright in a unit like the lowest tilt, whose square may underflow.
+    let unit = one_less.exponent.div_euclid(2);
+    let [less, fall] = [one_less, fall].map(|x| x.raised(-2 * unit).value());
+    let lowest_tilt = 2.0 * shifted(less.sqrt(), unit).atan2(more.sqrt());
     // cos θ₀ − cos θ₁ = 2 sin((θ₁ − θ₀)/2) sin((θ₁ + θ₀)/2).
-    let middle = (number(s) * cosine_half).add_alike(number(c) * sine_half);
-    let half = fall.quotient(middle).value();
+    let middle = shifted(s, -unit) * (0.5 * more).sqrt() + c * (0.5 * less).sqrt();
+    let half = shifted(0.5 * fall / middle, unit);
     // For a deep fall the arcsine is ill-conditioned, while the difference of the tilts loses nothing: at 60° both are right to a few units.
     let depth = if half < 0.5 {
         2.0 * half.asin()
@@ -272,7 +274,7 @@ pub fn dip(transverse: f64, weight_moment: f64, l3: f64, tilt: f64) -> Result<Di
     };
     let sine = tilt.sin();
     Ok(Dip {
-        lowest_height: (one_more - one_less).times(0.5).value(),
+        lowest_height: 0.5 * (more - one_less.value()),
         lowest_tilt,
         depth,
         cycloid: Cycloid {

@@ -65,7 +65,7 @@ pub fn meteorite(values: &Values) -> Result<Figure> {
     let longest = [before, after, rough].map(|v| {
         let unit = View::new(1.4, 0.32, [0.0, 0.0], 1.0);
         let [x, y] = unit.project(&v.components());
-        (x.abs() / 130.0).max(y.abs() / 176.0)
+        (x.abs() / 130.0).max(-y / 176.0).max(y / 108.0)
     });
     let scale = SPIN.min(1.0 / longest.into_iter().fold(0.0, f64::max));
     let spin = View::new(1.4, 0.32, CENTER, scale);

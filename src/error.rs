@@ -286,10 +286,7 @@ pub(crate) fn same_length(wanted: usize, found: usize) -> Result<()> {
     if wanted == found {
         return Ok(());
     }
-    refused(
-        "the output slice must have one place for each result",
-        found as f64,
-    )
+    refused("the slice must have a place for each result", found as f64)
 }
 
 /// The refusal of a time so far from 0 that no digit of the phase would be left; `limit` is the greatest time at which some are.

@@ -328,10 +328,8 @@ pub fn grazing_mass_ratio(
     let rim_speed = positive("the speed of the rim", rim_speed)?;
     let impact_speed = positive("the speed of the impact", impact_speed)?;
     within("the tilt", tilt, 0.0, core::f64::consts::PI)?;
-    finite(
-        "the mass ratio",
-        2.0 * kappa * (rim_speed / impact_speed) * (0.5 * tilt).sin(),
-    )
+    let ratio = 2.0 * kappa * (rim_speed / impact_speed) * (0.5 * tilt).sin();
+    finite("the mass ratio", ratio)
 }
 
 /// What is known of a planet and its rotation.

@@ -302,10 +302,7 @@ pub fn polygon_torques(vertices: &[[f64; 2]], hinge: [f64; 2]) -> Result<Vec<f64
 fn side_torque(from: [f64; 2], to: [f64; 2], hinge: [f64; 2]) -> Result<f64> {
     let [start, end] = [from, to].map(|p| [0, 1].map(|k| DoubleDouble::difference(p[k], hinge[k])));
     for arm in [start, end] {
-        each_finite(
-            "an arm of the torque on a side",
-            arm.map(DoubleDouble::high),
-        )?;
+        each_finite("an arm of a torque", arm.map(DoubleDouble::high))?;
     }
     let twice = combined(&[(1.0, start, start), (-1.0, end, end)]);
     finite("the torque on a side", twice.times(0.5).value())

@@ -6,7 +6,7 @@ use super::evaluation::{Constants, Moving, State, vector};
 use super::preparation::{Quantity, Regime, Start, ascending, decide, decide_from, ratio};
 use crate::elliptic::Parameter;
 use crate::elliptic::lanes::{fill, turned};
-use crate::error::{Error, Result, finite, not_negative, positive};
+use crate::error::{Result, finite, not_negative, positive, refused};
 use crate::frame::{Attitude, BodyVector, SpaceVector, finite_vector};
 use crate::inertia::{InertiaMatrix, PrincipalMoments};
 use crate::precise::{DoubleDouble, Extended, Number, power_of_two_below, sum_of_products};
@@ -45,9 +45,9 @@ impl EulerTop {
     /// [`at`](Self::at), for constants to 106 bits; with them later times lose no digit.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], also if Ω or the rate of the motion would leave the range of doubles; [`Error::Negative`] and
-    /// [`Error::TriangleInequality`] for moments that no body has (2.4);
-    /// [`Error::Condition`] for an angular momentum about an axis whose moment is zero.
+    /// [`Error::NotFinite`](crate::Error::NotFinite), also if Ω or the rate of the motion would leave the range of doubles; [`Error::Negative`](crate::Error::Negative) and
+    /// [`Error::TriangleInequality`](crate::Error::TriangleInequality) for moments that no body has (2.4);
+    /// [`Error::Condition`](crate::Error::Condition) for an angular momentum about an axis whose moment is zero.
     ///
     /// ```
     /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
@@ -71,7 +71,7 @@ impl EulerTop {
     /// The component along an axis whose moment is zero has no meaning and is ignored.
     ///
     /// # Errors
-    /// As for [`new`](Self::new); [`Error::Condition`] if I Ω is below the range of doubles.
+    /// As for [`new`](Self::new); [`Error::Condition`](crate::Error::Condition) if I Ω is below the range of doubles.
     ///
     /// ```
     /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
@@ -88,7 +88,7 @@ impl EulerTop {
     /// The same as [`new`](Self::new) for any moments, such as 1, 2, 5, which no body has: Euler's equations hold for them as well.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::Negative`] for a moment, [`Error::Condition`] if one moment is zero and L has a component
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Negative`](crate::Error::Negative) for a moment, [`Error::Condition`](crate::Error::Condition) if one moment is zero and L has a component
     /// about that axis, or the other two moments differ.
     ///
     /// ```
@@ -110,7 +110,7 @@ impl EulerTop {
     /// The same as [`beyond_bodies`](Self::beyond_bodies) from the angular velocity along the principal axes, rad/s; I Ω is formed without rounding.
     ///
     /// # Errors
-    /// As for [`beyond_bodies`](Self::beyond_bodies); [`Error::Condition`] if I Ω is below the range of doubles.
+    /// As for [`beyond_bodies`](Self::beyond_bodies); [`Error::Condition`](crate::Error::Condition) if I Ω is below the range of doubles.
     ///
     /// ```
     /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
@@ -137,8 +137,8 @@ impl EulerTop {
     /// [`beside_separatrix`](Self::beside_separatrix) reaches it. Cost: some twenty evaluations of [`at`](Self::at).
     ///
     /// # Errors
-    /// As for [`new`](Self::new), but [`Error::NotPositive`] for a moment that is zero, because L² and E do not determine how a rod moves; [`Error::Negative`] for L² or E;
-    /// [`Error::Condition`] unless 2EI₁ ≤ L² ≤ 2EI₃.
+    /// As for [`new`](Self::new), but [`Error::NotPositive`](crate::Error::NotPositive) for a moment that is zero, because L² and E do not determine how a rod moves; [`Error::Negative`](crate::Error::Negative) for L² or E;
+    /// [`Error::Condition`](crate::Error::Condition) unless 2EI₁ ≤ L² ≤ 2EI₃.
     ///
     /// ```
     /// use spinning_bodies::{euler_top::{EulerTop, Regime}, frame::Attitude};
@@ -205,10 +205,12 @@ impl EulerTop {
         });
         let number = Extended::from_double;
         if least.leading() < 0.0 || greatest.leading() > 0.0 {
-            return Err(Error::Condition {
-                condition: "L² must lie between 2E times the smallest and 2E times the largest moment",
-                value: (middle + number(energy).times(2.0) * number(i[1])).value(),
-            });
+            let condition =
+                "L² must lie between 2E times the smallest and 2E times the largest moment";
+            return refused(
+                condition,
+                (middle + number(energy).times(2.0) * number(i[1])).value(),
+            );
         }
         let span = Extended::difference(i[2], i[0]);
         let part = |above: Extended, moment: f64| (above * number(moment)).quotient(span);
@@ -243,10 +245,8 @@ impl EulerTop {
         let largest = vector(l.map(Extended::value)).components().amax();
         let turns = quantity == Quantity::Omega && l.iter().any(|component| !component.is_zero());
         if largest < f64::MIN_POSITIVE && turns {
-            return Err(Error::Condition {
-                condition: "the angular momentum of a body that turns must not underflow",
-                value: largest,
-            });
+            let condition = "the angular momentum of a body that turns must not underflow";
+            return refused(condition, largest);
         }
         Self::assembled(moments, &l, attitude, decide(moments, start))
     }
@@ -335,7 +335,7 @@ impl EulerTop {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::OutOfRange`] beyond 2⁵³ quarter periods,
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::OutOfRange`](crate::Error::OutOfRange) beyond 2⁵³ quarter periods,
     /// where a double can no longer count them, or 2⁶³ radians.
     pub fn at(&self, t: f64) -> Result<State> {
         let t = finite("the time", t)?;
@@ -404,7 +404,7 @@ impl EulerTop {
     /// family has: 0.35 where m ≤ 1/2, 0.42 where m > 1/2, 1 where Ω is constant; 1.1 for a batch of one time.
     ///
     /// # Errors
-    /// [`Error::Condition`] if the slices differ in length; otherwise that of the first time that [`at`](Self::at) refuses, with some of the states
+    /// [`Error::Condition`](crate::Error::Condition) if the slices differ in length; otherwise that of the first time that [`at`](Self::at) refuses, with some of the states
     /// written.
     ///
     /// ```

@@ -6,7 +6,7 @@
 
 use super::evaluation::handedness;
 use super::preparation::ascending;
-use crate::error::{Error, Result, positive};
+use crate::error::{Result, positive, refused};
 use crate::frame::BodyVector;
 use crate::precise::{DoubleDouble, Number, exponent_of, power_of_two_below, shifted};
 
@@ -68,8 +68,8 @@ impl Poinsot {
     /// then gives them away ([`Self::herpolhode_curvature`]). Cost: a few dozen operations, six roots.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::NotPositive`] for a moment (the ellipsoid of a rod is a cylinder);
-    /// [`Error::Condition`] if the smallest moment is below 10⁻¹⁰⁰ of the largest; [`Error::ZeroVector`] for L.
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::NotPositive`](crate::Error::NotPositive) for a moment (the ellipsoid of a rod is a cylinder);
+    /// [`Error::Condition`](crate::Error::Condition) if the smallest moment is below 10⁻¹⁰⁰ of the largest; [`Error::ZeroVector`](crate::Error::ZeroVector) for L.
     ///
     /// ```
     /// use spinning_bodies::{euler_top::Poinsot, frame::BodyVector};
@@ -87,10 +87,8 @@ impl Poinsot {
         let axes = ascending(moments);
         let [least, _, greatest] = axes.map(|k| moments[k]);
         if least / greatest < LEAST_RATIO {
-            return Err(Error::Condition {
-                condition: "the smallest moment must be at least 1e-100 of the largest",
-                value: least,
-            });
+            let condition = "the smallest moment must be at least 1e-100 of the largest";
+            return refused(condition, least);
         }
         let (unit_of_moments, unit) = (power_of_two_below(greatest), power_of_two_below(size));
         let mut picture = Self {

@@ -7,7 +7,7 @@ use crate::elliptic::Side;
 use crate::elliptic::lanes::Course;
 use crate::elliptic::modulus::{Descent, Squares};
 use crate::elliptic::turning::{Elevation, Turning};
-use crate::error::{Error, Result};
+use crate::error::{Result, refused};
 use crate::precise::{
     DoubleDouble, Extended, Number, RIGHT_ANGLE, exponent_of, power_of_two_below, sum_of_products,
 };
@@ -70,17 +70,13 @@ impl Start {
         }
         let spin = (0..3).find(|&k| moments[k] == 0.0 && self.components[k] != 0.0);
         if let (Quantity::AngularMomentum, Some(axis)) = (self.quantity, spin) {
-            return Err(Error::Condition {
-                condition: "the angular momentum about an axis whose moment is zero must be zero",
-                value: self.components[axis],
-            });
+            let condition = "the angular momentum about an axis whose moment is zero must be zero";
+            return refused(condition, self.components[axis]);
         }
         let gap = moments[last] - moments[middle];
         if gap > 8.0 * f64::EPSILON * moments[last] {
-            return Err(Error::Condition {
-                condition: "if one moment is zero, the difference of the other two must be zero",
-                value: gap,
-            });
+            let condition = "if one moment is zero, the difference of the other two must be zero";
+            return refused(condition, gap);
         }
         Ok(())
     }

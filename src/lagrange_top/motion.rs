@@ -9,7 +9,7 @@ use super::preparation::{
 use super::roots::{Nutation, Roots};
 use crate::elliptic::Parameter;
 use crate::elliptic::lanes::{Course, fill, turned};
-use crate::error::{Error, Result, finite, within};
+use crate::error::{Error, Result, finite, refused, within};
 use crate::precise::{DoubleDouble, Extended, Number, sum_of_products};
 
 use crate::frame::{Attitude, BodyVector, finite_vector};
@@ -184,10 +184,8 @@ impl LagrangeTop {
         finite("L3", l3)?;
         finite("the vertical angular momentum", l_vert)?;
         if body.axial == 0.0 && l3 != 0.0 {
-            return Err(Error::Condition {
-                condition: "the angular momentum L3 of a needle about its own axis must be zero",
-                value: l3,
-            });
+            let condition = "the angular momentum L3 of a needle about its own axis must be zero";
+            return refused(condition, l3);
         }
         let weight = body.weight_moment.abs();
         let integrals = GivenIntegrals {

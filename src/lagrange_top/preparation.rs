@@ -7,7 +7,7 @@ use super::roots::{Distances, Integrals, Nutation, Place, Roots};
 use crate::elliptic::lanes::Course;
 use crate::elliptic::modulus::{Descent, Squares};
 use crate::elliptic::turning::{Elevation, Turning};
-use crate::error::{Error, Result, positive, within};
+use crate::error::{Result, positive, refused, within};
 use crate::frame::{Attitude, BodyVector};
 use crate::precise::{
     DoubleDouble, Extended, Number, exponent_of, power_of_two_below, shifted, sum_of_products,
@@ -190,10 +190,8 @@ pub(super) fn prepare_from_integrals(
     };
     let still_without_gravity = gravity.is_zero() && above_top.is_zero();
     if still_without_gravity && spin.is_zero() {
-        return Err(Error::Condition {
-            condition: "without gravity and spin the energy must be positive: a body at rest may have any tilt",
-            value: 0.0,
-        });
+        let condition = "without gravity and spin the energy must be positive: a body at rest may have any tilt";
+        return refused(condition, 0.0);
     }
     let Some(distances) = integrals.solve() else {
         return Ok(None);

@@ -104,7 +104,7 @@ pub fn section(_: &Values) -> Result<Figure> {
     let words = words!(
         "A ball of one plastic with a hollow askew is a chiral top.",
         "The printed top in two sections along $CK$, at right angles to each other: $R = {radius}$ mm, the wall at its thinnest {wall:.1} mm, $C$ {low:.1} mm below the centre $K$, {mass} g of \
-         polylactide. Released at {lean}° with {turns} turns a second, $\\mu = {FRICTION}$: clockwise it is on its side after {side:.1} s, anticlockwise it stays below {most:.0}° for {END} seconds.",
+         polylactide. Released at {lean}° with {turns} turns a second, $\\mu = {FRICTION}$ smoothed over 1 mm/s: clockwise it is on its side after {side:.1} s, anticlockwise it stays below {most:.0}° for {END} seconds.",
         "Two circles, each with a large empty ellipse inside that nearly touches it and leans. In both the centre of mass C lies a little below the centre K of the circle."
     );
     let drawn = figure("printed-top", 300.0, words, |pen| {

@@ -54,7 +54,7 @@ pub fn both_spins(values: &Values) -> Result<Figure> {
     let spun = number(spin, 1);
     let words = words!(
         "{claim}",
-        "Tilt of the chiral top, a ball of $R = 2$ cm, released at {tilt:.0}° with {spun} rad/s about the vertical, $\\mu = {mu:.2}$. {told}",
+        "Tilt of the chiral top, a ball of $R = 2$ cm, released at {tilt:.0}° with {spun} rad/s about the vertical, $\\mu = {mu:.2}$ smoothed over 1 mm/s. {told}",
         "Tilt in degrees against time up to {END} seconds. Both curves, clockwise and, in grey, anticlockwise, start at {tilt:.0} degrees. {told}"
     );
     let made = figure("chiral-top", 402.0, words, |pen| {

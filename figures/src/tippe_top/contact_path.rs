@@ -46,7 +46,7 @@ pub fn path(values: &Values) -> Result<Figure> {
     };
     let words = words!(
         "{claim}",
-        "A ball of $R = 2$ cm, $\\alpha = {alpha:.2}$, $\\mu = {mu:.3}$, spun about the vertical at {spin:.0} rad/s: the place that touches the table, seen from \
+        "A ball of $R = 2$ cm, $\\alpha = {alpha:.2}$, $\\mu = {mu:.3}$ smoothed over 1 mm/s, spun about the vertical at {spin:.0} rad/s: the place that touches the table, seen from \
          the ball, during {end:.2} s. The ball turns about the vertical meanwhile, so the path goes round only {rounds} times while the tilt grows to {tilt:.0}°{flight}.",
         "A ball with the centre of mass below its centre. A line on its surface starts near the south pole, goes round {rounds} times and ends {tilt:.0} degrees from there; \
          behind the ball it is faint."

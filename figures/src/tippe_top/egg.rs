@@ -65,7 +65,7 @@ pub fn egg_film(values: &Values) -> Result<Figure> {
     let times = times.join(", ");
     let words = words!(
         "{claim}",
-        "Picture h of the tutorial. An egg of 6 by 4 cm and 60 g at {turns:.0} turns a second, $\\mu = {mu:.2}$, drawn when its long axis first stands at \
+        "Picture h of the tutorial. An egg of 6 by 4 cm and 60 g at {turns:.0} turns a second, $\\mu = {mu:.2}$ smoothed over 2 mm/s, drawn when its long axis first stands at \
          the angles marked; the camera goes round with it.",
         "Pictures of an egg on a table, from left to right with its long axis this far from the vertical: {times}."
     );
@@ -105,7 +105,7 @@ pub fn how_far_eggs_rise(_: &Values) -> Result<Figure> {
     let twenty = number(ends[6], 1);
     let words = words!(
         "Spun lazily, an egg stops on its way up, or never starts.",
-        "Angle between the long axis and the vertical after 8 s, against the spin given to the lying egg ($6\\times4$ cm, 60 g, $\\mu = 0.1$). At 8 \
+        "Angle between the long axis and the vertical after 8 s, against the spin given to the lying egg ($6\\times4$ cm, 60 g, $\\mu = 0.1$ smoothed over 2 mm/s). At 8 \
          turns a second it stays at {eight}°, at 10 it rests at {ten}°, at 20 at {twenty}°.",
         "Final angle from the vertical against turns a second. At eight turns the egg stays at {eight} degrees, at nine it lifts to {nine}. Then \
          the angle falls: {ten} at ten turns, and {twenty} at twenty."

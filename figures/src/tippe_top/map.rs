@@ -36,7 +36,7 @@ pub fn outcomes(_: &Values) -> Result<Figure> {
     let words = words!(
         "Clockwise it turns over from every release; anticlockwise only if you let it lean.",
         "Outcome after {END:.1} s of {total} releases each way: the ring gives the tilt of the release, 2°, 5°, 10°, 15°, 20° and 30°, the direction its \
-         azimuth in the body. Full discs turn over: {clockwise} of {total} clockwise, {other} of {total} anticlockwise ({by_ring}). $\\mu = 0.3$, 132.9 rad/s.",
+         azimuth in the body. Full discs turn over: {clockwise} of {total} clockwise, {other} of {total} anticlockwise ({by_ring}). $\\mu = 0.3$ smoothed over 1 mm/s, 132.9 rad/s.",
         "Two targets of six rings with eight discs each. On the left, clockwise, all discs are full. On the right, anticlockwise, the \
          inner rings are empty and some discs of the outer rings are full."
     );

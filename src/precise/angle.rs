@@ -1,4 +1,4 @@
-//! The angle of a point in twice the precision.
+//! The angle of a point in two words.
 
 use super::{DoubleDouble, Number, logarithm::THIRD};
 
@@ -20,7 +20,7 @@ const ARCTANGENTS: [f64; 34] = [
     core::f64::consts::FRAC_PI_4, 3.061616997868383e-17,
 ];
 
-/// The angle of the point (cosine, sine), both not negative and not both zero, to about 2⁻⁸⁰ of 1.
+/// The angle of the point (cosine, sine), both not negative and not both zero, with an absolute error of about 2⁻⁸⁰.
 pub(crate) fn angle(cosine: DoubleDouble, sine: DoubleDouble) -> DoubleDouble {
     let steep = sine.high() > cosine.high();
     let (along, across) = if steep {
@@ -28,7 +28,7 @@ pub(crate) fn angle(cosine: DoubleDouble, sine: DoubleDouble) -> DoubleDouble {
     } else {
         (cosine, sine)
     };
-    // The nearest sixteenth of the tangent, in sixteenths.
+    // The tangent in sixteenths, rounded.
     let index = ((across.high() / along.high() * 16.0 + 0.5) as usize).min(16);
     let (high, low) = (ARCTANGENTS[2 * index], ARCTANGENTS[2 * index + 1]);
     let slope = index as f64 / 16.0;

@@ -1,6 +1,6 @@
 //! Numbers of twice the precision: an unevaluated sum of two doubles, about 106 bits.
 //!
-//! Used where an exact difference or a long phase would otherwise lose the digits that matter. The algorithms
+//! Used where an exact difference or a long phase would otherwise lose digits that matter. The algorithms
 //! are Dekker's and Knuth's error-free transformations; each operation is good to a few units of 2⁻¹⁰⁴.
 //! Where the leading part overflows, the result is not a number; where the trailing part underflows, the
 //! precision falls back to that of a double.
@@ -17,14 +17,14 @@ pub struct DoubleDouble {
     low: f64,
 }
 
-/// 2π − [`TAU`], and what is still missing after that.
+/// 2π − [`TAU`] in two words, the second the remainder after the first.
 const TAU_REST: [f64; 2] = [2.449_293_598_294_706_4e-16, -5.989_539_619_436_679e-33];
 
-/// Above this the factor that splits a double overflows; a fused multiplication, a call where the processor has none, does not.
+/// Above this, the factor that splits a double overflows. A fused multiplication does not, but is a library call where the processor has none.
 const SPLITTABLE: f64 = 1e300;
 
 impl DoubleDouble {
-    /// A constant whose trailing part is known to belong to the leading one.
+    /// A constant in two words, `low` at most half a unit in the last place of `high`.
     pub(crate) const fn new(high: f64, low: f64) -> Self {
         Self { high, low }
     }
@@ -48,14 +48,14 @@ impl DoubleDouble {
         Self { high, low }
     }
 
-    /// The sum of two doubles of which the first is not the smaller in size, exactly (Dekker).
+    /// The exact sum of two doubles, the first not the smaller in size (Dekker).
     #[inline]
     pub(super) fn ordered_sum(a: f64, b: f64) -> Self {
         let (high, low) = quick::ordered_sum(a, b);
         Self { high, low }
     }
 
-    /// The quick sum with a number that is not the greater in size, of two that do not cancel; in order but for a few units in the last place of its high word.
+    /// The sum with a number that is not the greater in size, if the two do not cancel; by a few units in its last place the other may be the greater.
     #[inline(always)]
     pub(crate) fn add_lesser(self, lesser: Self) -> Self {
         let (high, low) = quick::ordered_sum(self.high, lesser.high);
@@ -76,19 +76,19 @@ impl DoubleDouble {
         Self { high, low }
     }
 
-    /// The nearest double.
+    /// The nearest double to the number.
     #[inline]
     pub(crate) fn value(self) -> f64 {
         self.high + self.low
     }
 
-    /// Sine and cosine of a number of radians.
+    /// Sine and cosine of the number in radians.
     ///
-    /// The multiple of 2π is taken off with 160 bits of 2π, so the error is that of the argument, 2⁻¹⁰⁴ of it,
-    /// plus one unit in the last place. An argument that is not finite gives not-a-number.
+    /// Multiples of 2π are subtracted with 160 bits of 2π, so the absolute error is 2⁻¹⁰⁴ of the argument plus one
+    /// unit in the last place of the result. An argument that is not finite gives not-a-number.
     pub(crate) fn sin_cos(self) -> (f64, f64) {
         let mut rest = self;
-        // One round takes off all but a few turns for every phase that means anything, below 2¹⁰⁰.
+        // For every phase below 2¹⁰⁰, one round leaves at most a few turns.
         for _ in 0..3 {
             let turns = (rest.high / TAU).round();
             if turns == 0.0 {
@@ -106,7 +106,7 @@ impl DoubleDouble {
 impl Add for DoubleDouble {
     type Output = Self;
 
-    /// The sum, to 104 bits of it however much cancels.
+    /// The sum, to 104 bits of the result however much cancels.
     #[inline]
     fn add(self, other: Self) -> Self {
         let leading = Self::sum(self.high, other.high);
@@ -143,7 +143,7 @@ impl Div for DoubleDouble {
     fn div(self, divisor: Self) -> Self {
         let first = self.high / divisor.high;
         let product = Self::product(first, divisor.high);
-        // The first difference is exact: the quotient is right to half an ulp.
+        // The first difference is exact, because the quotient is right to half an ulp.
         let rest = ((self.high - product.high) - product.low) + (self.low - first * divisor.low);
         Self::ordered_sum(first, rest / divisor.high)
     }
@@ -167,10 +167,10 @@ impl From<f64> for DoubleDouble {
     }
 }
 
-/// The power of two next below a finite `size`, by which figures of that size can be divided without rounding.
+/// The greatest power of two not above a finite `size`, at least the least normal number: dividing by it does not round.
 pub(crate) fn power_of_two_below(size: f64) -> f64 {
     const EXPONENT_BITS: u64 = 0x7ff0_0000_0000_0000;
-    // The reciprocal of the greatest, 2⁻¹⁰²³, is subnormal but exact; that of a subnormal would overflow.
+    // The reciprocal of the greatest power of two, 2⁻¹⁰²³, is subnormal but exact; the reciprocal of a subnormal would overflow.
     f64::from_bits(size.to_bits() & EXPONENT_BITS).max(f64::MIN_POSITIVE)
 }
 
@@ -190,7 +190,7 @@ mod tests {
 
     #[test]
     fn sine_after_many_turns() {
-        // The platform reduces doubles exactly (Payne and Hanek); here the same double, up to 10²⁰.
+        // The platform reduces doubles exactly (Payne and Hanek); the two agree up to 10²⁰.
         let mut argument = 1.1_f64;
         while argument < 1e20 {
             let (sin, cos) = DoubleDouble::from(argument).sin_cos();

@@ -1,28 +1,28 @@
-//! Numbers with 106 bits and an exponent of their own, so that no tilt underflows and no phase loses digits; what they
-//! share with plainer numbers; and the arctangent in 106 bits.
+//! Numbers with 106 bits and an exponent of their own, so that no tilt underflows and no phase loses digits;
+//! exact sums of products; powers of two.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::{DoubleDouble, Number, power_of_two_below};
 
-/// `digits · 2^exponent`: squares of tilts down to 1e-300 stay numbers.
+/// `digits · 2^exponent`: squares of tilts down to 1e-300 do not underflow.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Extended {
     pub(crate) digits: DoubleDouble,
     pub(crate) exponent: i32,
 }
 
-/// The sum of products of doubles, to 106 bits whatever cancels; zero only if it is zero.
+/// The sum of products of doubles, to 106 bits whatever cancels; zero only if the exact sum is zero.
 ///
-/// Exactly, it is a list of words of which none overlaps the next greater one, and such a list stays so if a word is carried through it by
-/// error-free sums (J. R. Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates, 1997).
+/// The exact sum is kept as a list of words that do not overlap, in ascending order; adding a word by error-free sums
+/// leaves it such a list (J. R. Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates, 1997).
 pub(crate) fn sum_of_products<const N: usize>(products: &[[f64; N]]) -> Extended {
     let mut sum: Vec<Extended> = Vec::new();
     for factors in products {
         let mut product = vec![Extended::from_double(factors[0])];
         for &factor in &factors[1..] {
             let factor = Extended::from_double(factor);
-            // Of two words of one double each no bit is lost.
+            // The product of two numbers of one word each fits into two words: no bit is lost.
             let parts = product.iter().flat_map(|word| (*word * factor).words());
             product = parts.filter(|word| !word.is_zero()).collect();
         }
@@ -34,19 +34,19 @@ pub(crate) fn sum_of_products<const N: usize>(products: &[[f64; N]]) -> Extended
         }
         sum.retain(|word| !word.is_zero());
     }
-    // From the greatest: what these cancel is lost to none, and what they leave exceeds all that follow.
+    // From the greatest down: cancellation between the leading words loses nothing, and their sum exceeds all words that follow.
     sum.into_iter()
         .rfold(Extended::zero(), |sum, word| sum + word)
 }
 
-/// The sum of two numbers of one word, as the nearest such number and the rest, the rest first.
+/// The sum of two numbers of one word each, as the nearest such number and the remainder, the remainder first.
 fn exact_sum(a: Extended, b: Extended) -> [Extended; 2] {
     let (small, large) = if a.exponent < b.exponent {
         (a, b)
     } else {
         (b, a)
     };
-    // So far apart that no digit of the smaller counts, or nearly: as they are. Nearer than that, no digit underflows; zero is far from everything.
+    // So far apart that the sum rounds to the larger: unchanged. Otherwise no digit underflows; zero counts as far from everything.
     let shifted = small.digits.high() * power(small.exponent - large.exponent);
     let digits = DoubleDouble::sum(large.digits.high(), shifted);
     if digits.high() == large.digits.high() {
@@ -57,19 +57,19 @@ fn exact_sum(a: Extended, b: Extended) -> [Extended; 2] {
 }
 
 impl Extended {
-    /// Its two words as numbers of their own, the lower first.
+    /// Its two words as separate numbers, the lower first.
     fn words(self) -> [Self; 2] {
         [self.digits.low(), self.digits.high()]
             .map(|word| Self::from_double(word).raised(self.exponent))
     }
 
-    /// Times 2^exponent.
+    /// The number times 2^exponent.
     pub(crate) fn raised(mut self, exponent: i32) -> Self {
         self.exponent += exponent;
         self
     }
 
-    /// Zero, with an exponent that never shifts a sum.
+    /// Zero, with an exponent so low that it never shifts the other term of a sum.
     pub(crate) fn zero() -> Self {
         Self {
             digits: DoubleDouble::from(0.0),
@@ -151,7 +151,7 @@ impl From<DoubleDouble> for Extended {
             return Self::zero();
         }
         if number.high().abs() < f64::MIN_POSITIVE {
-            // A subnormal: its own leading digit counts.
+            // A subnormal: scaled up, so that its leading digit is that of a normal number.
             return Self::from(number.scaled(power(1000))).raised(-1000);
         }
         let unit = power_of_two_below(number.high().abs());
@@ -164,11 +164,11 @@ impl From<DoubleDouble> for Extended {
 
 /// The exponent of a power of two, exactly.
 pub(crate) fn exponent_of(power_of_two: f64) -> i32 {
-    // The eleven bits of the exponent fit.
+    // The cast is lossless: the exponent has eleven bits.
     ((power_of_two.to_bits() >> 52) as i32) - 1023
 }
 
-/// 2^exponent; zero below the smallest normal number, where nothing that is added to 1 counts.
+/// 2^exponent; zero below the smallest normal number, where adding it to 1 has no effect.
 pub(crate) fn power(exponent: i32) -> f64 {
     if exponent < -1022 {
         0.0
@@ -177,7 +177,7 @@ pub(crate) fn power(exponent: i32) -> f64 {
     }
 }
 
-/// `value · 2^exponent`, in steps that neither overflow nor underflow before the result does.
+/// `value · 2^exponent`, in steps that overflow or underflow only if the result does.
 pub(crate) fn shifted(value: f64, exponent: i32) -> f64 {
     if exponent.abs() < 900 && value.abs() < 1e30 && value.abs() > 1e-30 {
         return value * power(exponent);
@@ -203,7 +203,7 @@ mod tests {
     #[test]
     fn sums_of_products_keep_every_bit() {
         let (x, y) = (1.0 + f64::EPSILON, 1.0 - f64::EPSILON / 2.0);
-        // x² − x·x and three more that cancel but for one part in 2¹⁵⁵, and 10⁻⁶⁰⁰ beside two that cancel.
+        // x² − x·x; x² = (1 + ε)² less all its terms, plus ε³ = 2⁻¹⁵⁶; 10⁻⁶⁰⁰ beside two products that cancel.
         assert!(sum_of_products(&[[x, x], [-x, x]]).is_zero());
         let eps = f64::EPSILON;
         let rest = sum_of_products(&[

@@ -33,7 +33,7 @@ const LOGARITHMS: [f64; 66] = [
 
 /// ln(x · 2^exponent) for a normal positive x, to 103 bits of the result or of 1, whichever is greater.
 ///
-/// Power of two, then the nearest c = j/32, then 2 artanh((x − c)/(x + c)), whose argument is at most 1/128.
+/// The power of two is split off, then the nearest c = j/32; what remains is 2 artanh((x − c)/(x + c)), with an argument of at most 1/128.
 pub(crate) fn logarithm(x: DoubleDouble, exponent: i32) -> DoubleDouble {
     let unit = power_of_two_below(x.high());
     let exponent = f64::from((unit.to_bits() >> 52) as i32 - 1023 + exponent);
@@ -47,12 +47,12 @@ pub(crate) fn logarithm(x: DoubleDouble, exponent: i32) -> DoubleDouble {
     let s = gap.quick_quotient(DoubleDouble::new(sum.high(), sum.low() + x.low()));
     let s2 = s.quick_product(s);
     let y = s2.high();
-    // From the fourth term on a double will do, and so for what 1/5 leaves over.
+    // From the fourth term on one word suffices, and so it does for the remainder of 1/5 after its leading word.
     let tail = y * (1.0 / 7.0 + y * (1.0 / 9.0 + y * (1.0 / 11.0 + y / 13.0)));
     let fifth = s2.quick_product(FIFTH.add_lesser(DoubleDouble::from(tail)));
     let more = s.quick_product(s2).quick_product(THIRD.add_lesser(fifth));
     let (power, error) = quick::exact_product(exponent, LN_2.high());
-    // What is known first is summed first; the sum of two is zero or not small against the third.
+    // Summed in the order in which the terms become known; the sum of the first two is either zero or not small against the third.
     let first = DoubleDouble::sum(power, entry.high());
     let second = DoubleDouble::sum(first.high(), 2.0 * s.high());
     let all = DoubleDouble::sum(second.high(), 2.0 * more.high());
@@ -69,7 +69,7 @@ mod tests {
 
     #[test]
     fn logarithm_of_a_cube_is_three_logarithms() {
-        // Independent of the table: the three factors fall beside different centres.
+        // Independent of the table: the three factors are reduced to different entries.
         let mut x = 1.000_37_f64;
         while x < 1e100 {
             let one = DoubleDouble::from(x);

@@ -1,14 +1,14 @@
-//! Numbers that hold more than a double: of two words, 106 bits, and with an exponent of their own.
+//! Numbers that hold more than a double: two words with 106 bits, also with a wider exponent.
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | [`number`] | what formulas ask of a number, so that they are written once: two words, and two with an exponent |
+//! | [`number`] | the operations that formulas need, as a trait, so that they are written once for both kinds of number |
 //! | [`double_double`] | an unevaluated sum of two doubles |
-//! | [`extended`] | the same with a wide exponent: no product is too large or too small; exact sums of products |
-//! | [`quick`] | the pieces that have no branch |
-//! | [`logarithm`], [`angle`] | of two words |
+//! | [`extended`] | two words with an exponent of their own, whose products neither overflow nor underflow; exact sums of products |
+//! | [`quick`] | elementary steps without branches |
+//! | [`logarithm`], [`angle`] | logarithm and arctangent in two words |
 //!
-//! Operators are safe: sums keep their digits however much cancels. `add_alike` is the quick sum of terms that do not cancel.
+//! The operators keep the digits of a sum however much cancels. `add_alike` is the quick sum, for terms that do not cancel.
 
 mod angle;
 mod double_double;

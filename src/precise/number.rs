@@ -1,10 +1,10 @@
-//! What formulas ask of a number, so that they are written once: for two doubles, and for two with an exponent.
+//! The operations that formulas need, so that they are written once for [`DoubleDouble`] and [`Extended`].
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::{DoubleDouble, Extended, angle, logarithm, quick, shifted};
 
-/// A number that the constants of an exact motion are formed in. Sums and differences keep its digits however much cancels.
+/// A number in which the constants of an exact motion are formed. Sums and differences keep its digits however much cancels.
 pub(crate) trait Number:
     Copy
     + Add<Output = Self>
@@ -14,27 +14,27 @@ pub(crate) trait Number:
     + Neg<Output = Self>
     + From<DoubleDouble>
 {
-    /// Of a finite double.
+    /// The number equal to a finite double.
     #[inline]
     fn from_double(value: f64) -> Self {
         Self::from(DoubleDouble::from(value))
     }
 
-    /// a − b, exactly where a double cannot.
+    /// a − b, exact even where the difference of doubles is rounded.
     #[inline]
     fn difference(a: f64, b: f64) -> Self {
         Self::from(DoubleDouble::sum(a, -b))
     }
 
     fn from_extended(number: Extended) -> Self;
-    /// The same without the exponent: infinite or zero beyond the range of doubles.
+    /// The number without its own exponent: infinite or zero outside the range of doubles.
     fn narrow(self) -> DoubleDouble;
-    /// The leading digits: zero if and only if the number is.
+    /// The leading word: zero if and only if the number is.
     fn leading(self) -> f64;
     fn square_root(self) -> Self;
     /// The natural logarithm of a positive number.
     fn logarithm(self) -> DoubleDouble;
-    /// The cube root to the digits of a double.
+    /// The cube root to the precision of a double.
     fn rough_cube_root(self) -> Self;
 
     /// The angle of the point (cosine, sine) in the first quadrant.
@@ -42,7 +42,7 @@ pub(crate) trait Number:
         angle(cosine.quotient(sine).narrow(), DoubleDouble::from(1.0))
     }
 
-    /// √(self/divisor) as a double, whatever the exponents.
+    /// √(self/divisor) as a double, with any exponents.
     #[inline]
     fn root_of_quotient(self, divisor: Self) -> f64 {
         self.quotient(divisor).square_root().narrow().value()
@@ -53,31 +53,31 @@ pub(crate) trait Number:
         (self - other).leading() > 0.0
     }
 
-    /// a b, exactly, of doubles far from the ends.
+    /// a b, exactly, for doubles whose product and trailing word stay in range.
     #[inline]
     fn product(a: f64, b: f64) -> Self {
         Self::from_double(a).times(b)
     }
 
-    /// Product to 104 bits, where neither it nor its trailing word leaves the range.
+    /// The product to 104 bits, if it and its trailing word stay in range.
     #[inline(always)]
     fn quick_product(self, other: Self) -> Self {
         self * other
     }
 
-    /// Quotient to 103 bits, where neither it nor its trailing word leaves the range, of what is not zero.
+    /// The quotient to 103 bits, if neither number is zero and the result and its trailing word stay in range.
     #[inline(always)]
     fn quick_quotient(self, divisor: Self) -> Self {
         self / divisor
     }
 
-    /// The quick sum, of terms that do not cancel.
+    /// The sum of terms that do not cancel, without the care for those that do.
     #[inline]
     fn add_alike(self, other: Self) -> Self {
         self + other
     }
 
-    /// The quotient; zero by anything is zero.
+    /// The quotient; zero divided by anything is zero.
     #[inline]
     fn quotient(self, divisor: Self) -> Self {
         if self.is_zero() { self } else { self / divisor }

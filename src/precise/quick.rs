@@ -1,9 +1,9 @@
-//! Pieces without a branch, for one number as for several side by side: two words of a size far from the ends of the doubles, angles
-//! less their right angles, sine and cosine, their hyperbolic sisters, the arctangent, powers of two.
+//! Elementary steps without branches, so that several numbers can be computed side by side: two-word arithmetic far from the ends of
+//! the range, angles reduced by right angles, sine and cosine, sinh and cosh, the arctangent, powers of two.
 
 use super::{DoubleDouble, Number};
 
-/// Upper 26 bits and the rest, for numbers below 10³⁰⁰ (Veltkamp).
+/// The upper 26 bits of a number below 10³⁰⁰, and the remainder (Veltkamp).
 #[inline(always)]
 pub(crate) fn halves(x: f64) -> (f64, f64) {
     let y = 134_217_729.0 * x;
@@ -11,8 +11,8 @@ pub(crate) fn halves(x: f64) -> (f64, f64) {
     (upper, x - upper)
 }
 
-/// Product and its rounding error, without a call into the mathematical library where the processor has no fused
-/// multiplication (Dekker).
+/// The product and its rounding error. Without a fused multiplication of the processor by Dekker's splitting, which is faster than
+/// a library call.
 #[inline(always)]
 pub(crate) fn exact_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
@@ -25,14 +25,14 @@ pub(crate) fn exact_product(a: f64, b: f64) -> (f64, f64) {
     (product, error)
 }
 
-/// Sum of two numbers, the first not the smaller in size.
+/// The sum of two numbers and its rounding error, the first not the smaller in size.
 #[inline(always)]
 pub(crate) fn ordered_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     (sum, b - (sum - a))
 }
 
-/// Square root of a positive `high + low`, to 105 bits.
+/// The square root of a positive `high + low`, to 105 bits.
 #[inline(always)]
 pub(crate) fn root(high: f64, low: f64) -> (f64, f64) {
     let root = high.sqrt();
@@ -40,17 +40,17 @@ pub(crate) fn root(high: f64, low: f64) -> (f64, f64) {
     (root, (((high - square) - error) + low) * (0.5 / root))
 }
 
-/// 2²⁵: with 27 bits of K the product still fits 53.
+/// 2²⁵: its product with the leading 27 bits of K fits into 53 bits.
 pub(crate) const EXACT_COUNT: f64 = 33_554_432.0;
 
-/// π/2 in three words, of which the first two are so short that a count times either is exact.
+/// π/2 in three words, the first two so short that their products with a count are exact.
 pub(crate) const QUARTER_PARTS: [f64; 3] = [
     1.570_796_310_901_641_8,
     1.589_325_471_229_585_7e-8,
     6.123_233_995_736_766e-17,
 ];
 
-/// `high + low` less the nearest multiple of a unit in three words, at most [`EXACT_COUNT`] of them, and that multiple with [`ROUNDER`] added.
+/// `high + low` less the nearest multiple of a unit given in three words; and the multiple's count, at most [`EXACT_COUNT`], with [`ROUNDER`] added.
 #[inline(always)]
 pub(crate) fn reduced([high, low]: [f64; 2], inverse: f64, parts: [f64; 3]) -> (f64, [f64; 2]) {
     let rounded = high * inverse + ROUNDER;
@@ -59,12 +59,12 @@ pub(crate) fn reduced([high, low]: [f64; 2], inverse: f64, parts: [f64; 3]) -> (
     let first = high - count * parts[0];
     let rest = DoubleDouble::difference(first, count * parts[1]);
     let low = rest.low() + (low - count * parts[2]);
-    // In order, unless what is left is so small that it does not matter.
+    // The terms are in order of size, unless the remainder is so small that it does not matter.
     let (high, low) = ordered_sum(rest.high(), low);
     (rounded, [high, low])
 }
 
-/// Sine and cosine of an angle of two words, at most [`EXACT_COUNT`] right angles.
+/// Sine and cosine of an angle in two words, at most [`EXACT_COUNT`] right angles.
 #[inline(always)]
 pub(crate) fn sine_cosine(angle: [f64; 2]) -> (f64, f64) {
     let (rounded, [high, low]) = reduced(angle, core::f64::consts::FRAC_2_PI, QUARTER_PARTS);
@@ -72,14 +72,14 @@ pub(crate) fn sine_cosine(angle: [f64; 2]) -> (f64, f64) {
     in_quadrant(rounded.to_bits(), sine, cosine)
 }
 
-/// Sine and cosine after as many right angles as the lowest bits say.
+/// Sine and cosine advanced by the quarter turns that the lowest two bits count.
 #[inline(always)]
 pub(crate) fn in_quadrant(bits: u64, sine: f64, cosine: f64) -> (f64, f64) {
     let odd = (bits & 1).wrapping_neg();
     let (s, c) = (sine.to_bits(), cosine.to_bits());
-    // Exchanged by the bits in which they differ.
+    // Odd quadrants exchange sine and cosine: the bits in which they differ are flipped in both.
     let exchange = (s ^ c) & odd;
-    // Quadrants 2 and 3 turn the sign of the sine, 1 and 2 that of the cosine.
+    // The sine is negative in quadrants 2 and 3, the cosine in 1 and 2.
     let sign = (bits << 62) & (1 << 63);
     (
         f64::from_bits(s ^ exchange ^ sign),
@@ -101,7 +101,7 @@ const COSINE: [f64; 6] = [
     -2.755_731_721_769_733_4e-7,  2.087_613_505_850_708e-9,    -1.138_182_847_267_891_7e-11,
 ];
 
-/// Taylor coefficients of (sinh x − x)/x³ in x²; the first one left out is 10⁻¹⁷ at 0.36.
+/// Taylor coefficients of (sinh x − x)/x³ in x²; the first term left out is 10⁻¹⁷ at 0.36.
 #[rustfmt::skip]
 const HYPERBOLIC_SINE: [f64; 6] = [
     1.0 / 6.0,       1.0 / 120.0,        1.0 / 5040.0,
@@ -130,8 +130,8 @@ const ARCSINE: [f64; 5] = [
     0.030_379_722_913_968_35, 0.022_705_166_415_250_826,
 ];
 
-/// Horner's rule, for more than four coefficients on the even and on the odd ones side by side: what counts is how
-/// long each operation waits for the one before.
+/// Horner's rule; for more than four coefficients applied to the even and the odd ones side by side, because each
+/// operation of a single chain would wait for the one before.
 #[inline(always)]
 pub(crate) fn polynomial<const N: usize>(coefficients: &[f64; N], x: f64) -> f64 {
     if N <= 4 {
@@ -167,7 +167,7 @@ pub(crate) fn small_sine_cosine(high: f64, low: f64) -> (f64, f64) {
     (sine, leading + trailing)
 }
 
-/// Hyperbolic sine and cosine of `high + low`, for |high| ≤ 0.36; the cosine less 1.
+/// sinh and cosh − 1 of `high + low`, for |high| ≤ 0.36.
 #[inline(always)]
 pub(crate) fn small_hyperbolic(high: f64, low: f64) -> (f64, f64) {
     let x2 = high * high;
@@ -177,10 +177,10 @@ pub(crate) fn small_hyperbolic(high: f64, low: f64) -> (f64, f64) {
     (sine, cosine)
 }
 
-/// The angle in 0…π/2 whose sine and cosine are these, neither negative.
+/// The angle in 0…π/2 with this sine and cosine, neither of them negative.
 #[inline(always)]
 pub(crate) fn angle(sine: f64, cosine: f64) -> f64 {
-    // tan of half the angle, or of half the rest to π/2.
+    // The tangent of half the angle, or of half its complement if that is smaller.
     let t = lesser(sine, cosine) / (1.0 + greater(sine, cosine));
     let t2 = t * t;
     let twice = 2.0 * t + 2.0 * (t * t2) * polynomial(&ARCTANGENT, t2);
@@ -191,29 +191,29 @@ pub(crate) fn angle(sine: f64, cosine: f64) -> f64 {
     }
 }
 
-/// Arcsine of |x| ≤ 0.087.
+/// The arcsine of |x| ≤ 0.087.
 #[inline(always)]
 pub(crate) fn small_arcsine(x: f64) -> f64 {
     let x2 = x * x;
     x + x * x2 * polynomial(&ARCSINE, x2)
 }
 
-/// 1.5·2⁵²: added to a number below 2⁵¹ it rounds it to an integer, which then stands in the lowest bits.
+/// 1.5·2⁵²: adding it rounds a number below 2⁵¹ to an integer, which then stands in the lowest bits.
 pub(crate) const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
-/// 2^n for an integer n in −1022…1023 that [`ROUNDER`] has been added to.
+/// 2^n for an integer n in −1022…1023, given with [`ROUNDER`] added.
 #[inline(always)]
 pub(crate) fn power_of_two(rounded: f64) -> f64 {
     f64::from_bits((rounded.to_bits().wrapping_add(1023)) << 52)
 }
 
-/// The lesser of two numbers, neither of which is not-a-number: one instruction.
+/// The lesser of two numbers, neither of them not-a-number: one instruction.
 #[inline(always)]
 pub(crate) fn lesser(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
 
-/// The greater of two numbers, neither of which is not-a-number.
+/// The greater of two numbers, neither of them not-a-number.
 #[inline(always)]
 pub(crate) fn greater(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }

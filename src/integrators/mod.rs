@@ -1,8 +1,8 @@
-//! Ways to follow equations that have no closed form.
+//! Integrators, for equations that have no closed form.
 //!
-//! [`order_eight`] and [`Leg`]: an explicit Runge–Kutta method of order 8 for any system of first-order equations, with samples and events. One way
-//! to ask for accuracy ([`Effort`]), one report of cost ([`Cost`]). [`geometric`]: methods for a turning body alone, which keep what it keeps.
-//! Other [`GeneralMethods`] are brought by who has them.
+//! [`order_eight`] and [`Leg`]: an explicit Runge–Kutta method of order 8 for any system of first-order equations, with samples and events.
+//! [`geometric`]: methods for a turning body alone, which keep its conserved quantities. Both take the accuracy as an [`Effort`] and report a
+//! [`Cost`]. Other [`GeneralMethods`] come from outside the library.
 
 pub mod geometric;
 mod order_eight;
@@ -18,8 +18,8 @@ pub use problem::{
 
 use crate::error::Result;
 
-/// Between a number for which a condition holds and one for which it does not: two that are no further apart than `width`, or neighbours, of which the
-/// same is true. By halving.
+/// The last number found for which a condition holds and the first for which it fails, by bisection between two such numbers: no further apart
+/// than `width`, or neighbouring doubles.
 pub(crate) fn halved(
     [mut holds, mut fails]: [f64; 2],
     width: f64,
@@ -39,7 +39,7 @@ pub(crate) fn halved(
     Ok([holds, fails])
 }
 
-/// States at times in any order, from those that `follow` gives: first of the times before 0, from there backward, then of the others in ascending order.
+/// States at times in any order, from `follow`, which takes ordered times: first those before 0, backward from 0, then the others, ascending.
 pub(crate) fn both_ways<Y: Clone>(
     times: &[f64],
     mut follow: impl FnMut(&[f64]) -> Result<Vec<Y>>,

@@ -1,8 +1,8 @@
-//! What is asked of an integrator, and what it answers.
+//! Equations, efforts and events as an integrator takes them, and the solutions and costs it returns.
 
 use crate::error::Result;
 
-/// Equations y' = f(t, y) for N numbers.
+/// Equations y' = f(t, y) for N components.
 pub trait System<const N: usize> {
     /// f(t, y). May be called at states that the motion never reaches; a result that is not finite makes the step fail.
     ///
@@ -13,10 +13,10 @@ pub trait System<const N: usize> {
     /// ```
     fn rate(&self, t: f64, y: &[f64; N]) -> [f64; N];
 
-    /// Told of the time after every step.
+    /// Called with the time after every step.
     ///
     /// # Errors
-    /// Those that end the run: where a budget of evaluations is spent, say.
+    /// Any error ends the run: a spent budget of evaluations, for example.
     ///
     /// ```
     /// use core::cell::Cell;
@@ -41,8 +41,8 @@ pub trait System<const N: usize> {
         Ok(())
     }
 
-    /// The greatest rate at which a small departure from an equilibrium may grow, where it is known, 1/s: steps of [`order_eight`](super::order_eight())
-    /// by a tolerance are no longer than 14 tolerance^(1/8) over it. At first the departure is smaller than the tolerance, which then says nothing of a step.
+    /// The greatest rate, 1/s, at which a small departure from an equilibrium may grow, if it is known. Steps of [`order_eight`](super::order_eight())
+    /// that follow a tolerance are no longer than 14 tolerance^(1/8) divided by it: while the departure is below the tolerance, the tolerance does not limit them.
     ///
     /// ```
     /// use spinning_bodies::integrators::System;
@@ -54,7 +54,7 @@ pub trait System<const N: usize> {
     }
 }
 
-/// Equations by one function, another that is told of the time after every step, and their growth rate.
+/// Equations given by one function, another that is called with the time after every step, and their growth rate.
 pub(crate) struct Watched<F, W>(pub F, pub W, pub f64);
 
 impl<const N: usize, F, W> System<N> for Watched<F, W>
@@ -81,7 +81,7 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> System<N> for F {
     }
 }
 
-/// A method of the crate `differential-equations`, by its usual name.
+/// A method of the crate `differential-equations`, under its usual name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Method {
@@ -93,17 +93,17 @@ pub enum Method {
     Dop853,
     /// Verner's most efficient pair, order 9(8).
     Verner98,
-    /// Gauss and Legendre's implicit method with three stages, order 6, fixed steps: symplectic and symmetric in time. A step costs ten times
-    /// the evaluations of one of RK4 and several hundred times its time, for Newton's method differentiates by differences and solves 3N
-    /// equations with matrices from the heap.
+    /// Gauss and Legendre's implicit method with three stages, order 6, fixed steps: symplectic and symmetric in time. A step takes ten times
+    /// the evaluations of a step of RK4 and several hundred times its time, for Newton's method differentiates by differences and solves 3N
+    /// equations with matrices allocated on the heap.
     ///
-    /// The crate offers it with error control alone, by an estimate of order 2 that shrinks steps as if it were of order 6; and it counts
-    /// rejected steps from the start of the run and calls the equations stiff at the hundredth. Here the step is held and nothing is rejected.
+    /// The crate offers it only with error control, by an estimate of order 2 that shortens steps as if it were of order 6; and it counts
+    /// rejected steps from the start of the run and calls the equations stiff at the hundredth. Here the step is fixed and none is rejected.
     Gauss,
 }
 
 impl Method {
-    /// All of them.
+    /// All methods.
     pub const ALL: [Self; 5] = [
         Self::Rk4,
         Self::Dopri5,
@@ -112,7 +112,7 @@ impl Method {
         Self::Gauss,
     ];
 
-    /// The name by which it is asked for.
+    /// The name under which a request selects it.
     ///
     /// ```
     /// use spinning_bodies::integrators::Method;
@@ -128,22 +128,22 @@ impl Method {
         }
     }
 
-    /// Whether the step is chosen by an error estimate, and [`Effort::Tolerance`] asked for; if not, [`Effort::Step`].
+    /// Whether an error estimate chooses the step, so that the effort is an [`Effort::Tolerance`]; otherwise it is an [`Effort::Step`].
     pub(crate) const fn is_adaptive(self) -> bool {
         !matches!(self, Self::Rk4 | Self::Gauss)
     }
 }
 
-/// How hard a method works.
+/// How accurately a method works: the length of its steps, or the error of one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Effort {
     /// Steps of this length at most, s.
     Step(f64),
-    /// Error of one step: this times |y| + scale, component by component.
+    /// Steps whose error is at most this times |y| + scale in each component.
     Tolerance(f64),
 }
 
-/// What a run has cost. The same on every machine.
+/// What a run has cost, in counts that are the same on every machine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Cost {
     /// Evaluations of the right-hand side.
@@ -159,18 +159,18 @@ impl core::ops::AddAssign for Cost {
     }
 }
 
-/// States at the times asked for, in their order.
+/// States at the requested times, in their order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution<Y> {
-    /// One state a time.
+    /// One state for each time.
     pub states: Vec<Y>,
-    /// What it has cost.
+    /// The cost of the run.
     pub cost: Cost,
 }
 
 /// A quantity whose zero ends a run.
 pub trait Event<const N: usize> {
-    /// g(t, y); the run ends where it falls through zero.
+    /// g(t, y); the run ends where g falls through zero.
     ///
     /// ```
     /// use spinning_bodies::integrators::Event;
@@ -186,52 +186,52 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> f64> Event<N> for F {
     }
 }
 
-/// A run that ended by an event, or at its end.
+/// A run up to an event or to its end time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Passage<Y> {
-    /// States at those of the times asked for that were reached.
+    /// States at those of the requested times that were reached.
     pub states: Vec<Y>,
     /// Time at which the run ended.
     pub time: f64,
-    /// State there.
+    /// State at that time.
     pub end: Y,
-    /// Whether an event ended it.
+    /// What ended it.
     pub stopped: Stop,
-    /// What it has cost.
+    /// The cost of the run.
     pub cost: Cost,
 }
 
 /// What ended a [`Passage`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stop {
-    /// The time was up.
+    /// The end time was reached.
     AtTheEnd,
     /// The event's quantity fell through zero.
     AtTheEvent,
 }
 
-/// Rates of numbers, into the second slice.
+/// The right-hand side: time, state, and the slice that receives the rates.
 pub(crate) type AnyRate<'a> = dyn Fn(f64, &[f64], &mut [f64]) + 'a;
 
-/// A quantity that depends on the time and on numbers.
+/// A function of time and state.
 pub(crate) type AnyEvent<'a> = dyn Fn(f64, &[f64]) -> f64 + 'a;
 
-/// Equations, where they start and what is asked of them, for methods that learn the number of numbers when they run.
+/// Equations, initial state and requested times, for methods that learn the number of components only at run time.
 #[derive(Clone, Copy)]
 pub struct AnyLeg<'a> {
-    /// The rates of the numbers, into the second slice.
+    /// Writes the rates of the components into the second slice.
     pub rate: &'a AnyRate<'a>,
-    /// Told of the time after every step; its error ends the run.
+    /// Called with the time after every step; an error ends the run.
     pub reached: &'a dyn Fn(f64) -> Result<()>,
-    /// The quantity that ends the run where it falls through zero.
+    /// The quantity whose fall through zero ends the run.
     pub event: Option<&'a AnyEvent<'a>>,
-    /// When it starts, s, and with what.
+    /// Initial time, s, and state.
     pub start: (f64, &'a [f64]),
-    /// Sizes below which a number counts as small.
+    /// Sizes below which a component counts as small.
     pub scales: &'a [f64],
-    /// Samples, ordered from the start to the end, s.
+    /// Times of the samples, s, ordered from the start to the end.
     pub times: &'a [f64],
-    /// When it ends, s.
+    /// End time, s.
     pub end: f64,
 }
 
@@ -245,9 +245,9 @@ impl core::fmt::Debug for AnyLeg<'_> {
     }
 }
 
-/// General methods that the library itself does not have: who has them hands them to a scene with its request.
+/// General methods from outside the library, passed to a scene with the request.
 pub trait GeneralMethods: core::fmt::Debug + Sync {
-    /// The numbers at the samples, up to the end or to the event.
+    /// The components at the samples, up to the end or to the event.
     ///
     /// # Errors
     /// As for the library's own [`Leg::follow`](super::Leg::follow).

@@ -1,4 +1,4 @@
-//! The numbers a geometric method computes with: single, double, or two doubles.
+//! The kinds of number in which a geometric method computes: single, double, or two doubles.
 
 use core::fmt::Debug;
 use core::ops::{Add, Mul, Neg, Sub};
@@ -7,7 +7,7 @@ use crate::precise::{DoubleDouble, Number};
 
 /// A number: `f32`, `f64` or [`DoubleDouble`].
 ///
-/// The methods are written once for all three, so that what rounding does to one of them can be seen by changing nothing else.
+/// The methods are generic over the three, so that the effect of rounding is seen by changing nothing else.
 ///
 /// ```
 /// use spinning_bodies::integrators::geometric::{DoubleDouble, Real};
@@ -16,7 +16,7 @@ use crate::precise::{DoubleDouble, Number};
 /// assert_eq!((f32::from_double(0.1), 0.1_f64.two_words().to_double()), (0.1_f32, 0.1));
 /// ```
 pub trait Real: Functions {
-    /// The nearest number to a double.
+    /// The number nearest to a double.
     ///
     /// ```
     /// use spinning_bodies::integrators::geometric::Real;
@@ -24,7 +24,7 @@ pub trait Real: Functions {
     /// ```
     fn from_double(value: f64) -> Self;
 
-    /// The nearest double.
+    /// The double nearest to the number.
     ///
     /// ```
     /// use spinning_bodies::integrators::geometric::Real;
@@ -41,7 +41,7 @@ pub trait Real: Functions {
     fn two_words(self) -> DoubleDouble;
 }
 
-/// What the methods ask of a number: its operators and the functions of a turn. Nobody else can write another.
+/// The operators of a number and the functions of a rotation. Sealed: other crates cannot implement it.
 pub trait Functions:
     Copy
     + Debug
@@ -63,38 +63,38 @@ pub trait Functions:
     /// √x for x ≥ 0.
     fn square_root(self) -> Self;
 
-    /// sin x and 1 − cos x, each to about one unit in its last place for |x| ≤ π/4; for greater x as the platform has them.
+    /// sin x and 1 − cos x, each to about one unit in its last place for |x| ≤ π/4; beyond that with the platform's error.
     fn turn(self) -> (Self, Self);
 
-    /// (sin x)/x and (1 − cos x)/x² from x², in the same way.
+    /// (sin x)/x and (1 − cos x)/x² from x², with the same errors.
     fn turn_of_square(self) -> (Self, Self);
 
-    /// sin x and cos x for long phases x: two words keep their place in the turn.
+    /// sin x and cos x of a long phase x, which needs two words to be known to a small part of a turn.
     fn sine_and_cosine(x: DoubleDouble) -> (Self, Self);
 }
 
-/// Below this square the short series are good to 2⁻⁶⁰: the first term left out is x¹⁰/11!, and x² < 1/256.
+/// Up to this x², the short series are good to 2⁻⁶⁰: the first term left out is x¹⁰/11!, and x² < 1/256.
 const SHORT: f64 = 1.0 / 256.0;
 
 /// (π/4)².
 const LONG: f64 = 0.616_850_275_068_084_9;
 
-/// Of ((sin x)/x − 1)/x²: the minimax polynomial of Sun's fdlibm (k_sin.c), error below 2⁻⁵⁷.
+/// Coefficients of ((sin x)/x − 1)/x²: the minimax polynomial of Sun's fdlibm (k_sin.c), error below 2⁻⁵⁷.
 #[rustfmt::skip]
 const SINE: [f64; 6] = [
     -1.666_666_666_666_663_2e-1,  8.333_333_333_322_49e-3,    -1.984_126_982_985_795e-4,
      2.755_731_370_707_007e-6,   -2.505_076_025_340_686_3e-8,  1.589_690_995_211_55e-10,
 ];
 
-/// Of ((1 − cos x)/x² − 1/2)/x² (k_cos.c), likewise.
+/// Coefficients of ((1 − cos x)/x² − 1/2)/x² (k_cos.c), likewise.
 #[rustfmt::skip]
 const VERSINE: [f64; 6] = [
     -4.166_666_666_666_66e-2,    1.388_888_888_887_411e-3, -2.480_158_728_947_673e-5,
      2.755_731_435_139_066_3e-7, -2.087_572_321_298_175e-9,  1.135_964_755_778_819_5e-11,
 ];
 
-/// ((sin x)/x − 1)/x² and ((1 − cos x)/x² − 1/2)/x² from z = x² ≤ (π/4)², the short form by Taylor's series; sums arranged so that little waits
-/// for little.
+/// ((sin x)/x − 1)/x² and ((1 − cos x)/x² − 1/2)/x² from z = x² ≤ (π/4)², the short form by Taylor's series; the sums are arranged to
+/// shorten the chain of dependent operations.
 macro_rules! series {
     ($real:ty, $z:expr) => {{
         let z = $z;
@@ -185,7 +185,7 @@ fn taylor(square: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     let one = DoubleDouble::from(1.0);
     let (mut sine, mut versine) = (one, DoubleDouble::from(0.5));
     let (mut a, mut b) = (sine, versine);
-    // 30 terms reach 2⁻¹⁰⁷ for every x² ≤ 3; fewer for less.
+    // 30 terms reach 2⁻¹⁰⁷ for every x² ≤ 3; a smaller x² needs fewer.
     for n in 1..30 {
         let n = f64::from(2 * n);
         a = -(a * square) / DoubleDouble::from(n * (n + 1.0));
@@ -235,7 +235,7 @@ impl Functions for DoubleDouble {
         if !self.value().is_finite() {
             return (self, self);
         }
-        // sin x = 2 sin(x/2) cos(x/2) and 1 − cos x = 2 sin²(x/2), as far down as it takes.
+        // sin x = 2 sin(x/2) cos(x/2) and 1 − cos x = 2 sin²(x/2), recursively until the series converges.
         let two = Self::from(2.0);
         let (sine, versine) = (self * Self::from(0.25)).turn_of_square();
         let cosine = Self::from(1.0) - self * Self::from(0.25) * versine;
@@ -248,9 +248,9 @@ impl Functions for DoubleDouble {
     }
 }
 
-/// A sum of many small increments to three or four numbers, with what rounding has left of them so far (Kahan).
+/// A sum of many small increments to three or four numbers, each with the rounding error it has so far (Kahan).
 ///
-/// The error of n increments is that of one addition, where plain sums lose up to n times as much.
+/// The error of n increments is that of one addition; a plain sum loses up to n times as much.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::integrators) struct Sums<T, const N: usize> {
     pub values: [T; N],
@@ -319,7 +319,7 @@ pub(in crate::integrators) fn product<T: Real>(p: [T; 4], q: [T; 4]) -> [T; 4] {
 mod tests {
     use super::{DoubleDouble, Functions, Real};
 
-    /// sin and 1 − cos of x in 106 bits are the truth for those in 53 and 24.
+    /// sin and 1 − cos of x in two words serve as the truth for those in double and single precision.
     #[test]
     fn turns_are_good_to_the_last_place_or_two() {
         let mut worst = [0.0_f64; 4];
@@ -334,13 +334,13 @@ mod tests {
             let (s, v) = (x * x).turn_of_square();
             worst[2] = worst[2].max(ulps(s * x, exact[0], f64::EPSILON));
             worst[3] = worst[3].max(ulps(v * x * x, exact[1], f64::EPSILON));
-            // The truth itself, by the platform.
+            // That truth is itself compared with the platform's functions.
             assert!(
                 (exact[0] - x.sin()).abs() < 2e-16 && (exact[1] - (1.0 - x.cos())).abs() < 3e-16
             );
             x *= 1.003;
         }
-        // Observed, in units 2⁻⁵²: 0.996, 1.195, 0.998, 1.923; the last two contain the rounding of x² and of the products that undo the division.
+        // Observed, in units of 2⁻⁵²: 0.996, 1.195, 0.998, 1.923; the last two contain the rounding of x² and of the products that undo the division.
         for (&one, allowed) in worst.iter().zip([1.0, 1.3, 1.1, 2.0]) {
             assert!(one < allowed, "{worst:?}");
         }

@@ -1,7 +1,7 @@
-//! Implicit steps that turn the body by a rotation with the quaternion (1, e): the discrete free top of Moser and Veselov, and the midpoint rule.
+//! Implicit steps that turn the body by the rotation with the quaternion (1, e): the discrete free top of Moser and Veselov, and the midpoint rule.
 //!
-//! Both solve Ie + e∧Ie = g = ½hL for e, the midpoint rule as it stands, Moser's and Veselov's top with (1 + |e|²)g on the right; the body then turns by
-//! 2 arctan|e| about e. |L| and E are kept by each, exactly but for rounding.
+//! The midpoint rule solves Ie + e∧Ie = g = ½hL for e, Moser's and Veselov's top the same with (1 + |e|²)g on the right; the body then turns by
+//! 2 arctan|e| about e. Both conserve |L| and E exactly but for rounding.
 
 use super::preprocessing::corrections;
 use super::stepper::{Run, checked_moments};
@@ -13,18 +13,18 @@ use crate::integrators::real::{Real, cross, dot};
 /// Order of [`MoserVeselov`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum VeselovOrder {
-    /// With the moments of the body.
+    /// With the moments of the body as they are.
     Two = 2,
-    /// With one correction of the moments.
+    /// With one correction term of the moments.
     Four = 4,
-    /// With two.
+    /// With two correction terms.
     Six = 6,
-    /// With four.
+    /// With four correction terms.
     Ten = 10,
 }
 
 impl VeselovOrder {
-    /// All of them.
+    /// All orders.
     pub const ALL: [Self; 4] = [Self::Two, Self::Four, Self::Six, Self::Ten];
 
     const fn terms(self) -> usize {
@@ -37,15 +37,15 @@ impl VeselovOrder {
     }
 }
 
-/// The discrete free top of Moser and Veselov (1991), its moments of inertia changed so that it has order 2, 4, 6 or 10 (Hairer and Vilmart 2006).
+/// The discrete free top of Moser and Veselov (1991), with moments of inertia modified for order 2, 4, 6 or 10 (Hairer and Vilmart 2006).
 ///
-/// Kept, to rounding: |L|, the energy, L in space, time symmetry. Symplectic is order 2 alone: the changed moments depend on |L| and the energy, so
-/// neighbouring phases are moved by different tops, and the form changes by O(step^(p+1)) a step. The only method here of high order whose cost
-/// does not grow with it. Each step is solved by Newton's method until the next correction is below rounding: two rounds where a step turns
-/// the body by a thirtieth of a radian, three at half a radian. Domain: steps up to a radian; a longer one has no solution, or the changed
-/// moments are none, and then the answer is [`Error::Integration`]. Thin bodies: with y = h²|L|²/(I₁I₃), the square of the step over
-/// the least and the greatest moment, what the change of the moments is made of reaches y, y² and y⁴ at orders 4, 6 and 10 and cancels: y must be far below
-/// 10¹⁵, 10⁷ and 10³. The rounding of each solution makes the energy walk at random: 4e-14 over 10⁷ steps.
+/// Conserved, to rounding: |L|, the energy, L in space; the method is symmetric in time. Only order 2 is symplectic: the modified moments depend on |L|
+/// and the energy, so neighbouring phases are moved by different tops, and the symplectic form changes by O(step^(p+1)) a step. It is the only method
+/// here whose cost does not grow with its order. Each step is solved by Newton's method until the next correction is below rounding: two rounds for a
+/// turn of a thirtieth of a radian, three for half a radian. Domain: steps up to a radian; for a longer one that has no solution, or whose modified
+/// moments are not positive, [`Error::Integration`]. Thin bodies: with y = h²|L|²/(I₁I₃), I₁ and I₃ the least and the greatest moment, the
+/// terms of the correction reach y, y² and y⁴ at orders 4, 6 and 10 and cancel, so y must be far below 10¹⁵, 10⁷ and 10³. The rounding errors of the
+/// solutions make the energy walk at random: 4e-14 over 10⁷ steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MoserVeselov {
     moments: [f64; 3],
@@ -53,10 +53,10 @@ pub struct MoserVeselov {
 }
 
 impl MoserVeselov {
-    /// For the body with these moments.
+    /// The method of this order for a body with these principal moments, kg m².
     ///
     /// # Errors
-    /// Those of the moments.
+    /// Those of an invalid moment.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -65,7 +65,7 @@ impl MoserVeselov {
     /// let method = MoserVeselov::new([1.0, 2.0, 2.5], VeselovOrder::ALL[3])?;
     /// let mut run = method.start(&start, 0.02)?;
     /// run.advance(500)?;
-    /// // |L| stays.
+    /// |L| is conserved.
     /// assert!((run.phase()?.angular_momentum().norm() / start.angular_momentum().norm() - 1.0).abs() < 1e-14);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
@@ -107,19 +107,19 @@ impl<T: Real> Integrator<T> for MoserVeselov {
     }
 }
 
-/// The implicit midpoint rule with a rotation for the sum: Ω from the mean of L before and after, the body turned by 2 arctan(½h|Ω|) about it.
+/// The implicit midpoint rule with a rotation in place of a sum: Ω from the mean of L before and after, the body turned by 2 arctan(½h|Ω|) about it.
 ///
-/// Kept, to rounding: |L|, the energy, L in space, time symmetry; not the phase volume. Solved like [`MoserVeselov`].
+/// Conserved, to rounding: |L|, the energy, L in space; symmetric in time; the phase volume is not conserved. Solved like [`MoserVeselov`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GroupMidpoint {
     moments: [f64; 3],
 }
 
 impl GroupMidpoint {
-    /// For the body with these moments.
+    /// The method for a body with these principal moments, kg m².
     ///
     /// # Errors
-    /// Those of the moments.
+    /// Those of an invalid moment.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -153,7 +153,7 @@ impl<T: Real> Integrator<T> for GroupMidpoint {
     }
 }
 
-/// The steps, with the last solutions to start the next from.
+/// A run of implicit steps; each starts Newton's method by extrapolating the last solutions.
 #[derive(Clone, Copy)]
 struct Cayley<T, const VESELOV: bool> {
     moments: [T; 3],
@@ -162,7 +162,7 @@ struct Cayley<T, const VESELOV: bool> {
     /// The last three solutions, the latest first, and how many there are.
     last: [[T; 3]; 3],
     known: usize,
-    /// Evaluations: how many times Newton's matrix was solved.
+    /// The evaluations are solutions of Newton's linear system.
     cost: Cost,
 }
 
@@ -170,7 +170,7 @@ impl<T: Real, const VESELOV: bool> Stepper<T> for Cayley<T, VESELOV> {
     fn advance(&mut self, steps: u64) -> Result<()> {
         let (one, two) = (T::from_double(1.0), T::from_double(2.0));
         let half = T::from_double(0.5) * self.step;
-        // A copy, for registers.
+        // A local copy, so that the loop can keep it in registers.
         let mut now = *self;
         for _ in 0..steps {
             let l = now.run.l.values;
@@ -220,7 +220,7 @@ impl<T: Real, const VESELOV: bool> Cayley<T, VESELOV> {
         }
     }
 
-    /// e of g, and the rounds it took.
+    /// The e that belongs to g, and the number of Newton's rounds.
     #[inline(always)]
     fn solve(&self, g: [T; 3]) -> Option<([T; 3], u64)> {
         let i = self.moments;
@@ -237,7 +237,7 @@ impl<T: Real, const VESELOV: bool> Cayley<T, VESELOV> {
             let gyration = cross(e, ie);
             let scale = if VESELOV { one + dot(e, e) } else { one };
             let rest: [T; 3] = core::array::from_fn(|k| scale * g[k] - (ie[k] + gyration[k]));
-            // The matrix I + (terms of e∧Ie) − 2g eᵀ, by columns.
+            // Newton's matrix I + (terms of e∧Ie) − 2g eᵀ, by columns; the last term only for Moser's and Veselov's top.
             let mut columns = [
                 [i[0], (i[0] - i[2]) * e[2], (i[1] - i[0]) * e[1]],
                 [(i[2] - i[1]) * e[2], i[1], (i[1] - i[0]) * e[0]],
@@ -260,8 +260,8 @@ impl<T: Real, const VESELOV: bool> Cayley<T, VESELOV> {
             ];
             e = core::array::from_fn(|k| e[k] + change[k]);
             let square = dot(change, change).to_double();
-            // Convergence is quadratic, with a factor of order 1/|e| at most where steps are a radian or less: what is left is below
-            // square/|e|, and below rounding of e if square is below rounding times e².
+            // Convergence is quadratic, with a factor of order 1/|e| at most where steps are a radian or less: the remaining error is below
+            // square/|e|, and below the rounding of e if square is below rounding times e².
             let size = dot(e, e).to_double();
             if square <= 0.125 * T::ROUNDING * size {
                 return Some((e, round));
@@ -274,5 +274,5 @@ impl<T: Real, const VESELOV: bool> Cayley<T, VESELOV> {
     }
 }
 
-/// More rounds than this mean that there is nothing to find.
+/// The most rounds: where more are needed, there is no solution nearby.
 const MOST_ROUNDS: u64 = 30;

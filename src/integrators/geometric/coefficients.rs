@@ -1,10 +1,10 @@
 //! Lengths of the part steps of a symmetric splitting, from Blanes and Moan (2002), "Practical symplectic partitioned Runge–Kutta and
-//! Runge–Kutta–Nyström methods", J. Comput. Appl. Math. 142, tables 2 and 3: S6 and S10 for any two parts, SRKN 6 and 11 of type b for kicks by a
-//! torque that depends on the attitude alone between free motions. That three such kicks in a row commute counts beyond order 4 only, so all but the last
-//! hold for any two parts, and for any three where a step and its mirror image follow each other.
+//! Runge–Kutta–Nyström methods", J. Comput. Appl. Math. 142, tables 2 and 3: S6 and S10 for any two parts, SRKN 6 and 11 of type b for free motions
+//! and kicks by a torque that depends on the attitude alone. That such kicks commute matters only beyond order 4, so all but the last
+//! set hold for any two parts, and for any three where a step and its mirror image alternate.
 
-/// The part steps of A B A … A: the same read backwards, those of A and those of B each with the sum 1. Given are the first, of A and of B in turn: what
-/// they leave of half the sum comes next, and in the middle what they leave of the sum of the other part.
+/// The part steps of A B A … A, symmetric, those of A and those of B each with the sum 1. `first` holds the first ones, of A and B in turn; the
+/// next completes half of its sum, and the one in the middle completes the sum of the other part.
 pub(super) fn part_steps(first: &[f64]) -> Vec<f64> {
     let left_of_half = |place: usize| {
         let alike = first.iter().skip(place % 2).step_by(2);
@@ -17,7 +17,7 @@ pub(super) fn part_steps(first: &[f64]) -> Vec<f64> {
     before.chain([middle]).chain(after).collect()
 }
 
-/// Order 2: half of A, B, half of A.
+/// Order 2: half a step of A, B, half a step of A.
 pub(super) const STRANG: &[f64] = &[];
 
 /// Order 4 for any two parts.
@@ -38,7 +38,7 @@ pub(super) const S10: &[f64] = &[
      0.541_960_678_450_780,
 ];
 
-/// Order 4 for any two parts; its error is least for kicks and free motions.
+/// Order 4 for any two parts; its error is smallest for kicks and free motions.
 #[rustfmt::skip]
 pub(super) const NYSTROM_6: &[f64] = &[
      0.082_984_406_417_405_2,  0.245_298_957_184_271,

@@ -1,14 +1,14 @@
-//! A method asked for a motion.
+//! Samples of a motion by a geometric method.
 
 use super::{Integrator, Phase};
 use crate::error::{Error, Result, each_finite, positive};
 use crate::integrators::{Cost, Solution, both_ways};
 
-/// Phases at `times` (s, either side of 0, in any order) of the motion that starts with `start` at time 0: between two samples steps of one length,
-/// not above `step`. At each of the times, and every 65,536 steps, `watch` is told the time and the cost so far.
+/// Phases at `times` (s, on either side of 0, in any order) of the motion that starts with `start` at time 0, by steps of one length between two samples,
+/// at most `step` (s). `watch` is called with the time and the cost so far at each sample and every 65,536 steps.
 ///
 /// # Errors
-/// [`Error::NotFinite`], [`Error::NotPositive`] for times and step; [`Error::Integration`] where the method cannot; those of `watch`, which end the run.
+/// [`Error::NotFinite`], [`Error::NotPositive`] for times and step; [`Error::Integration`] where the method fails; those of `watch`, which end the run.
 ///
 /// ```
 /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -63,5 +63,5 @@ pub fn follow(
 }
 
 const MOST_STEPS: f64 = 1e10;
-/// Steps between two looks of who watches.
+/// Steps between two calls of `watch`.
 const STRIDE: u64 = 65_536;

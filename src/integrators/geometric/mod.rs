@@ -1,18 +1,18 @@
-//! Methods that know they are turning a body: the attitude stays a rotation, |L| stays, and most keep more than that.
+//! Methods for a turning body: the attitude stays a rotation, |L| is conserved, and most methods conserve more.
 //!
 //! | method | for | order | what a step is |
 //! |---|---|---|---|
 //! | [`FreeSplitting`] | free bodies | 2, 4, 6 | exact rotations about two principal axes in turn |
-//! | [`MoserVeselov`] | free bodies | 2, 4, 6, 10 | the discrete free top, itself integrable, its moments of inertia chosen to fit |
-//! | [`GroupMidpoint`] | free bodies | 2 | the implicit midpoint rule with rotations for sums |
-//! | [`HeavySplitting`] | torques of the attitude | 2, 4, 6 | kicks by the torque and exact rotations in turn |
-//! | [`MuntheKaas`] | any torque | 4 | Runge–Kutta in the rotation vector |
+//! | [`MoserVeselov`] | free bodies | 2, 4, 6, 10 | the discrete free top, itself integrable, with modified moments of inertia |
+//! | [`GroupMidpoint`] | free bodies | 2 | the implicit midpoint rule with rotations in place of sums |
+//! | [`HeavySplitting`] | torques that depend on the attitude | 2, 4, 6 | kicks by the torque and exact rotations in turn |
+//! | [`MuntheKaas`] | any torque | 4 | a Runge–Kutta step of the rotation vector |
 //!
-//! A method is an [`Integrator`]: it prepares a [`Stepper`] for a phase and a step. The stepper keeps what steps share, and what rounding leaves over
-//! (Kahan): over 10⁷ steps, taken together or one by one, |L| is off by 4e-15, the energy by no more than its oscillation (symplectic methods) or
+//! A method is an [`Integrator`]: it prepares a [`Stepper`] for a phase and a step. The stepper keeps what the steps share, and their rounding errors
+//! (Kahan): over 10⁷ steps, in one call or one by one, |L| is off by 4e-15, the energy by no more than its oscillation (symplectic methods) or
 //! 9e-14 (implicit ones, a random walk). [`follow`] gives samples at any times.
 //!
-//! What each method keeps is measured by `tests/sections/integrators/preservation.rs`; what a step costs, by `cargo bench -p lab --bench integrators`.
+//! `tests/sections/integrators/preservation.rs` measures what each method conserves, `cargo bench -p lab --bench integrators` what a step costs.
 //!
 //! ```
 //! use spinning_bodies::frame::{Attitude, BodyVector};

@@ -6,12 +6,12 @@ use crate::error::Result;
 use crate::integrators::Cost;
 use crate::integrators::real::{Real, cross, exponential, product};
 
-/// The classical Runge–Kutta method for the rotation vector u since the start of the step and for L along the axes of that start, order 4.
+/// The classical Runge–Kutta method, order 4, for the rotation vector u since the start of the step and for L along the body's axes at that start.
 ///
-/// u′ = Ω + ½u∧Ω + u∧(u∧Ω)/12 is Munthe-Kaas' equation as far as order 4 needs it (Numer. Math. 1998); then q exp(u). Kept without torque:
-/// |L| and L in space, to rounding; the norm of the attitude. The energy drifts like step⁵ a step: explicit and neither symmetric nor symplectic.
-/// Domain: steps for which h|L| over the least moment is a radian or two, which for a thin body is far less than what it turns by.
-/// Cost: four torques, four sine pairs.
+/// u′ = Ω + ½u∧Ω + u∧(u∧Ω)/12 is Munthe-Kaas' equation to the terms that order 4 needs (Numer. Math. 1998); the step ends with q exp(u).
+/// Conserved without torque, to rounding: |L| and L in space; the norm of the attitude always. The energy drifts by O(step⁵) a step, for the method is
+/// explicit and neither symmetric nor symplectic. Domain: steps with h|L| at most a radian or two times the least moment, which for a thin body is
+/// far less than its turn. Cost: four torques and four pairs of sine and cosine a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MuntheKaas<N> {
     inverse: [f64; 3],
@@ -19,10 +19,10 @@ pub struct MuntheKaas<N> {
 }
 
 impl<N> MuntheKaas<N> {
-    /// For the body with these moments under this torque.
+    /// The method for a body with these principal moments, kg m², under this torque.
     ///
     /// # Errors
-    /// Those of the moments.
+    /// Those of an invalid moment.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -41,7 +41,7 @@ impl<N> MuntheKaas<N> {
         })
     }
 
-    /// Rates of u and of L along the axes of the start, at u and that L.
+    /// The rates of u, and of L along the body's axes at the start of the step, as functions of u and that L.
     #[inline(always)]
     fn rates<T: Real>(&self, q: [T; 4], u: [T; 3], l: [T; 3]) -> ([T; 3], [T; 3])
     where
@@ -136,7 +136,7 @@ impl<T: Real, N: Torque<T>> Stepper<T> for Steps<'_, T, N> {
     }
 }
 
-/// How a vector at rest changes for a rider who is turned by the rotation 1 + `turn`.
+/// The change of a constant vector's components along axes that are turned by the rotation 1 + `turn`.
 #[inline(always)]
 fn back<T: Real>([w, x, y, z]: [T; 4], v: [T; 3]) -> [T; 3] {
     let p = [x, y, z];

@@ -1,13 +1,13 @@
-//! Moments of inertia for the discrete free top that make it keep the real one's time.
+//! Corrections of the moments of inertia by which the discrete free top keeps the time of the continuous one.
 //!
 //! 1/Ĩ_j = (1 + h²s₃ + h⁴s₅ + h⁶s₇ + h⁸s₉)/I_j + h²d₃ + h⁴d₅ + h⁶d₇ + h⁸d₉: Hairer and Vilmart (2006), "Preprocessed discrete Moser–Veselov algorithm
 //! for the full dynamics of a rigid body", J. Phys. A 39. s and d are polynomials in H, C = ½|L|² and e₁, e₂, e₃, the elementary symmetric
 //! functions of 1/I₁, 1/I₂, 1/I₃. s₃ and d₃ agree with that paper; all are derived in `tests/reference/moser_veselov.py` by matching power series in
-//! rationals. H and C are kept by the algorithm, so the moments are changed once a run.
+//! rationals. The algorithm conserves H and C, so the moments are corrected once a run.
 
 use crate::integrators::real::Real;
 
-/// Powers of H, C, e₁, e₂, e₃; numerator and denominator.
+/// Powers of H, C, e₁, e₂, e₃; numerator and denominator of the coefficient.
 type Term = ([u8; 5], f64, f64);
 
 #[rustfmt::skip]
@@ -70,7 +70,7 @@ const D9: [Term; 20] = [
     ([0, 4, 1, 1, 2], 3.0, 560.0), ([0, 4, 0, 0, 3], -61.0, 4536.0),
 ];
 
-/// The factor of the moments' reciprocals, less 1, and what is added to them, for a step h and `terms` powers of h².
+/// For a step h and `terms` powers of h²: the factor of the reciprocal moments, less 1, and the summand added to them.
 pub(super) fn corrections<T: Real>(inverse: [T; 3], l: [T; 3], h: T, terms: usize) -> (T, T) {
     let [a, b, c] = inverse;
     let half = T::from_double(0.5);
@@ -85,7 +85,7 @@ pub(super) fn corrections<T: Real>(inverse: [T; 3], l: [T; 3], h: T, terms: usiz
     let tables: [(&[Term], &[Term]); 4] = [(&S3, &D3), (&S5, &D5), (&S7, &D7), (&S9, &D9)];
     let zero = T::from_double(0.0);
     let (mut s, mut d) = (zero, zero);
-    // From the highest power of h² down.
+    // Horner's rule, from the highest power of h² down.
     for (factor, summand) in tables.iter().take(terms).rev() {
         s = h * h * (s + polynomial(factor, arguments));
         d = h * h * (d + polynomial(summand, arguments));

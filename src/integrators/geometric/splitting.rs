@@ -1,4 +1,4 @@
-//! Motions by parts that are each solved exactly, in turn: rotations about axes of the body, the rotation about L, kicks by a torque.
+//! Splitting methods: motions that are each exact, in turn. Rotations about axes of the body, the rotation about L, kicks by a torque.
 
 use super::coefficients::{NYSTROM_6, NYSTROM_11, S6, S10, STRANG, part_steps};
 use super::stepper::{Run, checked_moments, unit};
@@ -8,26 +8,26 @@ use crate::integrators::Cost;
 use crate::integrators::real::{Real, Sums, dot, exponential, product};
 use crate::precise::{DoubleDouble, Number};
 
-/// Order of a splitting; `as u32` it is the number.
+/// Order of a splitting; `as u32` gives the number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Order {
-    /// Strang's: one stage.
+    /// Strang's splitting: one stage.
     Two = 2,
-    /// Blanes' and Moan's: six stages.
+    /// Blanes' and Moan's splitting: six stages.
     Four = 4,
-    /// Blanes' and Moan's: ten stages, eleven for kicks between motions that are exact.
+    /// Blanes' and Moan's splittings: ten stages, or eleven for kicks between exact motions.
     Six = 6,
 }
 
 impl Order {
-    /// All of them.
+    /// All orders.
     pub const ALL: [Self; 3] = [Self::Two, Self::Four, Self::Six];
 }
 
-/// The energy of a body without torque, split as |L|²/2I₂ + ½(1/I₁ − 1/I₂)L₁² + ½(1/I₃ − 1/I₂)L₃², I₁ ≤ I₂ ≤ I₃.
+/// The axes by which the energy of a free body is split, |L|²/2I₂ + ½(1/I₁ − 1/I₂)L₁² + ½(1/I₃ − 1/I₂)L₃², I₁ ≤ I₂ ≤ I₃.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Axes {
-    /// The axes of the smallest and of the largest moment, with that moment.
+    /// The axis of the least or of the greatest moment, with that moment; `inner` is the other.
     outer: (usize, f64),
     inner: (usize, f64),
     middle: f64,
@@ -46,7 +46,7 @@ impl Axes {
         })
     }
 
-    /// The axis and half the angle about it, per unit of L and time.
+    /// The axis, and half the angle of the rotation about it per unit of L and time.
     fn rate<T: Real>(&self, (axis, moment): (usize, f64)) -> (usize, T) {
         let [middle, moment] = [self.middle, moment].map(T::from_double);
         // Differences first: the moments may be nearly equal.
@@ -56,16 +56,16 @@ impl Axes {
     }
 }
 
-/// A free body by rotations about its axes of least and of greatest moment in turn.
+/// A free body, by rotations about its axes of least and of greatest moment in turn.
 ///
-/// Each part of the energy |L|²/2I₂ + ½(1/I₁ − 1/I₂)L₁² + ½(1/I₃ − 1/I₂)L₃² alone turns the body exactly: the first about L, which stays in space;
-/// the others about axes 1 and 3. The first commutes with the others, so it is made where the phase is looked at; a step of order 2 is one rotation
-/// about each axis, of 4 six and of 6 ten. Compared with three rotations about the three axes, that is a third less work, and the errors carry the
+/// Each part of the energy |L|²/2I₂ + ½(1/I₁ − 1/I₂)L₁² + ½(1/I₃ − 1/I₂)L₃² by itself gives an exact rotation: the first about L, which is fixed in
+/// space; the others about axes 1 and 3. The first commutes with the others, so it is applied only when a phase is read; a step of order 2 is one
+/// rotation about each axis, of order 4 six, of order 6 ten. That is a third less work than rotations about all three axes, and the errors carry the
 /// small factors of nearly symmetric bodies.
 ///
-/// Kept: |L|, L in space and the phase volume (symplectic) to rounding; time symmetry; the energy oscillates by O(stepᵖ) and does not drift. Bodies
-/// with two equal moments are turned exactly, whatever the step. Cost: one pair of sine and cosine a rotation. Source: McLachlan 1993 and Reich 1994
-/// for rotations as parts; the choice of the parts is ours.
+/// Conserved: |L|, L in space and the phase volume (symplectic) to rounding; symmetric in time; the energy oscillates by O(stepᵖ) and does not drift.
+/// Bodies with two equal moments are turned exactly, whatever the step. Cost: one pair of sine and cosine a rotation. Source: McLachlan 1993 and
+/// Reich 1994 for rotations as parts; the choice of the parts is ours.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FreeSplitting {
     axes: Axes,
@@ -73,7 +73,7 @@ pub struct FreeSplitting {
 }
 
 impl FreeSplitting {
-    /// For the body with these principal moments, kg m², in any order.
+    /// The method of this order for a body with these principal moments, kg m², in any order.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive),
@@ -102,7 +102,7 @@ impl<T: Real> Integrator<T> for FreeSplitting {
     fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {
         let mut run = Run::new(phase, step)?;
         let Phase { l, q } = run.phase();
-        // Without the turn about L.
+        // The attitude without the rotation about L.
         run.q = Sums::new([1.0, 0.0, 0.0, 0.0].map(T::from_double));
         let exact = l.map(T::two_words);
         let size = Number::square_root(dot(exact, exact));
@@ -125,14 +125,14 @@ impl<T: Real> Integrator<T> for FreeSplitting {
 
 /// A body under a torque that depends on its attitude alone: kicks and exact rotations in turn.
 ///
-/// Of a body with two equal moments the free motion is exact, a turn about L and one about the axis; kicks stand between such motions, in
-/// Blanes' and Moan's Nyström splittings with six and eleven kicks for orders 4 and 6. Other bodies are split in three, as [`FreeSplitting`] does it:
-/// rotations about the axis of least moment, kicks, rotations about L and the axis of greatest moment, to and fro. Order 4 has the Nyström splitting
-/// there as well, for it is of that order for any parts, and begins with the axis whose moment is nearer the middle one; order 6 has the splitting
+/// A body with two equal moments has an exact free motion, a rotation about L and one about the axis; the kicks stand between such motions, in
+/// Blanes' and Moan's Nyström splittings with six and eleven kicks for orders 4 and 6. For other bodies the energy is split in three, like that of
+/// [`FreeSplitting`]: rotations about one outer axis, kicks, rotations about L and the other axis, and back in reverse order. Order 4 uses the Nyström
+/// splitting there too, which has that order for any parts, and begins with the axis whose moment is nearer to the middle one; order 6 uses the splitting
 /// with ten stages. The error carries the torque or the differences of the moments as factors.
 ///
-/// Kept, under weight: L along the vertical and the phase volume (symplectic), to rounding; time symmetry; the energy oscillates by
-/// O(stepᵖ) and does not drift; for Lagrange's top also L along the axis.
+/// Conserved under weight, to rounding: L along the vertical and the phase volume (symplectic); for Lagrange's top also L along the axis. Symmetric in
+/// time; the energy oscillates by O(stepᵖ) and does not drift.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeavySplitting<N> {
     axes: Axes,
@@ -141,10 +141,10 @@ pub struct HeavySplitting<N> {
 }
 
 impl<N> HeavySplitting<N> {
-    /// For the body with these principal moments, kg m², in any order, under this torque.
+    /// The method of this order for a body with these principal moments, kg m², in any order, under this torque.
     ///
     /// # Errors
-    /// Those of the moments.
+    /// Those of an invalid moment.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -161,8 +161,8 @@ impl<N> HeavySplitting<N> {
         let mut axes = Axes::new(moments)?;
         let [outer, inner] =
             [axes.outer, axes.inner].map(|(_, moment)| (moment - axes.middle).abs());
-        // What turns nothing comes first, to be left out; at order 4 what turns less, which takes 0.85 of the steps for the same error (geometric mean
-        // of 300 bodies).
+        // A rotation with rate 0 comes first, to be left out. At order 4 the slower one comes first, which needs 0.85 of the steps for the same error
+        // (geometric mean of 300 bodies).
         if inner == 0.0 || order == Order::Four && inner < outer {
             (axes.outer, axes.inner) = (axes.inner, axes.outer);
         }
@@ -195,7 +195,7 @@ impl<T: Real, N: Torque<T>> Integrator<T> for HeavySplitting<N> {
 
     fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {
         let run = Run::new(phase, step)?;
-        // What turns nothing is left out.
+        // A rotation with rate 0 is left out.
         let unequal = self.axes.outer.1 != self.axes.middle;
         let splitting = match self.order {
             Order::Two => STRANG,
@@ -213,9 +213,9 @@ impl<T: Real, N: Torque<T>> Integrator<T> for HeavySplitting<N> {
     }
 }
 
-/// Two parts of a motion, each exact over any time; or three, the third on the way from one to the other.
+/// Two motions that are each exact over any time; or three, the third on the way between the other two.
 trait Parts<T: Real> {
-    /// Sine pairs of a stage.
+    /// Pairs of sine and cosine in a stage.
     const PAIRS: u64;
 
     fn outer(&self, run: &mut Run<T>, h: T);
@@ -224,14 +224,14 @@ trait Parts<T: Real> {
 
     fn inner(&self, run: &mut Run<T>, h: T);
 
-    /// What has been left to the end.
+    /// Applies what has been postponed to the end.
     fn finish(&self, _: &mut Run<T>, _steps: u64) {}
 }
 
-/// Rotations about two axes; about L at the end.
+/// Rotations about two axes, with the rotation about L postponed to the end.
 struct Free<T> {
     q: [T; 4],
-    /// The direction of L, and half the angle about it a step: in two words, or 10⁷ steps would lose five digits here.
+    /// The direction of L. Half the angle about L in a step has two words: in one, 10⁷ steps would lose five digits.
     direction: [T; 3],
     half: DoubleDouble,
     outer: (usize, T),
@@ -251,7 +251,7 @@ impl<T: Real> Parts<T> for Free<T> {
         about_axis(run, self.inner, h);
     }
 
-    /// q exp(tL₀/2I₂) times what the others have made.
+    /// The attitude q exp(tL₀/2I₂) times the product of the other rotations.
     fn finish(&self, run: &mut Run<T>, steps: u64) {
         let (sine, cosine) = T::sine_and_cosine(self.half * DoubleDouble::from(steps as f64));
         let [x, y, z] = self.direction.map(|component| sine * component);
@@ -259,11 +259,11 @@ impl<T: Real> Parts<T> for Free<T> {
     }
 }
 
-/// Kicks, rotations about L and an axis; rotations about another axis as well, if no two moments are equal.
+/// Kicks, and rotations about L and one axis; also about a second axis, if no two moments are equal.
 struct Kicked<'a, T, N, const UNEQUAL: bool> {
     outer: (usize, T),
     inner: (usize, T),
-    /// Half the turn per unit of L and time.
+    /// Half the angle about L per unit of L and time.
     about_momentum: T,
     torque: &'a N,
 }
@@ -303,15 +303,15 @@ impl<T: Real, N: Torque<T>, const UNEQUAL: bool> Parts<T> for Kicked<'_, T, N, U
     }
 }
 
-/// One stage: lengths of the outer part, of what is between, of the inner part, and of what is between again.
+/// Lengths of the outer motion, the one between, the inner, and again the one between, in one stage.
 type Stage<T> = [T; 4];
 
-/// Parts in turn. The last outer part of a step and the first of the next are one, so a step ends before it, and a phase that is looked at has it made up.
+/// A splitting. The last outer motion of a step and the first of the next are combined, so a step ends before it; a phase that is read has it added.
 struct Alternating<T, P> {
     parts: P,
     stages: Vec<Stage<T>>,
     run: Run<T>,
-    /// Length of the outer part that is due.
+    /// Length of the outer motion that is still due.
     due: T,
     steps: u64,
 }
@@ -322,7 +322,7 @@ impl<'a, T: Real, P: Parts<T> + 'a> Alternating<T, P> {
         let part_steps = part_steps(splitting);
         let stages = part_steps.chunks_exact(2).map(|pair| {
             let (outer, inner) = (pair[0], pair[1]);
-            // A step and its mirror image in turn: the first of the two lasts as long as what it adds to the outer part.
+            // A step and its mirror image alternate: the step before the inner motion has the length by which it completes the outer one.
             let before = outer - after;
             after = inner - before;
             [outer, before, inner, after].map(|part| T::from_double(part) * step)
@@ -373,7 +373,7 @@ impl<T: Real, P: Parts<T>> Stepper<T> for Alternating<T, P> {
     }
 }
 
-/// The body turns about an axis of its own, by a rate per unit of L along it.
+/// Turns the body about one of its axes at `rate` per unit of L along it, for a time `h`.
 #[inline(always)]
 fn about_axis<T: Real>(run: &mut Run<T>, (axis, rate): (usize, T), h: T) {
     let half = rate * h;
@@ -384,13 +384,13 @@ fn about_axis<T: Real>(run: &mut Run<T>, (axis, rate): (usize, T), h: T) {
     }
 }
 
-/// A turn about an axis of the body by 2·`half`·L along it.
+/// Turns the body about one of its axes by 2·`half` times L along it.
 #[inline(always)]
 fn about<T: Real, const AXIS: usize>(run: &mut Run<T>, half: T) {
     let (j, k) = ((AXIS + 1) % 3, (AXIS + 2) % 3);
     let l = run.l.values;
     let (s, v) = (half * l[AXIS]).turn();
-    // sin 2x and 1 − cos 2x.
+    // sin 2x and 1 − cos 2x, for L, which turns by twice the half angle.
     let twice = s + s;
     let (s2, v2) = (twice - twice * v, twice * s);
     run.l.add(j, s2 * l[k] - v2 * l[j]);

@@ -1,4 +1,4 @@
-//! What a geometric method is, what it carries from step to step, and how it is asked for a step.
+//! The traits of a geometric method and of its runs, the phase of a body, and the sums that a run carries from step to step.
 
 use crate::error::{Error, Result, each_finite, finite};
 use crate::euler_equations::AxisMoments;
@@ -7,17 +7,17 @@ use crate::integrators::Cost;
 use crate::integrators::real::{Real, Sums, product};
 use crate::precise::power_of_two_below;
 
-/// A body at one time: all that a geometric method carries.
+/// The phase of a body: L and the attitude.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Phase<T = f64> {
     /// L along the body's principal axes, kg m²/s.
     pub l: [T; 3],
-    /// The attitude's quaternion (w, x, y, z), body to space; every method begins by giving it norm 1.
+    /// The attitude's quaternion (w, x, y, z), body to space; every method first normalises it.
     pub q: [T; 4],
 }
 
 impl Phase {
-    /// With this L and attitude.
+    /// The phase with this L and attitude.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -46,10 +46,10 @@ impl Phase {
         BodyVector::new(x, y, z)
     }
 
-    /// How the body stands in space.
+    /// The attitude.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] and [`Error::ZeroVector`] for a quaternion that is none.
+    /// [`Error::NotFinite`]; [`Error::ZeroVector`] for a quaternion of norm 0.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -65,7 +65,7 @@ impl Phase {
 }
 
 impl<T: Real> Phase<T> {
-    /// The same in other numbers.
+    /// The phase in another kind of number.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -107,7 +107,7 @@ impl<T: Real> Phase<T> {
 
 /// A method with steps of one length.
 pub trait Integrator<T: Real = f64> {
-    /// Its name, as in the tables.
+    /// Its name in the tables.
     ///
     /// ```
     /// use spinning_bodies::integrators::geometric::{FreeSplitting, Integrator, Order};
@@ -127,10 +127,10 @@ pub trait Integrator<T: Real = f64> {
     /// ```
     fn order(&self) -> u32;
 
-    /// The method at work: from this phase by steps of `step` seconds, negative ones backwards. What all steps share is made here, once.
+    /// A run from this phase by steps of `step` seconds, backward if negative. What all steps share is computed here, once.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for phase and step, [`Error::ZeroVector`] for a quaternion that is none; [`Error::Integration`] for a step that the
+    /// [`Error::NotFinite`] for phase and step; [`Error::ZeroVector`] for a quaternion of norm 0; [`Error::Integration`] for a step that the
     /// method cannot take.
     ///
     /// ```
@@ -145,9 +145,9 @@ pub trait Integrator<T: Real = f64> {
     fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>>;
 }
 
-/// A method at work. It remembers: one step costs what it costs in a run of many, and ends on the same bits.
+/// A run of a geometric method. Single steps cost no more than steps in one call, and end on the same bits.
 pub trait Stepper<T: Real = f64> {
-    /// So many steps.
+    /// Takes this many steps.
     ///
     /// # Errors
     /// [`Error::Integration`] where an implicit step has no solution.
@@ -164,7 +164,7 @@ pub trait Stepper<T: Real = f64> {
     /// ```
     fn advance(&mut self, steps: u64) -> Result<()>;
 
-    /// One step.
+    /// Takes one step.
     ///
     /// # Errors
     /// As for [`advance`](Self::advance).
@@ -184,8 +184,7 @@ pub trait Stepper<T: Real = f64> {
         self.advance(1)
     }
 
-    /// Where the body is now, the attitude's norm 1 to rounding. Splittings leave to this what only a phase that is looked at needs, a
-    /// rotation or two.
+    /// The present phase, the norm of its attitude 1 to rounding. Splittings complete it here by the rotation or two that they postpone.
     ///
     /// # Errors
     /// [`Error::NotFinite`].
@@ -200,7 +199,7 @@ pub trait Stepper<T: Real = f64> {
     /// ```
     fn phase(&self) -> Result<Phase<T>>;
 
-    /// What it has cost so far: sine pairs, torques or Newton's rounds, whichever the method lives by; and steps.
+    /// The cost so far: steps, and pairs of sine and cosine, torques or Newton's rounds, depending on the method.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -215,7 +214,7 @@ pub trait Stepper<T: Real = f64> {
     fn cost(&self) -> Cost;
 }
 
-/// What a run carries from step to step: the phase, each component with what rounding has left of it.
+/// What a run carries from step to step: the phase, with the rounding error of each component's sum.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Run<T> {
     pub l: Sums<T, 3>,
@@ -240,7 +239,7 @@ impl<T: Real> Run<T> {
         })
     }
 
-    /// The phase here, its norm not restored.
+    /// The present phase, its norm not restored.
     #[inline(always)]
     pub fn phase(&self) -> Phase<T> {
         Phase {
@@ -249,16 +248,16 @@ impl<T: Real> Run<T> {
         }
     }
 
-    /// Turns the body by a rotation whose quaternion, less 1, is `turn`: q becomes q(1 + turn), L becomes what a rider sees of it.
+    /// Turns the body by a rotation whose quaternion, less 1, is `turn`: q becomes q(1 + turn), and L along the body's axes changes accordingly.
     ///
-    /// `change` is that change of L: the caller has it with fewer roundings than the quaternion would give it.
+    /// `change` is that change of L, which the caller computes with fewer rounding errors than the quaternion would give.
     #[inline(always)]
     pub fn turn(&mut self, turn: [T; 4], change: [T; 3]) {
         self.q.add_all(product(self.q.values, turn));
         self.l.add_all(change);
     }
 
-    /// The phase here with norm 1.
+    /// The present phase with norm 1.
     ///
     /// # Errors
     /// [`Error::NotFinite`].
@@ -270,10 +269,10 @@ impl<T: Real> Run<T> {
     }
 }
 
-/// The same vector or quaternion with norm 1; of length zero, itself.
+/// The vector or quaternion, normalised; one of length zero is returned unchanged.
 pub(super) fn unit<T: Real, const N: usize>(v: [T; N]) -> [T; N] {
     let (zero, size) = (T::from_double(0.0), v.map(|x| x.to_double().abs()));
-    // Over a power of two, for the squares of any numbers are numbers then.
+    // Divided by a power of two, so that no square overflows or underflows.
     let unit = T::from_double(1.0 / power_of_two_below(size.into_iter().fold(0.0, f64::max)));
     let v = v.map(|x| x * unit);
     let square = v.iter().fold(zero, |sum, &x| sum + x * x);
@@ -284,7 +283,7 @@ pub(super) fn unit<T: Real, const N: usize>(v: [T; N]) -> [T; N] {
     v.map(|x| x * scale)
 }
 
-/// Moments that a body can have, each positive.
+/// The moments, if each is positive and a body can have them.
 pub(super) fn checked_moments(moments: [f64; 3]) -> Result<[f64; 3]> {
     let [a, b, c] = moments;
     Ok(AxisMoments::new(a, b, c)?.values())

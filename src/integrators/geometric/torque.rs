@@ -1,15 +1,15 @@
-//! What acts on a body.
+//! Torques on a body.
 
 use super::Phase;
 use crate::error::{Result, each_finite};
 use crate::integrators::real::{Real, cross};
 
-/// A torque, N m along the body's axes, as a function of the phase. A function or closure of the phase will do; `()` is none.
+/// A torque, N m along the body's axes, as a function of the phase. Closures implement it; `()` is no torque.
 pub trait Torque<T: Real> {
-    /// Whether there is any: without, nothing is computed for it.
+    /// Whether there is a torque: without one, nothing is computed for it.
     const ACTS: bool = true;
 
-    /// The torque here.
+    /// The torque at this phase.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -46,7 +46,7 @@ pub struct Weight {
 }
 
 impl Weight {
-    /// With the lever MgC, N m along the body's axes, C the centre of mass seen from the pivot.
+    /// The weight with the lever MgC, N m along the body's axes, C the centre of mass relative to the pivot.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite).

@@ -1,21 +1,21 @@
-//! Where within a step a quantity falls through zero.
+//! Where within a step the quantity of an event falls through zero.
 
 use super::tableau::Between;
 use super::walk::{Taken, Walk};
 use crate::integrators::{Event, System};
 
-/// A quantity that may fall through zero.
+/// The quantity of an event along a run.
 pub(super) struct Watch<'a, const N: usize> {
     event: &'a dyn Event<N>,
-    /// Its value at the end of the last step; it can fall once it has been positive.
+    /// Its value at the end of the last step. A fall counts only once it has been positive.
     value: f64,
     armed: bool,
 }
 
-/// A very short while, as a part of a step.
+/// The time step of a difference quotient, as a fraction of a step.
 const PROBE: f64 = 1e-8;
-/// Rounds of the search on the polynomial, and of Newton's on true states. Halving alone would need sixty of the first; four of the second are
-/// the most that were seen.
+/// Most rounds of the search on the polynomial, and of Newton's method on true states. Bisection alone would need sixty of the first; at most
+/// four of the second were observed.
 const MOST_ROUNDS: usize = 100;
 const NEWTON: usize = 8;
 
@@ -33,7 +33,7 @@ impl<'a, const N: usize> Watch<'a, N> {
         }
     }
 
-    /// When within the step just taken the quantity falls through zero, if it does, and with which state.
+    /// Time and state at which the quantity falls through zero within the step just taken, if it does.
     pub fn fall<S: System<N> + ?Sized>(
         &mut self,
         walk: &mut Walk<'_, N, S>,
@@ -47,7 +47,7 @@ impl<'a, const N: usize> Watch<'a, N> {
             return None;
         }
         if now > 0.0 {
-            // The cubic through both ends costs nothing; where nothing on it comes down to half the lower end, nothing dips.
+            // The cubic through both ends costs no evaluation. Where it stays above half the lower end value, the quantity has no dip.
             let (cubic, low) = (walk.cubic(taken), 0.5 * before.min(now));
             if LOOKS
                 .iter()
@@ -59,7 +59,7 @@ impl<'a, const N: usize> Watch<'a, N> {
         let between = walk.between(taken);
         let mut inner = (1..PLACES).map(|n| f64::from(n) / f64::from(PLACES));
         let dips = inner.find(|&part| self.value_at(taken, &between, part) <= 0.0);
-        // The first place at which it is no longer positive, or the end.
+        // The first place at which the quantity is no longer positive, or the end.
         let part = dips.or((now <= 0.0).then_some(1.0))?;
         Some(self.located(walk, taken, &between, part))
     }
@@ -68,7 +68,7 @@ impl<'a, const N: usize> Watch<'a, N> {
         self.event.value(taken.at(part), &between.at(part))
     }
 
-    /// When and with which state the quantity is zero, between the beginning of a step and this part of it: once a run at most.
+    /// Time and state at which the quantity is zero, in the sixteenth of the step that ends at `until`. Called at most once in a run.
     #[cold]
     fn located<S: System<N> + ?Sized>(
         &self,
@@ -84,7 +84,7 @@ impl<'a, const N: usize> Watch<'a, N> {
             let here = self.event.value(taken.at(part), &state);
             let rate = walk.leg.system.rate(taken.at(part), &state);
             walk.cost.evaluations += 1;
-            // Towards the beginning: there the quantity has not fallen yet.
+            // A difference towards the beginning of the step, where the quantity has not fallen yet.
             let h = -PROBE * taken.length;
             let moved = core::array::from_fn(|n| state[n] + h * rate[n]);
             let slope = (here - self.event.value(taken.at(part) + h, &moved)) / PROBE;
@@ -104,7 +104,7 @@ impl<'a, const N: usize> Watch<'a, N> {
         (taken.at(part), state)
     }
 
-    /// By secants within an enclosure, the value at an end that stays twice halved (the Illinois rule), and halving where that is slow.
+    /// The zero by secants within a bracket, halving the value at an end that stays twice (the Illinois rule), and by bisection where that is slow.
     fn on_the_polynomial(
         &self,
         between: &Between<N>,
@@ -139,10 +139,10 @@ impl<'a, const N: usize> Watch<'a, N> {
     }
 }
 
-/// Places at which every step is looked at: a parabola that is below zero somewhere between is below half of its lower end at one of them, if it is below
-/// zero at any of those at which a step that may have dipped is looked at.
+/// Places at which the cubic of every step is evaluated. A parabola that is positive at both ends and negative at any multiple of 1/[`PLACES`]
+/// is below half of its lower end value at one of these.
 const LOOKS: [f64; 4] = [0.0625, 0.25, 0.75, 0.9375];
-/// Parts of such a step.
+/// Number of parts into which a closer look divides a step.
 const PLACES: u32 = 16;
-/// Newton's method doubles the digits: after a correction this small, as a part of a step, nothing is left to correct.
+/// Newton's method doubles the digits: after a correction this small, as a fraction of the step, no further one is needed.
 const SMALL: f64 = 1e-9;

@@ -1,16 +1,16 @@
-//! What is asked of a run.
+//! The equations, initial state and requested times of a run.
 
-/// What every step gives back to the state.
+/// What is restored to its conserved value after every step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kept {
-    /// Nothing: any system of equations.
+    /// Nothing: for any system of equations.
     Nothing,
-    /// Norm 1 of the quaternion that begins with this component.
+    /// The norm 1 of the quaternion that begins with this component.
     UnitQuaternion(usize),
 }
 
 impl Kept {
-    /// What the state lacks of what is kept.
+    /// The correction to the state that restores the conserved value.
     #[inline(always)]
     pub(in crate::integrators) fn excess<const N: usize>(self, state: &[f64; N]) -> [f64; N] {
         let mut excess = [0.0; N];
@@ -28,19 +28,19 @@ impl Kept {
     }
 }
 
-/// Equations, where they start, and what is asked of them.
+/// Equations, initial state, scales, samples and end of a run.
 #[derive(Debug, Clone, Copy)]
 pub struct Leg<'a, const N: usize, S: ?Sized> {
     /// The equations.
     pub system: &'a S,
-    /// What every step gives back to the state.
+    /// What is restored after every step.
     pub kept: Kept,
-    /// When it starts, s, and with what.
+    /// Initial time, s, and state.
     pub start: (f64, &'a [f64; N]),
     /// Sizes below which a component counts as small: the error of a step is judged relative to |y| + scale.
     pub scales: &'a [f64; N],
-    /// Samples, ordered from the start to the end, s.
+    /// Times of the samples, s, ordered from the start to the end.
     pub times: &'a [f64],
-    /// When it ends, before or after the start, s.
+    /// End time, s, before or after the start.
     pub end: f64,
 }

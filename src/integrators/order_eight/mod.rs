@@ -1,10 +1,10 @@
-//! The explicit Runge–Kutta method of order 8 of Dormand and Prince, with samples and located events: arrays on the stack, equations
-//! compiled into the step.
+//! The explicit Runge–Kutta method of order 8 of Dormand and Prince, with samples and located events. Its arrays stand on the stack, and
+//! the equations are compiled into the step.
 //!
-//! * `tableau`: the coefficients, one step, and the polynomial between its ends;
-//! * `leg`: what is asked;
-//! * `walk`: one step after the other;
-//! * `event`: where within a step a quantity falls through zero;
+//! * `tableau`: the coefficients, one step, and the polynomials within it;
+//! * `leg`: the arguments of a run;
+//! * `walk`: the steps in succession;
+//! * `event`: where within a step an event's quantity falls through zero;
 //! * this file: the run, its samples and its end.
 
 mod event;
@@ -22,21 +22,21 @@ pub use leg::{Kept, Leg};
 impl<const N: usize, S: System<N> + ?Sized> Leg<'_, N, S> {
     /// The states at the samples, up to the end or to the event.
     ///
-    /// The error of a step is estimated as in Hairer's DOP853, from formulas of orders 5 and 3 at once, and kept below tolerance ×
-    /// (|y| + scale) in the mean square of the components; or the steps have one length. The steps know nothing of the samples: one or two
-    /// in a step are reached by short steps from its start, more by a polynomial of order 7 through it. State and time are sums that keep
-    /// what rounding leaves over (Kahan).
+    /// The error of a step is estimated as in Hairer's DOP853, from formulas of orders 5 and 3 together, and kept below tolerance ×
+    /// (|y| + scale) in the root mean square of the components; or all steps have one length. Samples do not change the steps: one or two
+    /// within a step are reached by short steps from its start, more of them by a polynomial of order 7 through the step. State and time are
+    /// summed with their rounding errors (Kahan).
     ///
-    /// The event is asked for at the end of every step, and within a step where its quantity may have dipped. It is located on the polynomial
-    /// and then, by Newton's method, on states that a step of the method reaches: to rounding. What counts: a quantity that is zero at the
-    /// start falls only after it has risen. Of several crossings in a step it is the first, but for those within a sixteenth of it.
+    /// The event's quantity is evaluated at the end of every step, and within a step where it may have dipped. Its zero is located on the
+    /// polynomial and then, by Newton's method, on states reached by a step of the method: to rounding. A quantity that is zero at the
+    /// start falls only after it has risen. Of several crossings in a step the first is found, unless they are within a sixteenth of the step.
     ///
     /// Observed: order 8.0; of a free body after 25 turns the error is 40 times the tolerance, 4e-13 at 1e-14. Cost: twelve evaluations a
-    /// step, eleven a sample or three a step with more than two, some thirty an event; no allocation but for the samples.
+    /// step, eleven a sample or three a step with more than two samples, some thirty an event; only the samples are allocated.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite) for times and start; [`Error::Negative`](crate::Error::Negative) for a scale; [`Error::NotPositive`](crate::Error::NotPositive) for the effort; [`Error::Integration`](crate::Error::Integration) where the step would become
-    /// nothing, or there are more than 2·10⁸ of them; those of [`System::reached`].
+    /// zero, or there are more than 2·10⁸ of them; those of [`System::reached`].
     ///
     /// Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, II.5, II.6 and II.10.
     ///
@@ -70,10 +70,10 @@ impl<const N: usize, S: System<N> + ?Sized> Leg<'_, N, S> {
     }
 }
 
-/// States at all of `times` (s, in any order, before and after 0 alike) of the motion that starts with `start` at time 0: [`Leg::follow`], both ways.
+/// States at all of `times` (s, in any order, before and after 0) of the motion that starts with `start` at time 0, by [`Leg::follow`] in both directions.
 ///
 /// # Errors
-/// As there.
+/// Those of [`Leg::follow`].
 ///
 /// ```
 /// use spinning_bodies::integrators::{Effort, Kept, order_eight};
@@ -108,7 +108,7 @@ pub fn order_eight<const N: usize, S: System<N> + ?Sized>(
     Ok(Solution { states, cost })
 }
 
-/// Samples in a step that are worth a step of their own each.
+/// The greatest number of samples in a step for which a short step each is cheaper than the polynomial.
 const FEW: usize = 2;
 
 impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
@@ -151,7 +151,7 @@ impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
             None => (leg.end, self.state.values, Stop::AtTheEnd),
         };
         if stopped == Stop::AtTheEnd {
-            // Samples at the very end.
+            // Samples at the end time itself.
             self.states.resize(leg.times.len(), end);
         }
         Ok(Passage {
@@ -163,7 +163,7 @@ impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
         })
     }
 
-    /// The samples of a step up to this time within it.
+    /// Adds the samples of a step up to the time `until` within it.
     fn sample(&mut self, taken: &Taken<N>, until: f64) {
         let times = &self.leg.times[self.states.len()..];
         let count = times.partition_point(|&t| (t - until) * self.sense <= 0.0);

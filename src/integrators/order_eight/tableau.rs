@@ -1,8 +1,8 @@
-//! The coefficients, one step with them, and what lies between its ends.
+//! The coefficients, one step with them, and the polynomials within it.
 
 use crate::integrators::System;
 
-/// What a step adds to the state, the two estimates of its error, each a rate, and the rates that it has used.
+/// The increment of the state in a step, two estimates of its error, each as a rate, and the rates it used.
 pub(in crate::integrators) struct Step<const N: usize> {
     pub change: [f64; N],
     fifth: [f64; N],
@@ -12,11 +12,11 @@ pub(in crate::integrators) struct Step<const N: usize> {
     used: [[f64; N]; 8],
 }
 
-/// The way from one end of a step to the other: a polynomial of order 7, or a cubic (Hairer, Nørsett, Wanner, II.6).
+/// The states within a step: a polynomial of order 7, or a cubic (Hairer, Nørsett, Wanner, II.6).
 pub(super) struct Between<const N: usize>([[f64; N]; 8]);
 
 impl<const N: usize> Between<N> {
-    /// Three evaluations more, `after` being the rate at the end of the step.
+    /// The polynomial of order 7, by three more evaluations; `after` is the rate at the end of the step.
     pub fn of<S: System<N> + ?Sized>(
         system: &S,
         t: f64,
@@ -41,7 +41,7 @@ impl<const N: usize> Between<N> {
         between
     }
 
-    /// The cubic with the states and rates of both ends.
+    /// The cubic through the states at both ends with the rates there.
     pub fn cubic(y: &[f64; N], change: &[f64; N], [before, after]: [&[f64; N]; 2], h: f64) -> Self {
         let bend: [f64; N] = core::array::from_fn(|n| h * before[n] - change[n]);
         let last = core::array::from_fn(|n| change[n] - h * after[n] - bend[n]);
@@ -49,7 +49,7 @@ impl<const N: usize> Between<N> {
         Self([*y, *change, bend, last, none, none, none, none])
     }
 
-    /// The state after a part of the step, 0…1.
+    /// The state after this fraction of the step, 0…1.
     pub fn at(&self, part: f64) -> [f64; N] {
         let (s, left) = (part, 1.0 - part);
         let [y, c1, c2, c3, c4, c5, c6, c7] = &self.0;
@@ -61,16 +61,16 @@ impl<const N: usize> Between<N> {
 }
 
 impl<const N: usize> Step<N> {
-    /// The error as a multiple of what is allowed: both estimates in one (Hairer, Nørsett, Wanner, II.10).
+    /// The error as a multiple of the allowed one, from both estimates (Hairer, Nørsett, Wanner, II.10).
     ///
-    /// Where the fifth-order estimate passes through zero, as it may when few numbers change, that says nothing; the square of the third-order
-    /// one, which is of order 8 as well, says less than a twentieth of what both together usually say, and counts wherever it is more.
+    /// In few components the fifth-order estimate may pass through zero, where it says nothing. Then the square of the third-order estimate, also of
+    /// order 8, counts: usually it is less than a twentieth of what the two say together, and the greater of both is returned.
     #[inline(always)]
     pub fn error(&self, state: &[f64; N], scales: &[f64; N], tolerance: f64, h: f64) -> f64 {
         let weights: [f64; N] = core::array::from_fn(|n| {
             let size = state[n].abs().max(self.after[n].abs());
             match size + scales[n] {
-                // Neither here nor there and without a scale: nothing to be relative to.
+                // Zero at both ends and without a scale: there is nothing to be relative to.
                 0.0 => 0.0,
                 room => 1.0 / (tolerance * room),
             }
@@ -91,10 +91,10 @@ impl<const N: usize> Step<N> {
     }
 }
 
-/// What is told of the error by the third-order estimate alone: this times its square, both relative.
+/// The error by the third-order estimate alone is this times its square, both relative.
 const OF_THE_THIRD: f64 = 0.005;
 
-/// One step of length h from a state where the rate is known: eleven evaluations.
+/// One step of length h from a state whose rate is known: eleven evaluations.
 #[inline(always)]
 pub(in crate::integrators) fn step<const N: usize, S: System<N> + ?Sized>(
     system: &S,
@@ -144,8 +144,8 @@ fn mean<const N: usize, const M: usize>(weights: [f64; M], rates: [&[f64; N]; M]
     })
 }
 
-/// Of Dormand and Prince (1980, 1989) as in DOP853, the zeros left out: row 6 multiplies rates 1, 4 and 5, every row from there on rates 1 and
-/// 4 to its own; rows 3, 4 and 5 rates 1 and 2; 1 and 3; 1, 3 and 4. `B` and `E5` multiply rates 1 and 6 to 12; `E3` rates 1, 9 and 12;
+/// Coefficients of Dormand and Prince (1980, 1989) as in DOP853, without the zeros. Row 6 multiplies rates 1, 4 and 5, every later row rates 1 and
+/// 4 up to its own; rows 3, 4 and 5 multiply rates 1 and 2; 1 and 3; 1, 3 and 4. `B` and `E5` multiply rates 1 and 6 to 12; `E3` rates 1, 9 and 12;
 /// `A14` rates 1 and 7 to 13, `A15` 1, 6 to 8 and 11 to 14, `A16` 1, 6 to 9 and 13 to 15; `D` rates 1 and 6 to 16.
 #[rustfmt::skip]
 mod coefficients {
@@ -247,7 +247,7 @@ mod tests {
     use super::coefficients::*;
     use super::{Between, mean, step};
 
-    /// The matrix with its zeros.
+    /// The full matrix, zeros included.
     fn rows() -> [[f64; 12]; 12] {
         let mut a = [[0.0; 12]; 12];
         let mut fill = |row: usize, from: &[usize], weights: &[f64]| {
@@ -267,7 +267,7 @@ mod tests {
         a
     }
 
-    /// Conditions for order 8: those of the quadrature, and those that say the stages are good to orders 2, 3 and 4.
+    /// Conditions of order 8: those of the quadrature, and those by which the stages have orders 2, 3 and 4.
     #[test]
     fn the_coefficients_satisfy_the_conditions_of_their_order() {
         let a = rows();
@@ -285,7 +285,7 @@ mod tests {
             // Observed 4.5e-16.
             assert!((sum - exact).abs() < 6e-16, "{power}: {sum}");
         }
-        // Σ a c^k = c^(k+1)/(k+1) for every stage that counts: k up to 3 from the sixth stage on.
+        // Σ a c^k = c^(k+1)/(k+1) for every stage with a weight: k up to 3 from the sixth stage on.
         for (n, row) in a.iter().enumerate().skip(5) {
             for power in 1..4 {
                 let sum: f64 = (0..12).map(|j| row[j] * C[j].powi(power)).sum();
@@ -294,7 +294,7 @@ mod tests {
                 assert!((sum - exact).abs() < 5e-15, "{n} {power}: {sum} {exact}");
             }
         }
-        // Nested conditions of order 8 with what is left: Σ b c a c^5 and Σ b a a c^5.
+        // The nested conditions of order 8 that remain: Σ b c a c^5 and Σ b a a c^5.
         let inner: [f64; 12] =
             core::array::from_fn(|i| (0..12).map(|j| a[i][j] * C[j].powi(5)).sum());
         let outer: f64 = (0..12).map(|i| b[i] * C[i] * inner[i]).sum();
@@ -305,7 +305,7 @@ mod tests {
         assert!((second - 1.0 / 336.0).abs() < 1e-15, "{second}");
     }
 
-    /// The estimates belong to formulas of orders 5 and 3: they vanish for polynomials below, and not above.
+    /// The estimates belong to formulas of orders 5 and 3: they vanish for rates t^k below that power, and not at it.
     #[test]
     fn the_estimates_are_of_their_orders() {
         let of = |power: i32| {
@@ -325,7 +325,7 @@ mod tests {
         assert!(of(5)[0].abs() > 1e-4 && of(3)[1].abs() > 1e-3);
     }
 
-    /// y' = t⁷ is summed exactly; the rate at the start is not asked for again.
+    /// y' = t⁷ is integrated exactly; the rate at the start is not evaluated again.
     #[test]
     fn a_step_integrates_powers_up_to_the_seventh() {
         let power = |t: f64, _: &[f64; 1]| [8.0 * t.powi(7)];
@@ -335,7 +335,7 @@ mod tests {
         assert!(error.abs() < 5e-15, "{error:e}");
     }
 
-    /// The same power between the ends.
+    /// The same power within the step.
     #[test]
     fn what_lies_between_is_of_order_seven() {
         let power = |t: f64, _: &[f64; 1]| [7.0 * t.powi(6)];

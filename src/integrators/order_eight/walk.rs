@@ -1,4 +1,4 @@
-//! One step after the other.
+//! The steps of a run in succession.
 
 use super::leg::Leg;
 use super::tableau::{Between, Step, step};
@@ -6,16 +6,16 @@ use crate::error::{Error, Result};
 use crate::integrators::real::Sums;
 use crate::integrators::{Cost, System};
 
-/// Most steps of one run; about a minute of computing.
+/// Most steps of one run: about a minute of computing.
 pub(super) const MOST_STEPS: u64 = 200_000_000;
 
 pub(super) struct Walk<'a, const N: usize, S: ?Sized> {
     pub(super) leg: &'a Leg<'a, N, S>,
-    /// Backward or forward in time.
+    /// 1 forward in time, −1 backward.
     pub(super) sense: f64,
     pub(super) state: Sums<f64, N>,
     pub(super) time: Sums<f64, 1>,
-    /// The rate here.
+    /// The rate at the present state.
     pub(super) rate: [f64; N],
     /// Length of the next step.
     pub(super) length: f64,
@@ -23,10 +23,10 @@ pub(super) struct Walk<'a, const N: usize, S: ?Sized> {
     pub(super) cost: Cost,
 }
 
-/// A step that was taken.
+/// A step just taken.
 pub(super) struct Taken<const N: usize> {
     pub(super) step: Step<N>,
-    /// Where it began.
+    /// Its initial time.
     pub(super) time: f64,
     pub(super) state: [f64; N],
     pub(super) rate: [f64; N],
@@ -34,7 +34,7 @@ pub(super) struct Taken<const N: usize> {
 }
 
 impl<const N: usize> Taken<N> {
-    /// The time after a part of it, 0…1.
+    /// The time after this fraction of it, 0…1.
     pub(super) fn at(&self, part: f64) -> f64 {
         self.time + part * self.length
     }
@@ -58,15 +58,15 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
         }
     }
 
-    /// From here to the end; with what rounding has left of the time so far.
+    /// Time left to the end, with the rounding error of the summed time.
     pub(super) fn left(&self) -> f64 {
         (self.leg.end - self.time.values[0]) - self.time.left[0]
     }
 
-    /// A step of the one length, or the last of them.
+    /// A step of the fixed length, or the last one.
     pub(super) fn even(&mut self) -> Taken<N> {
         let left = self.left();
-        // The count of steps is whole, but for rounding.
+        // The number of steps is whole, but for rounding.
         let last = left.abs() < 1.5 * self.length;
         let h = if last { left } else { self.length * self.sense };
         let step = self.step(h);
@@ -78,7 +78,7 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
         let mut most_growth = MOST_GROWTH;
         loop {
             let left = self.left();
-            // The last two steps share what is left: no crumb at the end.
+            // The last two steps share what is left, so that no tiny step remains at the end.
             let cut = if left.abs() <= self.length {
                 left
             } else if left.abs() < 2.0 * self.length {
@@ -88,7 +88,7 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
             };
             let step = self.step(cut);
             let error = step.error(&self.state.values, self.leg.scales, tolerance, cut);
-            // error^(1/8), as DOP853 has it.
+            // error^(1/8), as in DOP853.
             let growth = SAFETY / error.sqrt().sqrt().sqrt();
             if error <= 1.0 {
                 let length = cut.abs() * growth.clamp(LEAST_GROWTH, most_growth);
@@ -96,7 +96,7 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
                 return Ok(self.accept(step, cut, cut == left));
             }
             self.cost.evaluations += STAGES - 1;
-            // Not a number: as far off as can be.
+            // An error that is not a number shortens the step as far as possible.
             self.length = cut.abs() * growth.max(LEAST_GROWTH);
             most_growth = 1.0;
             let time = self.time.values[0];
@@ -137,7 +137,7 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
         taken
     }
 
-    /// The state a part of a step after its beginning, by a step of its own.
+    /// The state a time `h` after the beginning of a step, by a step of its own.
     pub(super) fn short(&mut self, taken: &Taken<N>, h: f64) -> [f64; N] {
         self.cost.evaluations += STAGES - 1;
         let short = step(self.leg.system, taken.time, &taken.state, &taken.rate, h);
@@ -160,12 +160,12 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
         core::array::from_fn(|n| state[n] + excess[n])
     }
 
-    /// The longest step that a tolerance allows at the growth rate of the motion.
+    /// The longest step that the tolerance allows at the growth rate of the motion.
     fn longest(&self, tolerance: f64) -> f64 {
         LONGEST * tolerance.min(1.0).sqrt().sqrt().sqrt() / self.leg.system.growth_rate()
     }
 
-    /// A first guess at the length of a step: rates and their change over a short Euler step (Hairer, Nørsett, Wanner, II.4).
+    /// A first guess at the length of a step, from the rates and their change over a short Euler step (Hairer, Nørsett, Wanner, II.4).
     pub(super) fn first_length(&mut self, tolerance: f64) -> f64 {
         let (span, state) = (self.left(), &self.state.values);
         let size = |v: &[f64; N]| {
@@ -179,7 +179,7 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
         let moved = core::array::from_fn(|n| state[n] + h * self.rate[n]);
         let there = self.leg.system.rate(self.time.values[0] + h, &moved);
         let bend = size(&core::array::from_fn(|n| there[n] - self.rate[n])) / short;
-        // From the first derivative's size; for the part of a body at rest, the second's square root is a rate as well.
+        // Both are rates: the size of the first derivative and the root of the second's, which counts for components at rest.
         let pace = rate.max(bend.sqrt());
         let length = tolerance.min(1.0).sqrt().sqrt().sqrt() * FIRST / pace;
         self.cost.evaluations += 1;
@@ -192,11 +192,11 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
     }
 }
 
-/// Length of the first step as a multiple of tolerance^(1/8) over the rate.
+/// Length of the first step as a multiple of tolerance^(1/8) divided by the rate.
 const FIRST: f64 = 4.0;
-/// The longest one likewise: twice what the tolerance would allow a motion of size 1.
+/// Greatest length, likewise: twice what the tolerance would allow a motion of size 1.
 const LONGEST: f64 = 14.0;
-/// Those of DOP853.
+/// The constants of DOP853.
 const SAFETY: f64 = 0.9;
 const LEAST_GROWTH: f64 = 0.2;
 const MOST_GROWTH: f64 = 6.0;

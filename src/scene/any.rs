@@ -1,4 +1,4 @@
-//! A scene whose kind is known only when the program runs, and its motion as numbers.
+//! Scenes whose kind is known only at run time, and their motions as tables of numbers.
 
 use std::sync::Arc;
 
@@ -8,10 +8,10 @@ use crate::conservation::Ledger;
 use crate::error::Result;
 use crate::integrators::Cost;
 
-/// Runs a scene and tells the numbers at these places.
+/// Runs a scene and returns the columns at these places.
 type Simulation = dyn Fn(&Request, &[usize]) -> Result<Table>;
 
-/// A scene of any kind, and the numbers that are told of it.
+/// A scene of any kind, and the columns it returns.
 ///
 /// ```
 /// use spinning_bodies::rolling::RoundBody;
@@ -30,7 +30,7 @@ pub struct AnyScene {
     columns: Vec<Column>,
     told: Vec<usize>,
     simulation: Box<Simulation>,
-    /// What it looks like.
+    /// How it is drawn.
     #[cfg(feature = "scene-files")]
     pub(super) look: Option<super::files::Look>,
 }
@@ -43,17 +43,17 @@ impl core::fmt::Debug for AnyScene {
     }
 }
 
-/// A name that is no column of a scene.
+/// The error for a name that is no column of a scene.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("no column {name}; there are {}", names.join(", "))]
 pub struct UnknownColumn {
-    /// The name.
+    /// The unknown name.
     pub name: String,
-    /// Those that there are.
+    /// The names of the scene's columns.
     pub names: Vec<&'static str>,
 }
 
-/// The place of the column of this name.
+/// The place of the column with this name.
 fn place(columns: &[Column], name: &str) -> core::result::Result<usize, UnknownColumn> {
     let found = columns.iter().position(|column| column.name == name);
     found.ok_or_else(|| UnknownColumn {
@@ -63,7 +63,7 @@ fn place(columns: &[Column], name: &str) -> core::result::Result<usize, UnknownC
 }
 
 impl AnyScene {
-    /// This scene, telling its usual numbers.
+    /// This scene, with its usual columns.
     ///
     /// ```
     /// use spinning_bodies::{rolling::RoundBody, scene::{AnyScene, Request, Roller}};
@@ -88,7 +88,7 @@ impl AnyScene {
         }
     }
 
-    /// What it can tell: the usual numbers first.
+    /// The columns it can return, the usual ones first.
     ///
     /// ```
     /// use spinning_bodies::{rolling::RoundBody, scene::{AnyScene, Roller}};
@@ -101,7 +101,7 @@ impl AnyScene {
         &self.columns
     }
 
-    /// What it tells, in the order of a row.
+    /// The columns it returns, in the order of a row.
     ///
     /// ```
     /// use spinning_bodies::{rolling::RoundBody, scene::{AnyScene, Roller}};
@@ -114,10 +114,10 @@ impl AnyScene {
         self.told.iter().map(|&place| self.columns[place])
     }
 
-    /// The same telling the numbers of these names.
+    /// The scene with the columns of these names in place of the usual ones.
     ///
     /// # Errors
-    /// The first name that is none.
+    /// [`UnknownColumn`] for the first name that is no column.
     ///
     /// ```
     /// use spinning_bodies::{rolling::RoundBody, scene::{AnyScene, Request, Roller}};
@@ -136,7 +136,7 @@ impl AnyScene {
         Ok(self)
     }
 
-    /// Runs it.
+    /// The motion at the requested times, as a table.
     ///
     /// # Errors
     /// As for [`Scene::simulate`].
@@ -154,20 +154,20 @@ impl AnyScene {
     }
 }
 
-/// A motion as numbers.
+/// A motion as a table of numbers.
 pub struct Table {
     /// The solver, and why.
     pub plan: Plan,
-    /// What the solver spent.
+    /// The cost of the run.
     pub cost: Cost,
-    /// By how much the states may be off, as in [`Motion::error_estimate`](super::Motion::error_estimate).
+    /// Estimated error of the states, as in [`Motion::error_estimate`](super::Motion::error_estimate).
     pub error_estimate: f64,
-    /// What was kept.
+    /// The conserved quantities and their drifts.
     pub ledger: Ledger,
-    /// What the numbers in a row are, after the time.
+    /// The columns of a row, after the time.
     pub columns: Vec<Column>,
     count: usize,
-    /// A row by its number. States become numbers one at a time.
+    /// Returns a row by its number. States are converted into numbers one at a time.
     row: Box<dyn Fn(usize) -> (f64, Vec<f64>) + Send>,
 }
 
@@ -196,10 +196,10 @@ impl Table {
         }
     }
 
-    /// The time (s) and the numbers of a row, counted from 0.
+    /// The time (s) and the numbers of the row `place`, counted from 0.
     ///
     /// # Panics
-    /// If there are not so many rows.
+    /// If there are not that many rows.
     ///
     /// ```
     /// use spinning_bodies::{rolling::RoundBody, scene::{AnyScene, Request, Roller}};
@@ -213,7 +213,7 @@ impl Table {
         (self.row)(place)
     }
 
-    /// All rows, in the order asked for.
+    /// All rows, in the order of the requested times.
     ///
     /// ```
     /// use spinning_bodies::{rolling::RoundBody, scene::{AnyScene, Request, Roller}};
@@ -227,10 +227,10 @@ impl Table {
         (0..self.count).map(|place| self.row(place))
     }
 
-    /// The numbers of these names, `t` being the time, in the order of the rows.
+    /// The numbers in the columns of these names, `t` being the time, row by row.
     ///
     /// # Errors
-    /// The first name that is no column of the table.
+    /// [`UnknownColumn`] for the first name that is no column of the table.
     ///
     /// ```
     /// use spinning_bodies::{rolling::RoundBody, scene::{AnyScene, Request, Roller}};

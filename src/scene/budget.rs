@@ -1,4 +1,4 @@
-//! What a run may cost, and how far it has come.
+//! The evaluations that a run may take, and how far it has come.
 
 use core::cell::Cell;
 use std::sync::Arc;
@@ -6,10 +6,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::error::{Error, Result};
 
-/// How far a run has come: the run writes, others may look, from another thread as well.
+/// How far a run has come. The run writes it; other threads may read it.
 ///
-/// The library has no clock. Who wants to know how long a run will take looks twice. Most solvers follow a motion at least twice to know
-/// their error, so the time falls back to 0 whenever they begin again.
+/// The library has no clock: whoever wants to know how long a run will take reads twice. Most solvers follow a motion at least twice to estimate
+/// their error, and the time falls back to 0 whenever they begin again.
 #[derive(Debug, Clone, Default)]
 pub struct Progress(Arc<Numbers>);
 
@@ -17,26 +17,26 @@ pub struct Progress(Arc<Numbers>);
 struct Numbers {
     evaluations: AtomicU64,
     most: AtomicU64,
-    /// Bits of the times, s.
+    /// Times, s, as bits of doubles.
     time: AtomicU64,
     until: AtomicU64,
 }
 
-/// Where a run is.
+/// The progress of a run at one moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reached {
-    /// Evaluations of the equations so far; a state that a closed form gives counts as one.
+    /// Evaluations of the equations so far; each state given by a closed form counts as one.
     pub evaluations: u64,
-    /// How many there may be.
+    /// The greatest number of evaluations allowed.
     pub most: u64,
     /// The time that the motion has reached, s.
     pub time: f64,
-    /// The time that it is to reach, s.
+    /// The last time of the motion, s.
     pub until: f64,
 }
 
 impl Progress {
-    /// Where the run is now.
+    /// The present progress of the run.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -61,22 +61,22 @@ impl Progress {
     }
 }
 
-/// The evaluations of an answer, counted over all of its runs.
+/// The evaluations of a simulation, counted over all of its runs.
 pub(crate) struct Budget {
     spent: Cell<u64>,
     most: u64,
-    /// Of the run that goes on: what had been spent when it began, and when it ends, s.
+    /// Of the present run: the evaluations spent before it began, and its end time, s.
     run: Cell<(u64, f64)>,
-    /// At the last look what the run had spent, and the time, s, that it had come to.
+    /// At the last check: the evaluations of the run, and the time, s, that it had reached.
     seen: Cell<(u64, f64)>,
     progress: Option<Progress>,
 }
 
-/// No look before twice as many evaluations: they are a moment's work.
+/// The first check comes after twice as many evaluations, which take only a moment.
 const A_MOMENT: u64 = 500_000;
 
 impl Budget {
-    /// Nothing done yet of a run up to this time, which may do so much.
+    /// A budget of `most` evaluations, none of them spent, for a first run to the time `until`.
     pub fn new(most: u64, until: f64, progress: Option<&Progress>) -> Self {
         if let Some(Progress(numbers)) = progress {
             numbers.until.store(until.to_bits(), Ordering::Relaxed);
@@ -91,16 +91,16 @@ impl Budget {
         }
     }
 
-    /// A run up to this time begins.
+    /// Begins a run to the time `until`.
     pub fn begin(&self, until: f64) {
         self.run.set((self.spent.get(), until));
         self.seen.set((A_MOMENT, 0.0));
     }
 
-    /// So many evaluations more have brought the motion to this time.
+    /// Counts these evaluations, with which the motion has reached this time.
     ///
     /// # Errors
-    /// [`Error::Budget`] if they are too many.
+    /// [`Error::Budget`] if the budget is exceeded, or will be by far.
     #[inline]
     pub fn spend(&self, evaluations: u64, time: f64) -> Result<()> {
         self.count(evaluations);
@@ -112,11 +112,11 @@ impl Budget {
         self.spent.set(self.spent.get() + evaluations);
     }
 
-    /// The motion has come to this time.
+    /// Notes that the motion has reached this time.
     ///
-    /// Whenever the run has doubled its evaluations, it is asked what the whole will take at this pace. It ends if that is as far beyond the budget
-    /// as the budget is beyond what was spent: a hundredfold after a hundredth of it. The pace must be so steady that neither friction nor bounces that
-    /// pile up, both of which show long before, could bring the run to its end within the budget.
+    /// Whenever the run has doubled its evaluations, its total cost at this pace is extrapolated. The run ends with an error if that exceeds the
+    /// budget by the factor by which the budget exceeds what was spent: a hundredfold after a hundredth of it. It must also be so steady that neither
+    /// friction nor bounces that pile up, both of which change the pace long before, could bring it to its end within the budget.
     ///
     /// # Errors
     /// As for [`spend`](Self::spend).
@@ -149,6 +149,6 @@ impl Budget {
     }
 }
 
-/// By which part of what is spent of the budget the pace may change between two looks. Exponential decay and rates that fall in proportion to the
-/// time change it by one and by half of their own part: they would end after twice the budget or more.
+/// The greatest relative change of the pace between two checks, as a multiple of the fraction of the budget spent at the earlier one. Exponential decay and
+/// rates that fall in proportion to the time change the pace by once and by half that fraction, and would end after twice the budget or more.
 const STEADY: f64 = 0.25;

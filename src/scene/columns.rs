@@ -1,8 +1,8 @@
-//! Numbers that a scene tells of its states, each by its name, with its unit and what it means.
+//! Columns: the numbers that a scene returns for each state, with name, unit and meaning.
 
 use crate::frame::{Attitude, BodyVector, FrameVector, SpaceVector};
 
-/// Numbers of a state, a line each: name, unit, meaning, and the number itself.
+/// Columns of a state, one line each: name, unit, meaning, and the expression of the number.
 macro_rules! columns {
     (|$state:ident: &$type:ty| $($name:literal, $unit:literal, $meaning:literal => $number:expr;)*) => {
         $crate::scene::Columns::default().with(
@@ -14,25 +14,25 @@ macro_rules! columns {
 
 pub(crate) use columns;
 
-/// What a number is.
+/// The description of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Column {
-    /// `omega1`, `tilt`, …
+    /// The name: `omega1`, `tilt`, …
     pub name: &'static str,
-    /// `rad/s`; `1` for a pure number.
+    /// The unit: `rad/s`; `1` for a pure number.
     pub unit: &'static str,
-    /// In a few words.
+    /// The meaning in a few words.
     pub meaning: &'static str,
-    /// Whether it is told if nobody says which numbers are.
+    /// Whether it is output by default.
     pub usual: bool,
-    /// Whether it is an angle that goes round, told between −π and π.
+    /// Whether it is an angle modulo 2π, given between −π and π.
     pub goes_round: bool,
 }
 
-/// One number of a state.
+/// Computes one number of a state.
 type Teller<S> = Box<dyn Fn(&S) -> f64 + Send + Sync>;
 
-/// The numbers of a state, in the order of a row.
+/// The columns of a state, in the order of a row.
 pub struct Columns<S>(Vec<(Column, Teller<S>)>);
 
 impl<S: 'static> core::fmt::Debug for Columns<S> {
@@ -48,7 +48,7 @@ impl<S> Default for Columns<S> {
 }
 
 impl<S: 'static> Columns<S> {
-    /// The same with more numbers: name, unit and meaning of each.
+    /// With these columns added: name, unit and meaning of each.
     pub(crate) fn with<const N: usize>(
         mut self,
         numbers: [[&'static str; 3]; N],
@@ -68,7 +68,7 @@ impl<S: 'static> Columns<S> {
         self
     }
 
-    /// The same with three components of one vector.
+    /// With the three components of a vector added.
     pub(crate) fn vector<Axes>(
         self,
         names: [&'static str; 3],
@@ -79,7 +79,7 @@ impl<S: 'static> Columns<S> {
         self.with(numbers, move |state| of(state).into())
     }
 
-    /// The same with the quaternion of an attitude.
+    /// With the quaternion of an attitude added.
     pub(crate) fn attitude(self, of: fn(&S) -> Attitude) -> Self {
         let meaning = "attitude, a unit quaternion that turns body axes into space axes";
         let numbers = ["qw", "qx", "qy", "qz"].map(|name| [name, "1", meaning]);
@@ -89,14 +89,14 @@ impl<S: 'static> Columns<S> {
         })
     }
 
-    /// The same with an angular velocity, along the body's axes.
+    /// With an angular velocity along the body's axes added.
     pub(crate) fn omega(self, of: fn(&S) -> BodyVector) -> Self {
         let names = ["omega1", "omega2", "omega3"];
         let what = ["rad/s", "angular velocity, along the body's axes"];
         self.vector(names, what, of)
     }
 
-    /// The same with the angles of an attitude: tilt, precession, nutation, spin.
+    /// With the angles of an attitude added: tilt, precession, nutation, spin.
     pub(crate) fn angles(self, of: fn(&S) -> Attitude) -> Self {
         let mut columns = self.and(columns! { |state: &S|
             "tilt", "rad", "angle of axis 3 to the vertical" => of(state).euler_angles().theta;
@@ -110,7 +110,7 @@ impl<S: 'static> Columns<S> {
         columns
     }
 
-    /// The same with an angular momentum (kg m²/s, along the axes of space), its size, and its angle to axis 3.
+    /// With an angular momentum (kg m²/s, along the axes of space) added, its size, and its angle to axis 3.
     pub(crate) fn angular_momentum(
         self,
         attitude: fn(&S) -> Attitude,
@@ -127,13 +127,13 @@ impl<S: 'static> Columns<S> {
         })
     }
 
-    /// These numbers and those.
+    /// These columns followed by `further`.
     pub(crate) fn and(mut self, further: Self) -> Self {
         self.0.extend(further.0);
         self
     }
 
-    /// The same, all of them told if nobody says which.
+    /// The same columns, all of them output by default.
     pub(crate) fn usual(mut self) -> Self {
         for (column, _) in &mut self.0 {
             column.usual = true;
@@ -141,26 +141,26 @@ impl<S: 'static> Columns<S> {
         self
     }
 
-    /// What the numbers are.
+    /// The descriptions of the columns.
     pub(crate) fn columns(&self) -> impl Iterator<Item = Column> {
         self.0.iter().map(|(column, _)| *column)
     }
 
-    /// The number at this place.
+    /// The number in the column at this place.
     ///
     /// # Panics
-    /// If there are not so many.
+    /// If there are not that many columns.
     pub(crate) fn number(&self, place: usize, state: &S) -> f64 {
         (self.0[place].1)(state)
     }
 
-    /// All numbers of a state.
+    /// The numbers of a state in all columns.
     pub(crate) fn row(&self, state: &S) -> Vec<f64> {
         self.0.iter().map(|(_, of)| of(state)).collect()
     }
 }
 
-/// Declares a state of numbers, which are its columns: what is said of each is its meaning and, after the last comma, its unit.
+/// Declares a state whose fields are its columns: the doc comment of each is its meaning and, after the last comma, its unit.
 macro_rules! state {
     (
         $(#[$about:meta])*
@@ -176,7 +176,7 @@ macro_rules! state {
         }
 
         impl $name {
-            /// Of these numbers, in the order of a row.
+            /// The state with these numbers, in the order of a row.
             pub(crate) const fn of(
                 [$($number),*]: [f64; [$($text),*].len()],
                 $($field: $type,)*

@@ -1,14 +1,14 @@
-//! A body on a table (tutorial 4.7): tippe top, egg, hoop with clay, chiral top, rattleback.
+//! Bodies on a table (tutorial 4.7): tippe top, egg, hoop with clay, chiral top, rattleback.
 //!
-//! | effect | values | absent |
+//! | effect | values | if absent |
 //! |---|---|---|
-//! | gravity | [`Gravity`](super::effects::Gravity), downwards | a free body, in closed form |
+//! | gravity | [`Gravity`](super::effects::Gravity), downward | a free body, in closed form |
 //! | friction | [`Viscous`](super::effects::Viscous), [`Regularised`](super::effects::Regularised), [`Coulomb`], [`NoSlip`](super::effects::NoSlip) | a table without friction |
 //! | resistance | [`Resistance`](super::effects::Resistance) to rolling and pivoting | |
 //!
-//! The table only pushes. Where the reaction falls to zero the body takes off, flies in closed form, and lands with an inelastic blow.
-//! Coulomb's law is the true one: a body whose slip comes to rest rolls while the force that takes lies within the cone of friction, and
-//! slides again when it does not; each change is located.
+//! The table only pushes. Where the reaction falls to zero the body takes off, flies in closed form, and lands with an inelastic impact.
+//! Coulomb's law is not smoothed: a body whose slip comes to rest rolls while the force needed for that lies within the cone of friction, and
+//! slides again when it does not. The time of each change is located.
 //!
 //! ```
 //! use spinning_bodies::scene::contact::TableTop;
@@ -41,7 +41,7 @@ use crate::tippe_top::equations::{Contact, NUMBERS, Numbers, Pose, Table, number
 use crate::tippe_top::flight::{Flight, TakeOff};
 use crate::tippe_top::{ConvexBody, Friction, Start};
 
-/// A body on a table, and what acts on it.
+/// A body on a table, and the effects on it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TableTop {
     table: Table,
@@ -49,7 +49,7 @@ pub struct TableTop {
 }
 
 impl TableTop {
-    /// The body, touching the table, without any effect: a free body.
+    /// The body, touching the table, without effects: a free body.
     ///
     /// ```
     /// use spinning_bodies::scene::{contact::TableTop, effects::Gravity};
@@ -68,10 +68,10 @@ impl TableTop {
         Self { table, start }
     }
 
-    /// The same with an effect; one without strength is absent.
+    /// Adds an effect; one of strength zero is absent.
     ///
     /// # Errors
-    /// [`Error::Effect`] for one that means nothing here; [`Error::NotPositive`] for gravity that does not press the body to the table.
+    /// [`Error::Effect`] for one that has no meaning here; [`Error::NotPositive`] for gravity that does not press the body on the table.
     ///
     /// ```
     /// use spinning_bodies::scene::{contact::TableTop, effects::{Gravity, TurnLoss}};
@@ -100,10 +100,10 @@ impl TableTop {
         Ok(self)
     }
 
-    /// When the body slides, rolls and hops, up to the last of the times asked for.
+    /// The phases of sliding, rolling and hopping, up to the last of the requested times.
     ///
     /// # Errors
-    /// As for [`simulate`](Scene::simulate).
+    /// Those of [`simulate`](Scene::simulate).
     ///
     /// ```
     /// use spinning_bodies::scene::{Request, contact::{Support, TableTop}, effects::{Gravity, Viscous}};
@@ -166,10 +166,10 @@ pub enum Support {
     Airborne,
 }
 
-/// A stretch of a motion on one kind of support.
+/// A phase of the motion with one kind of support.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Phase {
-    /// When it begins, s.
+    /// The time at which it begins, s.
     pub start: f64,
     /// The support.
     pub support: Support,
@@ -179,7 +179,7 @@ pub struct Phase {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State {
-    /// From the body's axes to those of space.
+    /// Attitude: turns the body's axes into those of space.
     pub attitude: Attitude,
     /// Angular velocity, rad/s.
     pub omega: BodyVector,
@@ -187,17 +187,17 @@ pub struct State {
     pub position: SpaceVector,
     /// Velocity of the centre of mass, m/s.
     pub velocity: SpaceVector,
-    /// Sliding, rolling or in the air.
+    /// Whether it slides, rolls or is in the air.
     pub support: Support,
     /// Velocity of the point in contact, m/s; zero in the air.
     pub slip: SpaceVector,
     /// Normal reaction of the table, N; never negative.
     pub reaction: f64,
-    /// Size of the level force of the table, N.
+    /// Size of the horizontal force of the table, N.
     pub friction: f64,
     /// Kinetic energy and M g times the height of C, J.
     pub energy: f64,
-    /// What friction, resistance and landings have taken since the start, J.
+    /// Energy dissipated by friction, resistance and landings since the start, J.
     pub dissipated: f64,
     /// −⟨L, CO⟩ with O the lowest point, J s m: Jellett's integral where there is one.
     pub jellett: f64,
@@ -250,7 +250,7 @@ impl State {
     }
 }
 
-/// When `quantity` first rises through `level` (s), by linear interpolation between rows in ascending order of time, if it does.
+/// The time (s) at which `quantity` first rises through `level`, by linear interpolation between rows in ascending order of time; `None` if it does not.
 ///
 /// ```
 /// use spinning_bodies::scene::{Request, Scene, contact::{TableTop, passage}, effects::{Gravity, Viscous}};
@@ -293,7 +293,7 @@ impl Tabulated for State {
     }
 }
 
-/// Which equations hold.
+/// The equations that hold.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Mode {
     Sliding,
@@ -315,30 +315,30 @@ impl Mode {
     }
 }
 
-/// Slip over μg/ω, with ω the rate of the motion, below which a body is near rest: it would stop in this part of a radian.
+/// Slip, in units of μg/ω with ω the rate of the motion, below which a body is near rest: it would stop within this fraction of a radian.
 const NEAR: f64 = 0.05;
-/// The same below which a body that leaves its rest turns its slip as friction wants it, at a tolerance of 1; the error goes with the slip to the power 5/2.
+/// Slip in the same units, for a tolerance of 1, below which a body leaving its rest slips in the direction that friction determines; the error of that grows as slip^(5/2).
 const LEFT: f64 = 0.4;
 const POWER: f64 = 0.4;
-/// Slip in units of the tolerance times the velocity of the motion that is taken for none, and the least and the greatest tolerance that count: a slip
+/// Slip, in units of the tolerance times the velocity of the motion, that counts as none; and the least and the greatest tolerance used for it: a slip
 /// of 30 ε of the velocity is rounding.
 const STILL: f64 = 0.1;
 const FINEST: f64 = 1e-13;
 const COARSEST: f64 = 1e-6;
-/// In units of slip over μg: by then the slip goes where friction wants it, unless it has come to nothing before.
+/// Length of the run near rest, in units of ∫μg dt/|slip|: by its end the slip has its final direction, unless it has vanished before.
 const SETTLED: f64 = 60.0;
-/// Reaction over weight below which a body that has met an event takes off. Take-off is located to rounding; rest, which also is an
-/// event, says nothing of the reaction.
+/// Reaction, in units of the weight, below which a body takes off at an event. Take-off is located to rounding; the end of a slip, also an
+/// event, says nothing about the reaction.
 const LIFTED: f64 = 1e-6;
-/// By how much, in units of its greatest, a slip that begins may be less than nothing.
+/// How far below zero rounding may take a slip that begins, in units of the slip at which [`Mode::Leaving`] ends.
 const ROUNDING: f64 = 1e-6;
 
-/// A table, what starts on it, and how finely it is followed.
+/// A table, the start of a body on it, and the tolerance of the run.
 #[derive(Debug, Clone, Copy)]
 struct OnTheTable {
     table: Table,
     start: Numbers,
-    /// Of the surface, m.
+    /// Size of the surface, m.
     size: f64,
     /// Fastest rate, rad/s.
     turning: f64,
@@ -357,7 +357,7 @@ impl OnTheTable {
         }
     }
 
-    /// Nothing presses the body to the table.
+    /// Whether nothing presses the body on the table.
     fn is_free(&self) -> bool {
         self.table.gravity == 0.0
     }
@@ -370,17 +370,17 @@ impl OnTheTable {
         self.size * self.turning
     }
 
-    /// μg/ω: what slips at this speed stops within a radian.
+    /// μg/ω: a slip of this speed stops within a radian.
     fn stopping_speed(&self, law: Coulomb) -> f64 {
         law.grip() * self.table.gravity / self.turning
     }
 
-    /// The slip at which a body has left its rest.
+    /// The slip at which the mode of leaving rest ends.
     fn left(&self, law: Coulomb) -> f64 {
         self.stopping_speed(law) * (LEFT * self.tolerance.powf(POWER)).min(0.5 * NEAR)
     }
 
-    /// What slips no faster rests.
+    /// The slip that counts as none.
     fn still(&self) -> f64 {
         let speed = self.velocity_scale() + self.start[7].hypot(self.start[8]);
         STILL * self.tolerance.clamp(FINEST, COARSEST) * speed
@@ -396,7 +396,7 @@ impl OnTheTable {
         }
     }
 
-    /// The numbers after a landing with these, whether C falls then or rises.
+    /// The states after a landing from this one, for C falling and for C rising.
     fn landings(&self, takeoff: &TakeOff, y: &Numbers) -> impl Iterator<Item = Numbers> {
         let fallen = takeoff.height - self.body().height(&Pose::of(y)).0;
         let climb = (takeoff.climb.powi(2) + 2.0 * self.table.gravity * fallen).sqrt();
@@ -418,7 +418,7 @@ impl OnTheTable {
         }
     }
 
-    /// How a body that touches the table goes on.
+    /// How a body in contact with the table goes on; without slip or near rest the state may change.
     fn settled(&self, t: f64, y: &mut Numbers) -> Result<Mode> {
         let mode = match self.table.friction {
             Some(Friction::NoSlip) => {
@@ -443,10 +443,10 @@ impl OnTheTable {
         self.released(t, y)
     }
 
-    /// The slip taken away; rolling if the cone then allows it, else sliding.
+    /// Removes the slip; then rolling if the cone allows it, otherwise sliding.
     fn stopped(&self, law: Coulomb, y: &mut Numbers) -> Mode {
         *y = self.body().rolled(&self.table.held(y));
-        // At the rim a run that rolls would see no event: the margin has to fall through zero.
+        // At the rim of the cone rolling would have no event: the margin must fall through zero.
         if self.holds(law, y) {
             Mode::Rolling
         } else {
@@ -454,13 +454,13 @@ impl OnTheTable {
         }
     }
 
-    /// Whether rolling lies within the cone.
+    /// Whether the force that rolling needs lies within the cone.
     fn holds(&self, law: Coulomb, y: &Numbers) -> bool {
         let contact = self.table.rolls(&Pose::of(y));
         contact.reaction * (law.grip() - contact.traction.norm()) > 0.0
     }
 
-    /// The body takes off, if it can: with the constraint of rolling it may be the level force that keeps it up.
+    /// Lets the body take off, if it can: under the constraint of rolling, the horizontal force may be what holds it up.
     fn released(&self, time: f64, y: &Numbers) -> Result<Mode> {
         let smooth = Table {
             friction: None,
@@ -548,7 +548,7 @@ impl Flow<NUMBERS> for OnTheTable {
         self.table.rates(y, &pose, &self.contact(&mode, &pose))
     }
 
-    /// The reaction over the weight; how far the slip is from rest, or from being no longer near it; how far rolling is from the rim of the cone.
+    /// The least margin: the reaction over the weight; the slip's distance from rest, or from the end of being near rest; the distance of rolling from the rim of the cone.
     fn margin(&self, mode: Mode, _: f64, y: &Numbers) -> Option<f64> {
         if self.is_free() {
             return None;
@@ -598,7 +598,7 @@ impl Flow<NUMBERS> for OnTheTable {
             Mode::Leaving if slip < 0.5 * self.left(law) => self.stopped(law, y),
             Mode::Stopping if slip <= 2.0 * self.still() => self.stopped(law, y),
             Mode::Stopping if slip < 0.5 * self.left(law) => {
-                // It has gone past its rest, or it has come as near as the steps are exact.
+                // The slip has passed its rest, or has come as close to it as the steps resolve.
                 match self.holds(law, y) {
                     true => self.stopped(law, y),
                     false => Mode::Leaving,
@@ -617,7 +617,7 @@ impl Flow<NUMBERS> for OnTheTable {
         }
     }
 
-    /// Where one of the two has just landed, the other is about to.
+    /// If one of the two has just landed and the other is about to, the states after that landing are compared.
     fn distance(&self, (p, a): &(Mode, Numbers), (q, b): &(Mode, Numbers)) -> f64 {
         let scales = self.scales();
         let apart = |a: &Numbers, b: &Numbers| {
@@ -637,7 +637,7 @@ impl Flow<NUMBERS> for OnTheTable {
 }
 
 impl OnTheTable {
-    /// Up to the end of the landing blow, if there is one.
+    /// The flight, up to the end of its landing impact, if there is one.
     fn flown(&self, takeoff: TakeOff, ahead: &Ahead<'_, NUMBERS>) -> Result<Passage<Numbers>> {
         let flight = Flight::from(self.body(), self.table.gravity, ahead.start.1, takeoff)?;
         let landing = flight.landing(ahead.end, |time| ahead.budget.spend(1, time))?;
@@ -650,12 +650,12 @@ impl OnTheTable {
         Ok(passage)
     }
 
-    /// Near rest, where friction turns with the slip, faster and faster. Counted is not the time but ∫μg dt/|slip|: the slip then goes to nothing
-    /// like an exponential function, and its direction turns at a finite rate.
+    /// The motion near rest, where friction turns with the slip, ever faster. The variable is not the time but ∫μg dt/|slip|, in which the slip decays
+    /// exponentially and its direction turns at a finite rate.
     fn slowed(&self, law: Coulomb, ahead: &Ahead<'_, NUMBERS>) -> Result<Passage<Numbers>> {
         let (now, y) = ahead.start;
         let parted = |z: &[f64; NUMBERS + 1]| -> Numbers { core::array::from_fn(|n| z[n]) };
-        // The numbers and the time.
+        // The rates of state and time.
         let rate = |_: f64, z: &[f64; NUMBERS + 1]| {
             ahead.budget.count(1);
             let y = parted(z);
@@ -690,14 +690,14 @@ impl OnTheTable {
                     end: SETTLED,
                 };
                 let event = |_: f64, z: &[f64; NUMBERS + 1]| lasts(z).unwrap_or(0.0).min(left(z));
-                // No looser: what the steps are off by would pass for slip. No finer: what rounding does to a slip that small is more.
+                // Not looser, or the errors of steps would pass for slip; not finer, or the rounding of so small a slip would dominate.
                 let effort = Effort::Tolerance(self.tolerance.clamp(FINEST, COARSEST));
                 let part = leg.follow(Some(&event), effort)?;
                 passage.cost += part.cost;
                 z = part.end;
             }
             passage.end = parted(&z);
-            // Located to rounding, of the time as well.
+            // The end is located to rounding, also that of the time.
             if left(&z) > 1e-9 * whole + 4.0 * f64::EPSILON * self.turning * time {
                 passage.time = now + z[NUMBERS];
                 passage.stopped = Stop::AtTheEvent;
@@ -712,7 +712,7 @@ impl OnTheTable {
     }
 }
 
-/// What may be asked for.
+/// The message for a solver that this kind of scene does not have.
 const SOLVERS: &str =
     "the solver of a body on a table is `exact`, without gravity, or one that steps";
 
@@ -741,7 +741,7 @@ impl Scene for TableTop {
         let flow = self.on_the_table(request.accuracy)?;
         let (mode, y) = flow.start()?;
         let start = flow.state(0.0, &mode, &y);
-        // Angular momenta against those at this rate.
+        // Angular momenta are compared with those at this rate.
         let Table { body, .. } = &self.table;
         let spin = body.inertia().matrix().amax() * flow.turning;
         let first = start.energy;

@@ -1,7 +1,7 @@
-//! What can act in a scene: each effect is a value, and [`Effect`] is any of them.
+//! The effects that can act in a scene: a type for each, and [`Effect`] for any of them.
 //!
-//! A kind of scene takes effects one by one, `Top::new(body, start)?.with(Gravity::new(9.81)?)?.with(AirDrag::new(1e-6)?)?`, and refuses by
-//! name those that have no meaning for it. What is not given is not there: no equation multiplies it by zero, and none asks for it.
+//! A kind of scene takes effects one by one, `Top::new(body, start)?.with(Gravity::new(9.81)?)?.with(AirDrag::new(1e-6)?)?`, and rejects by
+//! name those that have no meaning for it. An effect that is not given is absent from the equations, not multiplied by zero.
 
 use crate::error::{Error, Result, finite, not_negative, within};
 
@@ -14,7 +14,7 @@ pub use crate::rolling::{Coulomb, RollingResistance};
 pub use crate::superball::Restitution;
 pub use crate::tippe_top::{NoSlip, Regularised, Resistance, Viscous};
 
-/// Any effect.
+/// Declares [`Effect`], with a name for each effect.
 macro_rules! effects {
     ($($(#[$doc:meta])* $effect:ident, $name:literal;)*) => {
         /// Any of the effects that a scene may call for.
@@ -25,7 +25,7 @@ macro_rules! effects {
         }
 
         impl Effect {
-            /// Its name in a scene file.
+            /// The name of the effect in a scene file.
             pub(crate) const fn name(&self) -> &'static str {
                 match self {
                     $(Self::$effect(_) => $name,)*
@@ -54,7 +54,7 @@ effects! {
     TipFriction, "tip_friction";
     /// Dry friction at a contact.
     Coulomb, "friction";
-    /// Dry friction, smoothed over a small slip.
+    /// Dry friction, smoothed where the slip is small.
     Regularised, "regularised_friction";
     /// Friction in proportion to the slip.
     Viscous, "viscous_friction";
@@ -80,7 +80,7 @@ effects! {
     AddedMass, "added_mass";
     /// Air at rest.
     Air, "air";
-    /// A meteorite that sticks.
+    /// A meteorite that sticks to a planet.
     Impact, "impact";
     /// A cat that turns over.
     Turnover, "turnover";
@@ -92,14 +92,14 @@ effects! {
     TurnLoss, "turn_loss";
     /// Work of the hand at every turn.
     Hand, "hand";
-    /// A loop in which a yo-yo sleeps.
+    /// A loop in which a yo-yo spins asleep.
     Sleep, "sleep";
-    /// Friction in that loop.
+    /// Friction in the loop of a yo-yo's string.
     AxleFriction, "axle_friction";
 }
 
 impl Effect {
-    /// The refusal of a kind of scene that has no meaning for this effect.
+    /// The error of a kind of scene for which this effect has no meaning.
     pub(crate) const fn refused(&self, kind: &'static str, takes: &'static str) -> Error {
         Error::Effect {
             effect: self.name(),
@@ -109,7 +109,7 @@ impl Effect {
     }
 }
 
-/// Effects of one number.
+/// Declares the effects that are given by one number.
 macro_rules! numbers {
     ($($(#[$doc:meta])* $effect:ident, $number:ident, $(#[$of:meta])* $check:ident($quantity:literal);)*) => {$(
         $(#[$doc])*
@@ -134,12 +134,12 @@ macro_rules! numbers {
             $(#[$of])*
             ///
             /// # Errors
-            /// [`Error::NotFinite`]; [`Error::Negative`] where less than nothing would drive; [`Error::OutOfRange`] for a part of a whole.
+            /// [`Error::NotFinite`]; [`Error::Negative`] for a resistance that would drive; [`Error::OutOfRange`] for a fraction outside 0…1.
             pub fn new(value: f64) -> Result<Self> {
                 Ok(Self($check($quantity, value)?))
             }
 
-            /// That number.
+            /// The number.
             pub(crate) const fn value(self) -> f64 {
                 self.0
             }
@@ -148,16 +148,16 @@ macro_rules! numbers {
 }
 
 numbers! {
-    /// Uniform gravity, down the space z axis.
+    /// Uniform gravity, along the negative z axis of space.
     Gravity, f64,
-    /// Gravity of this strength, m/s². A top also takes none at all and one that pulls up; what needs a floor does not.
+    /// Gravity of this strength, m/s². A top also takes zero, and negative values, which pull up; bodies that gravity must press on a floor do not.
     ///
     /// ```
     /// use spinning_bodies::scene::effects::Gravity;
     /// assert!(Gravity::new(0.1).is_ok() && Gravity::new(f64::NAN).is_err());
     /// ```
     finite("gravity");
-    /// Friction at the pivot in proportion to the turning: torque −cΩ (7.5).
+    /// Friction at the pivot in proportion to the angular velocity: torque −cΩ (7.5).
     PivotFriction, f64,
     /// The coefficient c, N m s.
     ///
@@ -168,8 +168,8 @@ numbers! {
     not_negative("pivot friction");
     /// Viscous friction of a bearing: torque −cΩ, of a top −c(Ω₁, Ω₂, 0) (7.4).
     ///
-    /// A sharp tip or a bearing of a top's axle: tilting and precessing cost, spinning about the third axis does not. Under a skater or a swivel it
-    /// has the last word, small as it may be: L falls by exactly c times the angle turned (1.1).
+    /// For a sharp tip or the bearing of a top's axle, where tilting and precessing are braked and the spin about the third axis is not. Under a skater or a
+    /// swivel even the smallest c decides in the end: L falls by exactly c times the angle turned (1.1).
     BearingFriction, f64,
     /// The coefficient c, N m s.
     ///
@@ -178,7 +178,7 @@ numbers! {
     /// assert!(BearingFriction::new(0.1).is_ok() && BearingFriction::new(-0.1).is_err());
     /// ```
     not_negative("bearing friction");
-    /// Drag of the air in proportion to the square of the turning: torque −k|Ω|Ω (4.9, 7.5).
+    /// Drag of the air in proportion to the square of the angular velocity: torque −k|Ω|Ω (4.9, 7.5).
     AirDrag, f64,
     /// The coefficient k, N m s², which is kg m².
     ///
@@ -187,10 +187,10 @@ numbers! {
     /// assert!(AirDrag::new(0.1).is_ok() && AirDrag::new(-0.1).is_err());
     /// ```
     not_negative("air drag");
-    /// Dry friction at the tip, against the spin alone: torque −N sgn(Ω₃) about the third axis (7.5).
+    /// Dry friction at the tip, against the spin only: torque −N sgn(Ω₃) about the third axis (7.5).
     ///
-    /// A dry tip of radius r that bears Mg has N = ⅔μMgr. For symmetric tops on that axis only: there the spin, once stopped, stays
-    /// stopped, which no other body's would.
+    /// A dry tip of radius r under the weight Mg has N = ⅔μMgr. Only for symmetric tops with C on the third axis: once stopped, their spin stays
+    /// at rest, which that of no other body would.
     TipFriction, f64,
     /// The torque N, N m.
     ///
@@ -208,7 +208,7 @@ numbers! {
     /// assert!(Air::new(0.1).is_ok() && Air::new(-0.1).is_err());
     /// ```
     not_negative("the density of the air");
-    /// Every turn of a yo-yo leaves this part of the spin (4.9).
+    /// Loss at every turn of a yo-yo, which keeps only a fraction of the spin (4.9).
     TurnLoss, f64,
     /// Spin after over spin before, 0…1.
     ///
@@ -217,7 +217,7 @@ numbers! {
     /// assert!(TurnLoss::new(0.1).is_ok() && TurnLoss::new(1.5).is_err());
     /// ```
     part("the restitution of the turn");
-    /// The hand does this much work at every turn of a yo-yo, by being raised a little while the string pulls hardest (4.9): see
+    /// Work of the hand at every turn of a yo-yo: it is raised a little while the string pulls hardest (4.9). See
     /// [`Turn::work_of_lift`](crate::yo_yo::Turn::work_of_lift).
     Hand, f64,
     /// The work, J.
@@ -227,7 +227,7 @@ numbers! {
     /// assert!(Hand::new(0.1).is_ok() && Hand::new(-0.1).is_err());
     /// ```
     not_negative("the work of the hand");
-    /// The string of a yo-yo ends in a loop: it falls asleep at the lowest point, and a jerk wakes it (4.9).
+    /// A loop at the end of a yo-yo's string: the yo-yo falls asleep at the lowest point, and a jerk wakes it (4.9).
     Sleep, f64,
     /// How long it is left asleep, s.
     ///
@@ -236,7 +236,7 @@ numbers! {
     /// assert!(Sleep::new(0.1).is_ok() && Sleep::new(-0.1).is_err());
     /// ```
     not_negative("the duration of the sleep");
-    /// Friction of that loop on the axle (4.9).
+    /// Friction of the loop of a yo-yo's string on the axle (4.9).
     AxleFriction, f64,
     /// A constant torque, N m.
     ///
@@ -247,7 +247,7 @@ numbers! {
     not_negative("the friction of the axle");
 }
 
-/// A part of a whole.
+/// The value, if it is a fraction 0…1.
 fn part(quantity: &'static str, value: f64) -> Result<f64> {
     within(quantity, value, 0.0, 1.0)
 }

@@ -1,9 +1,9 @@
-//! The engine: what every stepped scene runs on.
+//! The engine of every scene that is stepped.
 //!
 //! A kind of scene describes its [`Flow`]: which equations hold in which phase, what ends a phase, and how the motion goes on. The engine
-//! does the rest, from top to bottom of this file: it follows the motion from phase to phase ([`Run::follow`]), sorts the times, before and
-//! after the start ([`Run::at`]), repeats the run with a smaller tolerance until two runs vouch for the better one ([`to_accuracy`]), and, where none
-//! will do, measures how much the motion amplifies a change of its start. Every evaluation counts against the budget of the request.
+//! does the rest, in the order of this file: it follows the motion from phase to phase ([`Run::follow`]), sorts the times before and
+//! after the start ([`Run::at`]), repeats the run with smaller tolerances until two runs agree within the accuracy ([`to_accuracy`]), and, where no
+//! two do, measures how much the motion amplifies a change of its start. Every evaluation counts against the budget of the request.
 
 use super::motion::{Books, furthest};
 use super::{Budget, Choice, Plan, Request, Solver};
@@ -12,28 +12,28 @@ use crate::integrators::{
     AnyLeg, Cost, Effort, Kept, Leg, Passage, Stop, System, Watched, both_ways,
 };
 
-/// A motion whose equations change from phase to phase. States are N numbers.
+/// A motion whose equations change from phase to phase. A state has N components.
 pub(crate) trait Flow<const N: usize> {
-    /// What decides which equations hold.
+    /// The phase, which decides which equations hold.
     type Phase: Copy + PartialEq + core::fmt::Debug;
 
-    /// The phase and the numbers at time 0.
+    /// The phase and the state at time 0.
     fn start(&self) -> Result<(Self::Phase, [f64; N])>;
 
-    /// Sizes below which each number counts as small.
+    /// Sizes below which each component counts as small.
     fn scales(&self) -> [f64; N];
 
-    /// By how much rounding leaves the numbers at the start in doubt, for a motion that may amplify it: runs that are compared start so far apart.
+    /// The rounding error of each initial component, for a motion that may amplify it: compared runs start this far apart. Otherwise zero.
     fn doubt(&self) -> [f64; N] {
         [0.0; N]
     }
 
-    /// What every step gives back to the numbers.
+    /// What is restored after every step.
     fn kept(&self) -> Kept {
         Kept::Nothing
     }
 
-    /// The fastest rate of the motion, rad/s or 1/s: time is counted in its inverse.
+    /// The fastest rate of the motion, rad/s or 1/s. Times this, a duration becomes the angle by which errors are counted.
     fn pace(&self) -> f64;
 
     /// The greatest rate at which a departure from an equilibrium may grow, 1/s; 0 if none is known.
@@ -41,23 +41,23 @@ pub(crate) trait Flow<const N: usize> {
         0.0
     }
 
-    /// The rates of the numbers.
+    /// The rates of the components.
     fn rate(&self, phase: Self::Phase, t: f64, y: &[f64; N]) -> [f64; N];
 
-    /// Positive while the phase lasts; where it falls through zero, the phase ends. Nothing, whatever the numbers, if only the clock ends it.
+    /// A margin that is positive while the phase lasts and whose fall through zero ends it. `None`, in any state, if only the clock ends the phase.
     fn margin(&self, _phase: Self::Phase, _t: f64, _y: &[f64; N]) -> Option<f64> {
         None
     }
 
-    /// When the phase that holds from time t on ends by the clock, at the latest; of what cannot be run backward.
+    /// The time at which the clock ends the phase that begins at t, if no event does before. Finite only for scenes that cannot be run backward.
     fn lasts_until(&self, _phase: Self::Phase, _t: f64) -> f64 {
         f64::INFINITY
     }
 
-    /// How it goes on after the end of a phase, with the numbers there, which a jump may change.
+    /// The phase that follows; a jump may change the state.
     ///
     /// # Errors
-    /// [`Error::Integration`] where it cannot go on.
+    /// [`Error::Integration`] where the motion cannot go on.
     fn next(
         &self,
         phase: Self::Phase,
@@ -68,25 +68,25 @@ pub(crate) trait Flow<const N: usize> {
         Ok(phase)
     }
 
-    /// The motion of a phase in closed form, if there is one: numbers at the times, up to the end of the phase or of the run. What it evaluates it counts.
+    /// The motion of a phase in closed form, if there is one: states at the times, up to the end of the phase or of the run. It counts its own evaluations.
     fn known(&self, _: Self::Phase, _: &Ahead<'_, N>) -> Option<Result<Passage<[f64; N]>>> {
         None
     }
 
-    /// By how much closed forms are off after so many radians and these phases.
+    /// The error of closed forms after this angle, rad, and these phases.
     fn rounding(&self, angle: f64, phases: &[(f64, Self::Phase)]) -> f64 {
         OF_CLOSED_FORMS * (1.0 + angle + phases.len() as f64)
     }
 
-    /// Distance of two states that should be the same: radians, or relative to the scale of a rate, whichever is more. If nothing else is
-    /// said, each number counts in its scale, or in itself where it is more.
+    /// Distance of two states that should be equal: the greater of radians and differences relative to the scale of a rate. By default, each component's
+    /// difference relative to its scale, or to its own size where that is greater.
     fn distance(&self, a: &(Self::Phase, [f64; N]), b: &(Self::Phase, [f64; N])) -> f64 {
         let scales = self.scales();
         let sizes = core::array::from_fn(|n| greater(scales[n], b.1[n].abs()));
         apart(&a.1, &b.1, &sizes)
     }
 
-    /// The most by which states of two runs that should be the same differ; `seen` is all that is known of the motion.
+    /// The greatest distance of the states of two runs that should agree; `seen` are all known states of the motion.
     fn furthest_apart(
         &self,
         a: &[(Self::Phase, [f64; N])],
@@ -98,22 +98,22 @@ pub(crate) trait Flow<const N: usize> {
     }
 }
 
-/// What lies ahead of a motion.
+/// The leg that is to be computed.
 #[derive(Clone, Copy)]
 pub(crate) struct Ahead<'a, const N: usize> {
-    /// Where it is, and when.
+    /// Initial time, s, and state.
     pub start: (f64, &'a [f64; N]),
-    /// When it is asked for, in its order.
+    /// Times of the samples, s, in their order.
     pub times: &'a [f64],
-    /// When it ends at the latest.
+    /// The latest end time, s.
     pub end: f64,
-    /// Whether there is something that steps where no closed form does it.
+    /// Whether a solver can step where there is no closed form.
     pub stepped: bool,
     pub budget: &'a Budget,
 }
 
 impl<const N: usize> Ahead<'_, N> {
-    /// The passage in closed form, up to an event at this time, if there is one.
+    /// The passage in closed form, up to an event at the time `event`, if there is one.
     pub fn in_closed_form(
         &self,
         event: Option<f64>,
@@ -131,31 +131,31 @@ impl<const N: usize> Ahead<'_, N> {
     }
 }
 
-/// A phase and, if it took few steps, half of one and how long it lasted, s.
+/// A phase and, if it took few steps, half the length of one and the duration of the phase, s.
 type Half<P> = (P, Option<[f64; 2]>);
 
 /// One motion through all its phases.
 #[derive(Debug, Clone)]
 pub(crate) struct Trace<P, const N: usize> {
-    /// Phase and numbers at the times, in their order.
+    /// Phase and state at each of the times, in their order.
     pub samples: Vec<(P, [f64; N])>,
-    /// When each phase began, s, those after the start in order.
+    /// The time, s, at which each phase began, for the phases after the start, in order.
     pub phases: Vec<(f64, P)>,
-    /// In the order in which the phases were followed.
+    /// Those of the phases, in the order in which they were followed.
     halves: Vec<Half<P>>,
     pub cost: Cost,
 }
 
-/// The same with what is known of its error.
+/// A motion with the estimate of its error.
 #[derive(Debug, Clone)]
 pub(crate) struct Answer<P, const N: usize> {
     pub trace: Trace<P, N>,
-    /// The most by which any sample may be off, as [`Flow::distance`] counts.
+    /// The greatest error of a sample, by [`Flow::distance`].
     pub error: f64,
 }
 
 impl<P, const N: usize> Answer<P, N> {
-    /// The motion, each sample told as a state.
+    /// The motion, each sample converted into a state of the scene.
     pub fn told<S>(
         &self,
         request: &Request,
@@ -168,12 +168,12 @@ impl<P, const N: usize> Answer<P, N> {
     }
 }
 
-/// A motion that changes its phase more often than this is not followed further.
+/// The most phases of one run.
 const MOST_PHASES: usize = 10_000_000;
-/// So many phases in a row may have no duration.
+/// The most phases in a row without duration.
 const MOST_AT_ONCE: usize = 1000;
 
-/// One run: a flow, a stepper, and how hard it works.
+/// One run: a flow, a stepper, and its effort.
 pub(crate) struct Run<'a, F, const N: usize> {
     pub flow: &'a F,
     pub stepper: Stepper<'a>,
@@ -181,15 +181,15 @@ pub(crate) struct Run<'a, F, const N: usize> {
     pub budget: &'a Budget,
 }
 
-/// The passage of a leg.
+/// Returns the passage of a leg.
 type Follow<'a> = dyn Fn(&AnyLeg<'_>, Effort) -> Result<Passage<Vec<f64>>> + 'a;
 
-/// What steps.
+/// The solver of a run.
 #[derive(Clone, Copy)]
 pub(crate) enum Stepper<'a> {
-    /// The library's own order 8.
+    /// The library's own method of order 8.
     OrderEight,
-    /// Another method, and whether its steps are of one length.
+    /// Another method, and whether its steps have one length.
     Other(&'a Follow<'a>, bool),
     /// Closed forms from event to event: every phase must be known.
     Events,
@@ -205,7 +205,7 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         }
     }
 
-    /// From the start through all phases to the last of the times, which ascend, or descend into the past.
+    /// Follows the motion from the start through all phases to the last of the times, which ascend, or descend into the past.
     fn follow(
         &self,
         start: (F::Phase, [f64; N]),
@@ -241,14 +241,14 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
             if let Some(&(same, Some([half, lasted]))) = halves.get(trace.halves.len())
                 && same == phase
             {
-                // It ends as it did, or it is another phase.
+                // The half steps are used if the phase ends by an event again; otherwise it is another phase.
                 let late = now + 2.0 * lasted;
                 let late = if late.abs() < until.abs() {
                     late
                 } else {
                     until
                 };
-                // What even steps cannot follow is for those that are chosen.
+                // Where steps of one length fail, the phase is followed with error control instead.
                 let passage = leg(late, Effort::Step(half)).ok();
                 halved = passage.filter(|p| p.stopped == Stop::AtTheEvent || late == until);
             }
@@ -285,12 +285,12 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
                 });
             }
         }
-        // Samples at the very end that an event has taken the time of.
+        // Samples at the end time, where the last event took place.
         trace.samples.resize(times.len(), (phase, y));
         Ok(trace)
     }
 
-    /// One phase, to its end or to this time.
+    /// One phase, to its end or to the end of the leg.
     fn leg(
         &self,
         phase: F::Phase,
@@ -309,7 +309,7 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         };
         let reached = |time: f64| budget.reached(time);
         let margin = |t: f64, y: &[f64; N]| flow.margin(phase, t, y).unwrap_or(f64::INFINITY);
-        // What nothing moves has no size of its own, and any will do: a tolerance of nothing has no inverse.
+        // A component that nothing moves has no scale, and 1 will do: a scale of zero would leave the tolerance without an inverse.
         let sized_or_one = |size: f64| if size > NOTHING { size } else { 1.0 };
         let scales = flow.scales().map(sized_or_one);
         let ((now, y), times, end) = (ahead.start, ahead.times, ahead.end);
@@ -348,8 +348,8 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         })
     }
 
-    /// The samples at times in any order, before and after the start alike. Phases that another run has taken in few steps are taken in twice as many:
-    /// two tolerances might give both the same.
+    /// The samples at times in any order, before and after the start. Phases that another run took in few steps are taken in twice as many, because
+    /// two tolerances might lead to the same steps.
     pub fn at(
         &self,
         start: (F::Phase, [f64; N]),
@@ -381,50 +381,50 @@ const ONLY_FOR_TOPS: Error = Error::Solver {
     condition: "the geometric solvers (rotations, moser-veselov, kick-drift, munthe-kaas, dormand-prince-8) are for tops",
 };
 
-/// So many numbers of a slice; it has as many.
+/// The components of a slice of length N.
 fn sized<const N: usize>(slice: &[f64]) -> [f64; N] {
     core::array::from_fn(|n| slice[n])
 }
 
-/// Tolerances of two runs that are compared: of order 8 the looser run costs half as much as the tighter.
+/// Ratio of the tolerances of two compared runs; by order 8 the looser run costs half as much as the tighter.
 const APART: f64 = 100.0;
-/// Of the distance of two runs, the error of the better one is taken for this share times [`APART`] over the ratio of their tolerances.
-/// Errors in proportion to the tolerance would make it a hundredth.
+/// The error of the better of two runs, as a fraction of their distance, is this times [`APART`] divided by the ratio of their tolerances.
+/// Errors in proportion to the tolerance would make the fraction a hundredth.
 const SHARE: f64 = 0.2;
-/// Two runs further apart than this have nothing to say of each other: then the distance itself is told.
+/// Above this distance two runs say nothing about each other's error: then the distance itself is the estimate.
 const TOGETHER: f64 = 0.05;
 /// The error of a run of a few steps, in units of its tolerance.
 const OF_A_STEP: f64 = 10.0;
-/// The looser run of the first pair has this times the accuracy a radian: of a steady motion it is then off by the accuracy, of a fast top by four
+/// First tolerance of the looser run: this times the accuracy per radian. A steady motion is then off by the accuracy, a fast top by four
 /// times that.
 const FIRST: f64 = 2.5;
-/// Below this the error estimate of a step is rounding; above that it means nothing.
+/// The least tolerance: below it the error estimate of a step is rounding. The next constant is the greatest one with a meaning.
 const LEAST_TOLERANCE: f64 = 4e-16;
 const GREATEST_TOLERANCE: f64 = 1e-2;
-/// Two runs are compared at so many times at least: at a single one they may agree by chance.
+/// The least number of times at which two runs are compared: at a single one they may agree by chance.
 const CHECKS: usize = 8;
-/// Shorter runs (radians) are compared where they are asked for: nothing has come back to where it was.
+/// Below this angle, rad, runs are compared only at the requested times, for no quantity has returned to an earlier value.
 const SHORT: f64 = 3.0;
-/// What the runs differ by at a time that was not asked for counts so much.
+/// Weight of the distance at times that were not requested.
 const CHECKED: f64 = 0.5;
-/// A phase of at most so many steps is compared with one of twice as many.
+/// A phase of at most this many steps is compared with one of twice as many.
 const FEW_STEPS: u64 = 3;
-/// What rounding does to a motion that amplifies nothing, for every radian.
+/// Rounding error per radian of a motion that does not amplify it.
 pub(crate) const ROUNDING: f64 = 4e-16;
 
-/// The motion at the times of the request, with an error below its accuracy; or one run at the effort asked for.
+/// The motion at the requested times with an error below the accuracy, or by a single run at the requested effort.
 ///
-/// Two runs are compared, whose tolerances lie a factor hundred apart, or whose steps lie a factor two apart, as those of every phase of few steps
-/// do. Their distance is the error of the looser one; the better one, which is returned, is taken to be off by a fifth of that. Where a fifth is more
-/// than the accuracy, a further run or two take their place. What is told is more: all of the distance, and what the steps may add up to, as long as it
-/// is below the accuracy. A flow may depend on the tolerance of its run, which `flow` makes for it.
+/// Two runs are compared, whose tolerances differ by a factor of a hundred, or whose steps differ by a factor of two, as do those in phases of few
+/// steps. Their distance is the error of the looser run; the better run, which is returned, is taken to be off by a fifth of it, with steps of one
+/// length by half. Where that exceeds the accuracy, one or two further runs take their place. The reported error is larger: the whole distance and
+/// the sum of the errors of the steps, as long as it is below the accuracy. A flow may depend on the tolerance of its run, which `flow` receives.
 ///
-/// Runs that begin with the same rounded numbers agree on what becomes of the rounding. A flow that states the [`doubt`](Flow::doubt) about its
-/// start has the looser run begin that far off, so that what the motion makes of it is part of the distance; with tolerances near rounding, twice, one way and the other.
+/// Runs that begin with the same rounded state agree on what the motion makes of that rounding. If the flow states the [`doubt`](Flow::doubt) of its
+/// start, the looser run begins that far off, so that the distance contains its effect; with tolerances near rounding twice, once in each direction.
 ///
 /// # Errors
-/// [`Error::Amplified`] where rounding, amplified by the motion, is more than the accuracy asked for: it tells by how much a change of the start
-/// has grown, and at once where what rounding adds up to alone is more. Those of the run.
+/// [`Error::Amplified`] where rounding, amplified by the motion, exceeds the accuracy, with the factor by which a change of the start
+/// has grown; at once, where the sum of rounding errors alone exceeds it. Those of the run.
 pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
     request: &Request,
     solver: Solver,
@@ -446,7 +446,7 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
     }
 }
 
-/// The same by what steps.
+/// The same by a given stepper.
 ///
 /// # Errors
 /// As for [`to_accuracy`].
@@ -479,7 +479,7 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
     let rounding = ROUNDING * (10.0 + angle);
     let mut efforts = Efforts::new(stepper, accuracy, angle, furthest(&times));
     if rounding > accuracy {
-        // No run would do. What a moment tells of the growth is told; a change of the rates grows by the angle.
+        // No run would do. The growth is measured within a small budget; if that does not suffice, a change of the rates grows by the angle.
         let growth = growth(&first, stepper, efforts.worse(), &times, &request.moment());
         return Err(request.amplified(rounding, growth.unwrap_or(angle)));
     }
@@ -497,7 +497,7 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
         };
         let mut error = told(&worse, &worse, efforts.share());
         if !sure && efforts.near_rounding() {
-            // Where the doubt and the steps move the run as far, they may do so against each other: not with the doubt the other way as well.
+            // The errors of the doubt and of the steps are of one size and may cancel: they cannot with both signs of the doubt.
             let other = run(efforts.worse(), -1.0, &[])?.1;
             error = greater(error, told(&other, &other, efforts.share()));
         }
@@ -511,8 +511,8 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
                 };
                 continue;
             }
-            // Nothing is tighter, but the worse run can come nearer: then all of the distance is told. What the motion makes of rounding where nobody
-            // has asked is no reason to refuse it.
+            // No tighter tolerance is left, but the worse run can be brought nearer; then the whole distance is the error. At times that were not
+            // requested, amplified rounding is no reason for an error, so there the runs have the same start.
             efforts.spread(APART.sqrt());
             let asked = run(efforts.worse(), SHARE, &[])?.1;
             let checked = run(efforts.worse(), 0.0, &[])?.1;
@@ -522,7 +522,7 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
             let growth = growth(&flow, stepper, efforts.better(), &times, budget)?;
             return Err(request.amplified(error, growth));
         }
-        // The runs vouch for the accuracy. Below it all of their distance is told, and what the steps may add up to: both runs may have been lucky.
+        // The runs agree within the accuracy. Below it the whole distance and the sum of the steps' errors are reported: both runs may have been lucky.
         let mut whole = told(&worse, &worse, 1.0);
         if !efforts.even {
             whole += better.cost.steps as f64 * of_a_step(&flow, efforts.better, seen);
@@ -535,13 +535,13 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
     }
 }
 
-/// Evaluations that stand for an integral of a smooth function.
+/// Evaluations by which the integral of a smooth function is counted.
 pub(crate) const AN_INTEGRAL: u64 = 60;
 
-/// What closed forms are off by for every radian of the motion and for every event. Observed: a quarter of it.
+/// Error of closed forms for every radian of the motion and for every event: four times the observed one.
 pub(crate) const OF_CLOSED_FORMS: f64 = 2e-15;
 
-/// Phases and numbers at the times of a request by the solver of a plan: in closed form, at so many evaluations a row; in closed forms from event
+/// Phases and states at the requested times by the solver of the plan: in closed form, counted as `evaluations` a row; in closed forms from event
 /// to event; or by steps.
 ///
 /// # Errors
@@ -579,10 +579,10 @@ pub(crate) fn solved<const N: usize, F: Flow<N> + Copy>(
     Ok(Answer { trace, error })
 }
 
-/// What a single run of even steps is told to be within, for a flow that depends on it: little beside the error of any step.
+/// The tolerance that a single run with steps of one length passes to its flow: small against the error of any step.
 const OF_STEPS: f64 = 1e-14;
 
-/// The start, or one that is off by so many times the doubt about it.
+/// The start, displaced by `times` its doubt.
 fn beside<const N: usize, F: Flow<N>>(flow: &F, times: f64) -> Result<(F::Phase, [f64; N])> {
     let (phase, mut start) = flow.start()?;
     if times != 0.0 {
@@ -593,7 +593,7 @@ fn beside<const N: usize, F: Flow<N>>(flow: &F, times: f64) -> Result<(F::Phase,
     Ok((phase, start))
 }
 
-/// What a step may be off by, as the motion counts it: the tolerance in all of its numbers, or in every other of them the other way.
+/// The error of a step in the flow's distance: the tolerance in all components with one sign, or with alternating signs.
 fn of_a_step<const N: usize, F: Flow<N>>(
     flow: &F,
     tolerance: f64,
@@ -613,18 +613,18 @@ fn of_a_step<const N: usize, F: Flow<N>>(
     greater(off(1.0), off(-1.0))
 }
 
-/// The greater of two; what is not a number must not pass for small.
+/// The greater of two numbers; not-a-number counts as greater.
 pub(crate) fn greater(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
 }
 
-/// The most by which numbers differ, each in its own size.
+/// The greatest difference of components, each relative to its size.
 pub(crate) fn apart<const N: usize>(a: &[f64; N], b: &[f64; N], sizes: &[f64; N]) -> f64 {
     let parts = (0..N).map(|n| (a[n] - b[n]).abs() / sizes[n]);
     parts.fold(0.0, greater)
 }
 
-/// The tolerance of a run; a run of even steps has that of its aim.
+/// The tolerance of a run; for steps of one length, the requested accuracy.
 fn tolerance_of(effort: Effort, accuracy: f64) -> f64 {
     match effort {
         Effort::Tolerance(tolerance) => tolerance,
@@ -632,23 +632,23 @@ fn tolerance_of(effort: Effort, accuracy: f64) -> f64 {
     }
 }
 
-/// The efforts of the two runs that are compared: their steps, s, or their tolerances.
+/// The efforts of the two compared runs: lengths of their steps, s, or tolerances.
 struct Efforts {
     kind: fn(f64) -> Effort,
-    /// Whether their steps are of one length.
+    /// Whether the steps have one length.
     even: bool,
     worse: f64,
     better: f64,
-    /// The error that the last pair has told.
+    /// The error estimate of the last pair.
     reached: f64,
 }
 
-/// Steps of one length begin with this one, s: a quarter of a radian, or less.
+/// The first length, s, for steps of one length: at most a quarter of a radian.
 pub(crate) fn longest_step(angle: f64, last: f64) -> f64 {
     last.abs().max(f64::MIN_POSITIVE) / 64.0_f64.max(4.0 * angle)
 }
 
-/// An error as small as this that halving the steps does not lessen is rounding.
+/// An error smaller than this that does not decrease when the steps are halved is rounding.
 const SMALL: f64 = 1e-6;
 
 impl Efforts {
@@ -677,21 +677,21 @@ impl Efforts {
         (self.kind)(self.better)
     }
 
-    /// The share of the distance of both that is taken for the error of the better.
+    /// The fraction of the distance that is taken for the error of the better run.
     fn share(&self) -> f64 {
         match self.even {
-            // A third for order 2, a fifteenth for order 4.
+            // For order 2 the error is a third of the distance, for order 4 a fifteenth.
             true => 0.5,
             false => (SHARE * APART * self.better / self.worse).min(1.0),
         }
     }
 
-    /// Whether what rounding does in a step is a hundredth, or more, of what the better run lets a step be off by.
+    /// Whether rounding is at least a hundredth of the error that the better run allows a step.
     fn near_rounding(&self) -> bool {
         !self.even && self.better < APART * LEAST_TOLERANCE
     }
 
-    /// Less does no pair suffice for: where every phase has few steps, two runs of the same steps agree.
+    /// The least error to be reported: where every phase takes few steps, two runs with the same steps agree.
     fn floor(&self, phases: usize) -> f64 {
         match self.even {
             true => 0.0,
@@ -699,9 +699,9 @@ impl Efforts {
         }
     }
 
-    /// The next pair, the better of today being its worse; false if there is none.
+    /// Passes to the next pair, whose worse run is the better one of the last; false if there is none.
     fn tighten(&mut self, accuracy: f64, error: f64) -> bool {
-        // At least half a digit more, at most four at once: an estimate that large is none.
+        // At least half a digit more, at most four at once: a greater estimate says nothing.
         let less = (0.3 * accuracy / error).clamp(1e-4, 0.3);
         let (is_last, next) = match self.even {
             true => (error >= self.reached && error < SMALL, 0.5 * self.better),
@@ -717,7 +717,7 @@ impl Efforts {
         true
     }
 
-    /// The worse of a pair of tolerances so many times the better.
+    /// Sets the worse tolerance to `times` the better one.
     fn spread(&mut self, times: f64) {
         if !self.even {
             self.worse = times * self.better;
@@ -725,7 +725,7 @@ impl Efforts {
     }
 }
 
-/// The times asked for, and so many more that two runs over this angle have something to compare.
+/// The requested times, and as many more as the comparison of two runs over this angle needs.
 fn with_checks(request: &Request, angle: f64) -> Vec<f64> {
     let times = request.times();
     let missing = if angle < SHORT {
@@ -738,8 +738,8 @@ fn with_checks(request: &Request, angle: f64) -> Vec<f64> {
     times.iter().copied().chain(more).collect()
 }
 
-/// By what factor a change of the start has grown: a run from a start that is moved by a ten-thousand-millionth of the scales, against one from the
-/// start itself.
+/// The factor by which a change of the start has grown: from two runs whose starts differ by 10⁻¹⁰ of the scales, or by a multiple of the
+/// doubt.
 fn growth<const N: usize, F: Flow<N>>(
     flow: &F,
     stepper: Stepper<'_>,
@@ -750,7 +750,7 @@ fn growth<const N: usize, F: Flow<N>>(
     let (phase, start) = flow.start()?;
     let scales = flow.scales();
     let moved = if flow.doubt() == [0.0; N] {
-        // In a direction of no particular meaning.
+        // An arbitrary direction.
         core::array::from_fn(|n| start[n] + MOVED * scales[n] * (2.0 + n as f64).sin())
     } else {
         beside(flow, DOUBTS)?.1
@@ -763,17 +763,17 @@ fn growth<const N: usize, F: Flow<N>>(
     Ok(flow.furthest_apart(seen, &there.samples, seen) / first)
 }
 
-/// A number of this size is none: times a tolerance it has no inverse among doubles.
+/// Scales up to this count as zero: times a tolerance they have no finite inverse.
 const NOTHING: f64 = f64::MIN_POSITIVE / (f64::EPSILON * f64::EPSILON);
-/// A small displacement of the start, in units of the scales.
+/// Displacement of the start, in units of the scales.
 const MOVED: f64 = 1e-10;
-/// The same in units of the doubt about the start.
+/// Displacement of the start, in units of its doubt.
 const DOUBTS: f64 = 1e4;
 
-/// This plan, or what the request asks for by its name.
+/// This plan, or the solver that the request names.
 ///
 /// # Errors
-/// [`Error::Solver`] says which solvers the kind has.
+/// [`Error::Solver`] lists the solvers of the kind.
 pub(crate) fn planned(request: &Request, plan: Plan, has: &'static str) -> Result<Plan> {
     let asked = |solver| Ok(Plan::new(solver, "asked for"));
     match request.choice {
@@ -792,7 +792,7 @@ pub(crate) fn planned(request: &Request, plan: Plan, has: &'static str) -> Resul
 mod tests {
     use super::*;
 
-    /// A ball on a floor: height and climb; every bounce leaves nine tenths of the speed.
+    /// A ball on a floor, with height and vertical velocity; every bounce leaves nine tenths of the speed.
     #[derive(Clone, Copy)]
     struct Ball;
 

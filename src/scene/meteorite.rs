@@ -1,4 +1,4 @@
-//! The scene `meteorite` (tutorial 4.2): a planet flies and turns freely, a meteorite strikes at time 0 and sticks, and the two fly on as one body.
+//! The scene `meteorite` (tutorial 4.2): a planet flies and turns freely; at time 0 a meteorite strikes it and sticks, and the two fly on as one body.
 
 use super::columns::{Columns, columns};
 use super::effects::{Effect, Impact};
@@ -12,10 +12,10 @@ use crate::impacts::{Planet, Strike, strike};
 use crate::inertia::MassProperties;
 use crate::integrators::Cost;
 
-/// A planet in free flight whose axes point along those of space at time 0, when its centre is at the origin.
+/// A planet in free flight, whose axes point along those of space at time 0, when its centre is at the origin.
 ///
-/// It takes one effect, an [`Impact`], with recoil and the meteorite's own share of the inertia. The two are one rigid body that turns about an
-/// axis which is no principal axis of it: after the blow the planet wobbles, as Euler's top does, and its centre circles the common centre of mass.
+/// It takes one effect, an [`Impact`], with recoil and the meteorite's own moment of inertia. After it the two are one rigid body that turns about an
+/// axis that is not principal: the planet wobbles like Euler's top, and its centre circles the common centre of mass.
 #[derive(Debug, Clone, Copy)]
 pub struct StruckPlanet {
     planet: Planet,
@@ -23,7 +23,7 @@ pub struct StruckPlanet {
 }
 
 impl StruckPlanet {
-    /// The planet left alone.
+    /// The planet without an impact.
     ///
     /// ```
     /// use spinning_bodies::{frame::BodyVector, impacts::Planet, scene::{Request, Scene, StruckPlanet}};
@@ -39,7 +39,7 @@ impl StruckPlanet {
         }
     }
 
-    /// The same with an [`Impact`], at time 0.
+    /// Adds an [`Impact`], at time 0.
     ///
     /// # Errors
     /// [`Error::Effect`] for any other effect.
@@ -67,7 +67,7 @@ impl StruckPlanet {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Flying {
-    /// Turns the planet's axes into those of space.
+    /// Attitude: turns the planet's axes into those of space.
     pub attitude: Attitude,
     /// Angular velocity along the planet's axes, rad/s.
     pub omega: BodyVector,
@@ -75,7 +75,7 @@ pub struct Flying {
     pub center: SpaceVector,
     /// Kinetic energy of planet and meteorite, J.
     pub energy: f64,
-    /// Angular momentum of what turns as one body about its own centre of mass, kg m²/s: of the planet, after the blow of both.
+    /// Angular momentum about the centre of mass, kg m²/s: of the planet before the impact, of both bodies after it.
     pub angular_momentum: SpaceVector,
 }
 
@@ -93,29 +93,29 @@ impl Tabulated for Flying {
     }
 }
 
-/// Momentum, and angular momentum about the origin.
+/// Momentum, and angular momentum about the origin: what is conserved.
 type Kept = [SpaceVector; 2];
 
-/// A rigid body in free flight: its centre of mass and Euler's top about it.
+/// A rigid body in free flight: the motion of its centre of mass, and Euler's top about it.
 struct Free {
     mass: f64,
     top: EulerTop,
-    /// The same top, all of it off by [`MOVED`].
+    /// The same top with moments and rates changed by about [`MOVED`].
     twin: EulerTop,
-    /// From the planet's axes to the principal ones.
+    /// The turn from the planet's axes to the principal ones.
     turn: Attitude,
-    /// The common centre of mass at time 0, from the planet's centre, along the planet's axes.
+    /// The common centre of mass at time 0, relative to the planet's centre, along the planet's axes.
     common: BodyVector,
     /// Its velocity, m/s.
     velocity: SpaceVector,
     omega: BodyVector,
 }
 
-/// By how much the twin of a top differs, relatively.
+/// Relative change of a twin, which shows how the motion amplifies rounding.
 const MOVED: f64 = 1e-13;
-/// Rounding of moments, axes and rates, as it was seen, by a factor of four.
+/// Relative rounding error of moments, axes and rates: four times the observed one.
 const ROUNDING: f64 = 1.2e-15;
-/// Times up to the last at which both are compared.
+/// Number of times, up to the last, at which a top and its twin are compared.
 const CHECKS: u32 = 4;
 
 fn space(v: BodyVector) -> SpaceVector {
@@ -123,13 +123,13 @@ fn space(v: BodyVector) -> SpaceVector {
 }
 
 impl Free {
-    /// This body, its centre of mass given from the centre of the planet, which has this velocity.
+    /// This body in free flight; `body` has its centre of mass relative to the planet's centre, whose velocity is `velocity`.
     fn new(body: &MassProperties, omega: BodyVector, velocity: BodyVector) -> Result<Self> {
         let principal = body.inertia().principal_axes();
         let [a, b, c] = principal.moments;
         let (axes, attitude) = (principal.axes, Attitude::from(principal.turn()));
         let along = BodyVector::from_components(axes.transpose() * omega.components());
-        // No moment may become more than the sum of the others: not the greatest, nor the middle one of a needle.
+        // The triangle inequality must hold for the changed moments too: for the greatest, and for the middle one of a needle.
         let (a_moved, c_moved) = (a * (1.0 + MOVED), c * (1.0 - 0.6 * MOVED));
         let b_moved = (b * (1.0 + 0.7 * MOVED)).min(a_moved + c_moved);
         let moved = [a_moved, b_moved, c_moved];
@@ -163,7 +163,7 @@ impl Free {
         Ok((flying, [momentum, spin + common.cross(&momentum)]))
     }
 
-    /// By how much rounding may have turned it up to a time: as much as it turns its twin, who is off by more.
+    /// The error that rounding may cause up to a time: in proportion to the distance from the twin, whose change is greater.
     fn error(&self, until: f64) -> Result<f64> {
         let fastest = self.omega.norm().max(f64::MIN_POSITIVE);
         let mut apart: f64 = MOVED;
@@ -178,7 +178,7 @@ impl Free {
 }
 
 impl StruckPlanet {
-    /// What flies on after the blow, and what the meteorite brought, its energy too.
+    /// The body after the impact, and the momentum, angular momentum and energy that the meteorite brought.
     fn struck(&self, hit: &Strike) -> Result<(Free, Kept, f64)> {
         let (planet, meteorite) = (&self.planet, hit.meteorite);
         let ball = MassProperties::new(planet.mass, BodyVector::zero(), planet.inertia)?;
@@ -231,7 +231,7 @@ impl Scene for StruckPlanet {
         let last = times.iter().copied().fold(0.0, f64::max);
         let after = struck.as_ref().map_or(&before, |(after, ..)| after);
         let error = before.error(first)?.max(after.error(last)?);
-        // From just before the blow.
+        // The state just before the impact.
         let (opening, [p, l]) = at(first.min(-f64::MIN_POSITIVE))?;
         let law = match self.impact {
             Some(_) => Law::NonIncreasing,

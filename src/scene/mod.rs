@@ -1,22 +1,22 @@
-//! A scene: a body, how it is held, how it starts, and the effects at work on it. Nothing else is computed.
+//! Scenes: a body, how it is held, how it starts, and the effects that act on it. Nothing else is computed.
 //!
-//! Each kind of scene is a type that takes its [`effects`] as values, one by one, and refuses by name those that have no meaning for it. An
-//! effect that you do not add is not computed at all: it is not a coefficient of zero. A [`Plan`] says in one sentence how the scene will be
-//! computed: in closed form where there is one, otherwise by the method of order 8. The [`Motion`] comes with an estimate of its error and with its
-//! [`Ledger`](crate::conservation::Ledger): each quantity that the scene conserves, or can only lose, and how far the numbers strayed from that.
-//! A ledger that does not balance is an error. With the feature `scene-files`, scenes can be read from text: `scene::files`.
+//! Each kind of scene is a type that takes its [`effects`] as values, one by one, and rejects by name those that have no meaning for it. An
+//! effect that is not added is not computed at all: it is not a coefficient of zero. A [`Plan`] says in one sentence how the scene will be
+//! computed: in closed form where there is one, otherwise by the method of order 8. The [`Motion`] contains an estimate of its error and its
+//! [`Ledger`](crate::conservation::Ledger): each quantity that the scene conserves, or can only lose, and how far the computed states violate that.
+//! A ledger that does not balance is an error. With the feature `scene-files`, `scene::files` reads scenes from text.
 //!
 //! | kind | tutorial | what it is |
 //! |---|---|---|
-//! | [`StruckPlanet`] | 4.2 | a planet, struck |
-//! | [`Roller`] | 4.3, 4.5 | a ball on a table, after the cue or on a sheet |
-//! | [`TuggedSpool`] | 4.4 | a spool and its string |
-//! | [`Superball`] | 4.6 | bounces |
-//! | [`Swivel`](shape::Swivel), [`Skater`](shape::Skater), [`Cat`](shape::Cat), [`Crawler`](shape::Crawler), [`PaperCat`](shape::PaperCat) | 1.1 | in [`shape`]: bodies that change their shape |
+//! | [`StruckPlanet`] | 4.2 | a planet, struck by a meteorite |
+//! | [`Roller`] | 4.3, 4.5 | a ball on a table, struck by a cue or on a moving sheet |
+//! | [`TuggedSpool`] | 4.4 | a spool, pulled at its string |
+//! | [`Superball`] | 4.6 | a ball that bounces |
+//! | [`Swivel`](shape::Swivel), [`Skater`](shape::Skater), [`Cat`](shape::Cat), [`Crawler`](shape::Crawler), [`PaperCat`](shape::PaperCat) | 1.1 | in [`shape`]: bodies that change their shape, and a cat of paper |
 //! | [`Top`](top::Top) | 6, 7, 8 | in [`top`]: a body with a fixed point: free, under gravity, with friction |
-//! | [`Play`] | 4.9 | down, turn or sleep, and up again |
-//! | [`Strip`] | 4.10 | a strip of paper in the air, or in a vacuum |
-//! | [`TableTop`](contact::TableTop) | 4.7 | in [`contact`]: sliding, rolling, hopping |
+//! | [`Play`] | 4.9 | a yo-yo: down, a turn or sleep, and up again |
+//! | [`Strip`] | 4.10 | a strip of paper in air or in a vacuum |
+//! | [`TableTop`](contact::TableTop) | 4.7 | in [`contact`]: a body that slides, rolls and hops on a table |
 
 mod any;
 mod budget;
@@ -55,7 +55,7 @@ pub(crate) use budget::Budget;
 
 use crate::error::Result;
 
-/// What every kind of scene can do.
+/// A scene of any kind.
 pub trait Scene {
     /// The state of the scene at one time.
     type State: Tabulated;
@@ -63,7 +63,7 @@ pub trait Scene {
     /// Which solver will run, and why.
     ///
     /// # Errors
-    /// [`Error::Solver`](crate::Error::Solver) if the solver asked for cannot run this scene.
+    /// [`Error::Solver`](crate::Error::Solver) if the requested solver cannot run this scene.
     ///
     /// ```
     /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{Request, Scene, Solver, top::{Body, Start, Top}}};
@@ -75,7 +75,7 @@ pub trait Scene {
     /// ```
     fn plan(&self, request: &Request) -> Result<Plan>;
 
-    /// The motion at the times asked for, with its cost and its ledger.
+    /// The motion at the requested times, with its cost and its ledger.
     ///
     /// # Errors
     /// As for [`plan`](Self::plan); [`Error::Integration`](crate::Error::Integration), [`Error::Accuracy`](crate::Error::Accuracy),
@@ -91,7 +91,7 @@ pub trait Scene {
     /// ```
     fn simulate(&self, request: &Request) -> Result<Motion<Self::State>>;
 
-    /// What else can be told of a state.
+    /// Further columns of a state, beside the usual ones.
     ///
     /// ```
     /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{AnyScene, top::{Body, Start, Top}}};
@@ -105,9 +105,9 @@ pub trait Scene {
     }
 }
 
-/// A state as a row of numbers.
+/// A state that can be written as a row of numbers.
 pub trait Tabulated: Sized + 'static {
-    /// The numbers that are told if nobody says which.
+    /// The columns that are output by default.
     ///
     /// ```
     /// use spinning_bodies::scene::{Tabulated, top::State};
@@ -115,7 +115,7 @@ pub trait Tabulated: Sized + 'static {
     /// ```
     fn columns() -> Columns<Self>;
 
-    /// Those numbers.
+    /// The numbers in those columns.
     ///
     /// ```
     /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{Tabulated, top::State}};

@@ -1,4 +1,4 @@
-//! What a scene gives back: states at the times asked for, what they have cost, and the ledger.
+//! Requests to a scene, and the motion it returns: states at the requested times, their cost, and the ledger.
 
 use super::budget::{Budget, Progress};
 use super::plan::{Choice, Plan};
@@ -6,17 +6,17 @@ use crate::conservation::{Law, Ledger, Value};
 use crate::error::{Error, Result, finite, within};
 use crate::integrators::{Cost, Effort, GeneralMethods};
 
-/// What is asked of a scene: when, how well, and by which solver.
+/// A request to a scene: at which times, how accurately, and by which solver.
 #[derive(Debug, Clone)]
 pub struct Request {
     times: Vec<f64>,
-    /// The one furthest from the start, s.
+    /// The time furthest from the start, s.
     pub(super) furthest: f64,
-    /// The relative accuracy asked for; infinite where one run is.
+    /// The requested relative accuracy; infinite for a single run.
     pub(super) accuracy: f64,
-    /// The effort of the one run that is asked for; none where runs are to vouch for each other.
+    /// The effort of a single run; `None` where two runs are compared.
     pub(super) effort: Option<Effort>,
-    /// Who chooses the solver.
+    /// Which solver is chosen, and by whom.
     pub(super) choice: Choice,
     most: u64,
     progress: Option<Progress>,
@@ -24,7 +24,7 @@ pub struct Request {
 }
 
 impl Request {
-    /// The same at other times.
+    /// The same request at other times.
     ///
     /// # Errors
     /// As for [`at`](Self::at).
@@ -46,7 +46,7 @@ impl Request {
         })
     }
 
-    /// States at these times (s, any order), to a relative accuracy of 1e-10, by the solver that the scene's plan picks.
+    /// A request for states at these times (s, any order), to a relative accuracy of 1e-10, by the solver of the scene's plan.
     ///
     /// # Errors
     /// [`Error::Empty`]; [`Error::NotFinite`].
@@ -79,7 +79,7 @@ impl Request {
         })
     }
 
-    /// The same to another relative accuracy.
+    /// Asks for another relative accuracy.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] outside 1e-15 … 0.1.
@@ -96,8 +96,8 @@ impl Request {
         Ok(self)
     }
 
-    /// The same in one run at this effort, for which nothing vouches: its error estimate is infinite, no accuracy is asked for and no ledger judged.
-    /// Closed forms have no use for the effort and tell their error as ever.
+    /// Asks for a single run at this effort, without a comparison: its error estimate is infinite, no accuracy is required and the ledger is not checked.
+    /// Closed forms ignore the effort and estimate their error as usual.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -114,7 +114,7 @@ impl Request {
         self
     }
 
-    /// The same by this solver.
+    /// Chooses the solver.
     ///
     /// ```
     /// use spinning_bodies::scene::{Choice, Request};
@@ -127,10 +127,10 @@ impl Request {
         self
     }
 
-    /// The evaluations of its equations that a run is given if nothing else is said; observed, 3 to 30 seconds of computing.
+    /// The default budget of a simulation, in evaluations of the equations; observed, 3 to 30 seconds of computing.
     pub const MOST_EVALUATIONS: u64 = 200_000_000;
 
-    /// The same with another budget of evaluations.
+    /// Sets another budget of evaluations.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -146,7 +146,7 @@ impl Request {
         self
     }
 
-    /// The same with someone who watches.
+    /// Reports its progress to `progress` while it runs.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -162,7 +162,7 @@ impl Request {
         self
     }
 
-    /// The same with general methods at hand, for those who ask for one of them by its name: the library has none.
+    /// Adds general methods, which the library itself does not have, so that a request can choose one by name.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -190,24 +190,24 @@ impl Request {
     }
 
     /// # Errors
-    /// [`Error::Solver`] if the request brings none.
+    /// [`Error::Solver`] if the request has none.
     pub(super) fn methods(&self) -> Result<&'static dyn GeneralMethods> {
         self.methods.ok_or(Error::Solver {
             condition: "the solver must be of the library, that is exact, events, dormand-prince-8 or, for tops, a geometric one: rk4, dopri5, dop853, verner98 and gauss come with a request that brings them",
         })
     }
 
-    /// What a run of it may cost, and who watches.
+    /// The budget of a simulation, with its progress.
     pub(crate) fn budget(&self) -> Budget {
         Budget::new(self.most, self.furthest, self.progress.as_ref())
     }
 
-    /// A hundredth of that, which nobody watches.
+    /// A hundredth of the budget, without progress.
     pub(crate) fn moment(&self) -> Budget {
         Budget::new(self.most / 100, self.furthest, None)
     }
 
-    /// The times, s.
+    /// The requested times, s.
     ///
     /// ```
     /// use spinning_bodies::scene::Request;
@@ -218,7 +218,7 @@ impl Request {
         &self.times
     }
 
-    /// The refusal of a motion whose error is this, and whose start has grown so many times.
+    /// The error for a motion with this error estimate, a change of whose start has grown by this factor.
     pub(super) fn amplified(&self, reached: f64, growth: f64) -> Error {
         Error::Amplified {
             asked: self.accuracy,
@@ -228,7 +228,7 @@ impl Request {
     }
 
     /// # Errors
-    /// [`Error::OutOfRange`] for a time before the start, of a scene that cannot be run backward.
+    /// [`Error::OutOfRange`] for a time before the start, for a scene that cannot be run backward.
     pub(super) fn forward(&self) -> Result<()> {
         let first = self.times.iter().copied().fold(0.0, f64::min);
         let what = "the time of a scene that cannot be run backward";
@@ -236,33 +236,33 @@ impl Request {
     }
 }
 
-/// A motion, at the times asked for.
+/// A motion at the requested times.
 #[derive(Debug, Clone)]
 pub struct Motion<S> {
     /// The solver that ran, and why.
     pub plan: Plan,
-    /// What it has cost.
+    /// The cost.
     pub cost: Cost,
-    /// By how much the states may be off: the most over attitude (radians) and angular velocity (relative to the fastest). Infinite where nothing vouches
-    /// for them.
+    /// Estimated error of the states: the greatest over attitude (radians) and angular velocity (relative to the fastest). Infinite for a single run
+    /// without a comparison.
     pub error_estimate: f64,
-    /// What the scene conserves, or may only lose or gain, and by how much it failed to.
+    /// The quantities that the scene conserves, or may only lose or gain, and how far the states violate that.
     pub ledger: Ledger,
-    /// Time (s) and state, in the order asked for.
+    /// Time (s) and state, in the order of the request.
     pub rows: Vec<(f64, S)>,
 }
 
-/// A motion whose books are open: one after the other it is told what it conserves, or may only lose or gain.
+/// A motion with an open ledger, to which the conserved and monotone quantities are added one by one.
 pub(crate) struct Books<S> {
     motion: Motion<S>,
-    /// So many rows are read at most.
+    /// The greatest number of rows read for the ledger.
     most: usize,
-    /// Those, in the order of time, once the first is read.
+    /// The places of these rows, in the order of time; empty before the first reading.
     order: Vec<usize>,
 }
 
 impl<S> Books<S> {
-    /// What the solver of a plan has cost, by how much its states may be off, and these, at the times of a request.
+    /// The books of a motion: the solver's cost, the error estimate, and the states at the requested times.
     pub fn of(
         request: &Request,
         plan: Plan,
@@ -283,7 +283,7 @@ impl<S> Books<S> {
         }
     }
 
-    /// The same of at most so many of its rows, evenly chosen, and the last.
+    /// The same books, reading at most this many rows, evenly chosen, and the last.
     pub fn reading(mut self, most: usize) -> Self {
         self.most = most;
         self
@@ -301,18 +301,18 @@ impl<S> Books<S> {
         &self.order
     }
 
-    /// Its states.
+    /// The states of all rows.
     pub fn states(&self) -> impl Iterator<Item = &S> {
         self.motion.rows.iter().map(|(_, state)| state)
     }
 
-    /// The earliest state that is read.
+    /// The earliest state read for the ledger.
     pub fn earliest(&mut self) -> &S {
         let earliest = self.order()[0];
         &self.motion.rows[earliest].1
     }
 
-    /// A quantity by its name and law and the scale of its drift (0: any will do), its value at the start, and that of a state by its place.
+    /// Adds a quantity: its name, its law and the scale of its drift (1 in place of 0), its value at the start, and its value for the row at a place.
     pub fn keep<V: Into<Value>>(
         &mut self,
         account: (&'static str, Law, f64),
@@ -325,7 +325,7 @@ impl<S> Books<S> {
         ledger.keep(account, start, read)
     }
 
-    /// One that keeps its value.
+    /// Adds a quantity that is conserved.
     pub fn conserved<V: Into<Value>>(
         &mut self,
         name: &'static str,
@@ -336,14 +336,14 @@ impl<S> Books<S> {
         self.keep((name, Law::Conserved, scale), start, of)
     }
 
-    /// The motion, if its error is within the accuracy asked for and the books balance.
+    /// The motion, if its error is within the requested accuracy and the ledger balances.
     ///
     /// # Errors
     /// [`Error::Amplified`], [`Error::Ledger`].
     pub fn closed(self, request: &Request) -> Result<Motion<S>> {
         let mut motion = self.motion;
         let reached = motion.error_estimate;
-        // An error that is not a number must not pass for a small one.
+        // Not `>`: an error that is not a number must not pass.
         if reached <= request.accuracy {
             motion.ledger = balanced(motion.ledger, request.accuracy)?;
             return Ok(motion);
@@ -358,13 +358,13 @@ pub(crate) fn furthest(times: &[f64]) -> f64 {
     times.iter().fold(0.0, further)
 }
 
-/// The ledger, if every drift in it is within what the accuracy asked for allows: 100 times the accuracy, and never less than 1e-11.
+/// The ledger, if every drift is within 100 times the requested accuracy, or within 1e-11 if that is more.
 ///
-/// An error that a solver makes within its accuracy drives a conserved quantity off by about as much; the factor leaves room for
-/// quantities that depend on the state more steeply than in proportion.
+/// An error within the accuracy changes a conserved quantity by about as much; the factor leaves room for quantities that depend more steeply on
+/// the state.
 ///
 /// # Errors
-/// [`Error::Ledger`] names the quantity that drifted most.
+/// [`Error::Ledger`] with the quantity that drifted most.
 ///
 /// ```
 /// use spinning_bodies::{conservation::{Law, Ledger}, scene::balanced};

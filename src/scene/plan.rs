@@ -1,4 +1,4 @@
-//! Which solver runs, and why.
+//! Solvers, and the plan: which of them runs, and why.
 
 use core::fmt;
 use core::str::FromStr;
@@ -6,11 +6,11 @@ use core::str::FromStr;
 use crate::integrators::Method;
 use crate::integrators::geometric::{Order, VeselovOrder};
 
-/// Everything that can move a scene.
+/// A solver of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Solver {
-    /// A closed form: any time at the same cost, errors of rounding.
+    /// A closed form: the same cost at any time, and errors of rounding only.
     Exact,
     /// Closed forms from one event to the next.
     Events,
@@ -20,7 +20,7 @@ pub enum Solver {
     Geometric(Geometric),
 }
 
-/// A method of [`geometric`](crate::integrators::geometric), by the name that the tables give it.
+/// A method of [`geometric`](crate::integrators::geometric), under its name in the tables.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Geometric {
     /// Exact rotations about principal axes in turn; free bodies.
@@ -55,10 +55,10 @@ impl Geometric {
 }
 
 impl Solver {
-    /// What steps where there is no closed form.
+    /// The solver for scenes without a closed form.
     pub(crate) const ORDER_EIGHT: Self = Self::Geometric(Geometric::DormandPrince8);
 
-    /// All of them.
+    /// All solvers.
     ///
     /// ```
     /// use spinning_bodies::scene::Solver;
@@ -75,7 +75,7 @@ impl Solver {
             .chain(geometric.map(Self::Geometric))
     }
 
-    /// The name by which it is asked for in a scene file.
+    /// Its name in a scene file.
     ///
     /// ```
     /// use spinning_bodies::scene::Solver;
@@ -100,7 +100,7 @@ impl fmt::Display for Solver {
     }
 }
 
-/// The name is not that of a solver.
+/// The error for a name that is not that of a solver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct UnknownSolver;
 
@@ -118,7 +118,7 @@ impl FromStr for Solver {
 pub struct Plan {
     /// The solver.
     pub solver: Solver,
-    /// Why: "no torque: closed form".
+    /// The reason: "no torque: closed form".
     pub reason: String,
 }
 
@@ -130,17 +130,17 @@ impl Plan {
         }
     }
 
-    /// Its closed form.
+    /// The plan to use a closed form.
     pub(crate) fn exact(reason: impl Into<String>) -> Self {
         Self::new(Solver::Exact, reason)
     }
 
-    /// Closed forms from event to event.
+    /// The plan to use closed forms from event to event.
     pub(crate) fn events(reason: impl Into<String>) -> Self {
         Self::new(Solver::Events, reason)
     }
 
-    /// Order 8.
+    /// The plan to use the method of order 8.
     pub(crate) fn stepped(reason: impl Into<String>) -> Self {
         Self::new(Solver::ORDER_EIGHT, reason)
     }
@@ -155,7 +155,7 @@ impl fmt::Display for Plan {
 /// Who chooses the solver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Choice {
-    /// The scene: a closed form where there is one, otherwise the cheapest method that reaches the accuracy.
+    /// The scene: a closed form where there is one, whole or from event to event, otherwise the method of order 8.
     #[default]
     Auto,
     /// The user. A scene refuses a solver that cannot run it.

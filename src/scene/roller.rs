@@ -1,4 +1,4 @@
-//! The scene `roller` (tutorial 4.3 and 4.5): a round body on a table, after the cue or on a sheet that is withdrawn.
+//! The scene `roller` (tutorial 4.3 and 4.5): a round body on a table, struck by a cue or on a sheet that is withdrawn.
 
 use super::columns::{Columns, columns};
 use super::effects::Effect;
@@ -19,12 +19,12 @@ use crate::rolling::{RoundBody, Shot};
 ///
 /// | effect | what it does |
 /// |---|---|
-/// | [`Coulomb`] | rubs against the slip on the table, until the body rolls |
-/// | [`RollingResistance`] | a couple against the turning, until it rests |
+/// | [`Coulomb`] | friction against the slip, until the body rolls |
+/// | [`RollingResistance`] | a couple against the rotation, until the body rests |
 /// | [`Sheet`] | a moving ground under the body, until its edge has passed |
 ///
-/// Without any of them it glides and turns as it started. Between events every velocity is linear in time, so the plan is the
-/// [`Course`]: closed forms from event to event. The equations are here for those who ask for a solver that steps.
+/// Without any of them the body glides and turns uniformly. Between events every velocity is linear in time, so the plan is the
+/// [`Course`]: closed forms from event to event. The equations are there for a request that chooses a solver with steps.
 ///
 /// ```
 /// use spinning_bodies::rolling::RoundBody;
@@ -41,7 +41,7 @@ use crate::rolling::{RoundBody, Shot};
 #[derive(Debug, Clone)]
 pub struct Roller {
     body: RoundBody,
-    /// Its weight, and a tug at it where it is a [spool](super::spool).
+    /// Its weight and, for a [spool](super::spool), the pull at its string.
     pub(super) load: Load,
     pub(super) start: Moment,
     pub(super) friction: Option<Coulomb>,
@@ -50,7 +50,7 @@ pub struct Roller {
 }
 
 impl Roller {
-    /// A body pressed on the table by gravity (m/s²), with this velocity and rim speed (m/s).
+    /// A body on the table under gravity (m/s²), with this velocity and rim speed (m/s).
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) for gravity; [`Error::NotFinite`](crate::Error::NotFinite).
@@ -77,10 +77,10 @@ impl Roller {
         })
     }
 
-    /// The body of a [`Shot`] just after the stroke, its slip taken from the height of the stroke.
+    /// The body of a [`Shot`] just after the stroke, its slip computed from the height of the stroke.
     ///
     /// # Errors
-    /// As [`Self::new`].
+    /// Those of [`Self::new`].
     ///
     /// ```
     /// use spinning_bodies::{rolling::RoundBody, scene::{Request, Roller, Scene, effects::Coulomb}};
@@ -96,7 +96,7 @@ impl Roller {
         Ok(roller)
     }
 
-    /// The same with [`Coulomb`]'s friction on the table, [`RollingResistance`], or a [`Sheet`] between the two.
+    /// Adds [`Coulomb`]'s friction on the table, [`RollingResistance`], or a [`Sheet`] between body and table.
     ///
     /// # Errors
     /// [`Error::Effect`](crate::Error::Effect) for any other effect.
@@ -140,7 +140,7 @@ impl Roller {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Rolling {
-    /// Where it is and how it moves.
+    /// Position and motion.
     pub moment: Moment,
     /// Kinetic energy, J.
     pub energy: f64,
@@ -157,7 +157,7 @@ impl Tabulated for Rolling {
     }
 }
 
-/// Where a round body is and how it moves.
+/// Columns of the position and motion of a round body.
 pub(super) fn along<S: 'static>(of: fn(&S) -> Moment) -> Columns<S> {
     columns! { |state: &S|
         "x", "m", "place of the centre along the table" => of(state).position;
@@ -196,7 +196,7 @@ impl Scene for Roller {
     }
 }
 
-/// What can be told of the moments of a round body.
+/// Further columns for the position and motion of a round body.
 pub(super) fn moments<S: 'static>(body: RoundBody, of: fn(&S) -> Moment) -> Columns<S> {
     let (mass, kappa, radius) = (body.mass(), body.inertia_factor(), body.radius());
     columns! { |state: &S|
@@ -210,10 +210,10 @@ pub(super) fn moments<S: 'static>(body: RoundBody, of: fn(&S) -> Moment) -> Colu
     }
 }
 
-/// What may be asked for.
+/// The message for a solver that this kind of scene does not have.
 const SOLVERS: &str = "the solver of what rolls is `events`, `exact` where no force acts along the table, or one that steps";
 
-/// The plan of what rolls: closed forms from event to event for this reason, or without events.
+/// The plan of a rolling body: closed forms from event to event, for this reason, or a closed form without events.
 pub(super) fn rolling_plan(request: &Request, events: Option<&'static str>) -> Result<Plan> {
     request.forward()?;
     let reason = events.unwrap_or("no force along the table: closed form");
@@ -224,27 +224,27 @@ pub(super) fn rolling_plan(request: &Request, events: Option<&'static str>) -> R
     planned(request, plan, SOLVERS)
 }
 
-/// A round body on its table, whatever acts on it: the rolling of [`Roller`] and of the [spool](super::spool).
+/// A round body on a table under any of its laws: for [`Roller`] and the [spool](super::spool).
 #[derive(Clone, Copy)]
 pub(super) struct OnTable<'a> {
     pub body: RoundBody,
     pub laws: Laws<'a>,
     pub start: Moment,
-    /// The longest time asked for, s.
+    /// The longest requested time, s.
     pub span: f64,
 }
 
-/// By how much the twin differs that tells what becomes of rounding.
+/// Relative change of a twin, which shows how the motion amplifies rounding.
 const MOVED: f64 = 1e-13;
-/// Rounding of each stretch, and what becomes of the first in units of what becomes of a difference: sixteen times 2⁻⁵³. So many roundings lie on the way
-/// from the laws to the state at its end: three to the slope of the sheet, friction, couple and velocity, three to the rim's rate and two to the slip's, the
-/// time, and four to the state.
+/// Rounding error of each stretch, and that of the start in units of its amplification: sixteen times 2⁻⁵³. As many roundings lead
+/// from the laws to the state at the end of a stretch: three for the slope of the sheet, one each for friction, couple, velocity and time, three for
+/// the rate of the rim speed, two for that of the slip, and four for the state.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
-/// Between events a body that rolls has no time of its own: runs with steps are compared as if it turned by so many radians.
+/// Angle, rad, by which runs with steps are compared: between events a rolling body has no rate of its own.
 const RADIANS: f64 = 16.0;
 
 impl OnTable<'_> {
-    /// The motion by the solver of a plan, each moment told as a state.
+    /// The motion by the solver of a plan, each moment converted into a state.
     pub fn motion<S>(
         &self,
         request: &Request,
@@ -258,8 +258,8 @@ impl OnTable<'_> {
         books.closed(request)
     }
 
-    /// Moments at the times of a request by the solver of a plan, what they have cost, and by how much they may be off: lengths in radii, speeds
-    /// and energies in the greatest of the motion.
+    /// The moments at the requested times by the solver of the plan, their cost, and their error: lengths relative to the radius or the greatest length, speeds
+    /// and energies relative to the greatest of the motion.
     fn moments(&self, plan: &Plan, request: &Request) -> Result<(Vec<Moment>, (Cost, f64))> {
         let times = request.times();
         if !matches!(plan.solver, Solver::Exact | Solver::Events) {
@@ -277,7 +277,7 @@ impl OnTable<'_> {
             return Ok((moments, (cost, OF_CLOSED_FORMS)));
         }
         let (sizes, mut off) = (self.sizes(&moments), 0.0);
-        // In one of them what the changes do may cancel.
+        // In one of the two twins the effects of the changes may cancel.
         for sense in [1.0, -1.0] {
             let sheet = self.laws.sheet.map(|sheet| sheet.moved(sense * MOVED));
             let twin = self.twin(sense, sheet.as_ref());
@@ -289,8 +289,8 @@ impl OnTable<'_> {
         Ok((moments, (cost, error)))
     }
 
-    /// Another on this sheet that starts a little faster, turns a little slower, is pressed and pulled a little harder and is a little harder to turn; or
-    /// that starts a little slower and is a little easier to turn.
+    /// A twin on this sheet: its reaction and the couple of the tug are a little greater, its push and its rim speed a little less; its velocity and its
+    /// inertia factor are greater for `sense` 1, less for −1.
     fn twin<'b>(&'b self, sense: f64, sheet: Option<&'b Sheet>) -> OnTable<'b> {
         let mut twin = *self;
         twin.laws.sheet = sheet;
@@ -307,7 +307,7 @@ impl OnTable<'_> {
         twin
     }
 
-    /// The greatest that each number of a moment has been, and no less than is natural.
+    /// The greatest size of each component over the moments, at least its natural scale.
     fn sizes(&self, moments: &[Moment]) -> State {
         let greatest = |kind: fn(&Moment) -> f64, least: f64| {
             let all = moments.iter().chain([&self.start]).map(kind);
@@ -320,7 +320,7 @@ impl OnTable<'_> {
         [length, speed, speed, speed, length, energy, energy, length]
     }
 
-    /// The speed that it begins with, that a sheet has, or that pull and twist would give it: where these balance, what is left is rounding.
+    /// The greatest speed that the start, the sheet, or pull and twist alone could give: where the two balance, what remains is rounding.
     fn speed(&self) -> f64 {
         let Laws { load, sheet, .. } = &self.laws;
         let points = sheet.map_or(&[][..], |sheet| sheet.speeds().points());
@@ -330,7 +330,7 @@ impl OnTable<'_> {
         speeds.fold(own.max(pulled), f64::max)
     }
 
-    /// What is kept, or may only be lost.
+    /// Adds to the books what is conserved, or may only decrease.
     fn keep<S>(&self, books: &mut Books<S>, request: &Request, moments: &[Moment]) -> Result<()> {
         let Laws { kappa, load, .. } = self.laws;
         let (mass, drive) = (self.body.mass(), load.push + load.twist);
@@ -340,7 +340,7 @@ impl OnTable<'_> {
         };
         let kinetic = |m: &Moment| mass * m.energy(kappa);
         let balance = |m: &Moment| mass * (m.energy(kappa) + m.heat - m.work);
-        // About the contact only a tug has a moment, and it is steady.
+        // About the table only a tug has a moment, and it is constant.
         let about = |row: usize, _: &S| {
             mass * (moments[row].about_the_table(kappa) - request.times()[row] * drive)
         };
@@ -368,7 +368,7 @@ impl OnTable<'_> {
         Ok(())
     }
 
-    /// Whether something pulls at the body.
+    /// Whether a tug acts on the body.
     fn driven(&self) -> bool {
         self.laws.load != Load::weight(self.laws.load.reaction)
     }
@@ -402,7 +402,7 @@ impl Flow<8> for OnTable<'_> {
         margins.reduce(f64::min)
     }
 
-    /// At once where the body stands on the edge of the sheet and goes over it.
+    /// At once if the body stands on the edge of the sheet and is about to pass it.
     fn lasts_until(&self, stretch: Stretch, _: f64) -> f64 {
         match stretch.next(f64::INFINITY) {
             Some((0.0, _)) => stretch.start,

@@ -1,24 +1,24 @@
-//! What a scene looks like at a time: solids in their places, with the angular velocity and the angular momentum.
+//! What a scene looks like at one time: solids with their positions, the angular velocity and the angular momentum.
 
 use nalgebra::{Isometry3, Matrix3, Vector3};
 
 /// A simple solid along axes of its own, lengths in m.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Solid {
-    /// An ellipsoid about the origin with these half axes, the columns; it may be flat.
+    /// An ellipsoid about the origin whose half axes are the columns; one of them may be 0.
     Ellipsoid(Matrix3<f64>),
-    /// What is turned about the third axis: heights in ascending order, each with its radius.
+    /// A body of revolution about the third axis: heights in ascending order, each with its radius.
     Turned(Vec<[f64; 2]>),
     /// A box about the origin with these edges.
     Cuboid(Vector3<f64>),
-    /// A bar from the origin, too thin to hide anything.
+    /// A bar from the origin to this point, too thin to hide anything.
     Bar(Vector3<f64>),
 }
 
-/// What stands still in space beside the body.
+/// What is drawn at rest beside the body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Around {
-    /// Points of space.
+    /// Points of space, nothing else.
     Space,
     /// The point about which the body turns.
     Pivot,
@@ -30,21 +30,21 @@ pub enum Around {
     String,
 }
 
-/// What is to be seen of a scene at a time, along the axes of space: m, rad/s, kg m²/s, the third axis upward.
+/// The picture of a scene at one time, along the axes of space, the third upward: m, rad/s, kg m²/s.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sight {
-    /// What the body is drawn as: `a ball`.
+    /// A name for the drawing: `a ball`.
     pub drawn_as: &'static str,
-    /// The solids, and how each stands.
+    /// The solids, each with its position.
     pub solids: Vec<(Solid, Isometry3<f64>)>,
-    /// Whether they stand as they are turned. Where only Ω is known, they stand as if nothing had turned yet.
+    /// Whether the attitude is known. Where only Ω is, the solids stand as at the start.
     pub turned: bool,
-    /// What stands still.
+    /// What is drawn at rest.
     pub around: Around,
-    /// The point that is followed, and at which Ω and L begin.
+    /// The point that the picture follows and from which Ω and L are drawn.
     pub place: Vector3<f64>,
     /// Angular velocity Ω.
     pub omega: Vector3<f64>,
-    /// Angular momentum L, if it is told.
+    /// Angular momentum L, if the scene gives it.
     pub angular_momentum: Option<Vector3<f64>>,
 }

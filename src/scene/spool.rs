@@ -1,4 +1,4 @@
-//! The scene `spool` (tutorial 4.4): a spool on a table, tugged at its string.
+//! The scene `spool` (tutorial 4.4): a spool on a table, pulled at its string.
 
 use super::columns::{Columns, columns};
 use super::effects::Effect;
@@ -7,13 +7,13 @@ use super::{Motion, Plan, Request, Scene, Tabulated};
 use crate::error::Result;
 use crate::rolling::{Load, Moment, Spool};
 
-/// A spool on a level table, from rest or already moving.
+/// A spool on a level table, at rest or already moving.
 ///
 /// | effect | what it does |
 /// |---|---|
-/// | [`Tug`](super::effects::Tug) | a steady pull at the string, which winds or unwinds |
-/// | [`Coulomb`](super::effects::Coulomb) | holds the contact, or rubs if the tug is too hard |
-/// | [`RollingResistance`](super::effects::RollingResistance) | a couple against the turning |
+/// | [`Tug`](super::effects::Tug) | pulls steadily at the string, which winds or unwinds |
+/// | [`Coulomb`](super::effects::Coulomb) | holds the contact, or rubs if the pull is too strong |
+/// | [`RollingResistance`](super::effects::RollingResistance) | brakes the rotation by a couple |
 ///
 /// ```
 /// use spinning_bodies::rolling::{RoundBody, Spool};
@@ -55,7 +55,7 @@ impl TuggedSpool {
         })
     }
 
-    /// The same with a velocity and a rim speed (m/s) to begin with.
+    /// Sets the initial velocity and rim speed (m/s).
     ///
     /// ```
     /// use spinning_bodies::{rolling::{RoundBody, Spool}, scene::{Request, Scene, TuggedSpool}};
@@ -69,7 +69,7 @@ impl TuggedSpool {
         self
     }
 
-    /// The same with a [`Tug`](super::effects::Tug), [`Coulomb`](super::effects::Coulomb)'s friction on the table, or
+    /// Adds a [`Tug`](super::effects::Tug), [`Coulomb`](super::effects::Coulomb)'s friction on the table, or
     /// [`RollingResistance`](super::effects::RollingResistance).
     ///
     /// # Errors
@@ -100,9 +100,9 @@ impl TuggedSpool {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Spooling {
-    /// Where it is and how it moves.
+    /// Position and motion.
     pub moment: Moment,
-    /// String wound on the axle since the start, m; negative: paid out.
+    /// String wound on the axle since the start, m; negative if unwound.
     pub wound: f64,
     /// Kinetic energy, J.
     pub energy: f64,

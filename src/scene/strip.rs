@@ -1,4 +1,4 @@
-//! A strip that falls through a fluid, broadside length into the picture (tutorial 4.10).
+//! The scene `strip` (tutorial 4.10): a strip that falls through a fluid, seen along its length.
 
 use super::columns::{Columns, columns};
 use super::effects::Effect;
@@ -13,7 +13,7 @@ use crate::integrators::Stop;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StripState {
-    /// Place of the axis: to the right and up, m.
+    /// Position of the axis: to the right and up, m.
     pub position: [f64; 2],
     /// Angle of the chord above the horizontal, rad.
     pub angle: f64,
@@ -21,9 +21,9 @@ pub struct StripState {
     pub velocity: [f64; 2],
     /// Angular velocity, rad/s.
     pub omega: f64,
-    /// Kinetic energy (the fluid's that is taken along included) and potential energy, J per metre of length.
+    /// Kinetic energy, with that of the added mass of fluid, and potential energy, J per metre of length.
     pub energy: f64,
-    /// What drag and the resistance to rotation have turned into heat, J per metre of length.
+    /// Heat of drag and of the resistance to rotation so far, J per metre of length.
     pub heat: f64,
 }
 
@@ -42,7 +42,7 @@ impl Tabulated for StripState {
     }
 }
 
-/// How a strip starts.
+/// The start of a strip.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct StripStart {
     /// Angle of the chord above the horizontal, rad.
@@ -53,7 +53,7 @@ pub struct StripStart {
     pub omega: f64,
 }
 
-/// A strip, how it starts, and what acts on it.
+/// A strip, its start, and the effects on it.
 ///
 /// ```
 /// use spinning_bodies::falling_strip::{AddedMass, Coefficients, RotationalDamping, Sheet};
@@ -69,15 +69,15 @@ pub struct StripStart {
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 ///
-/// | effect | absent |
+/// | effect | if absent |
 /// |---|---|
-/// | [`Gravity`](super::effects::Gravity) | floats |
+/// | [`Gravity`](super::effects::Gravity) | it floats |
 /// | [`Lift`](super::effects::Lift) by circulation | no force across the velocity |
-/// | [`Drag`](super::effects::Drag) | no force against it |
-/// | [`RotationalDamping`](super::effects::RotationalDamping) | spins on |
-/// | [`AddedMass`](super::effects::AddedMass) | no fluid is taken along, and none turns it broadside |
+/// | [`Drag`](super::effects::Drag) | no force against the velocity |
+/// | [`RotationalDamping`](super::effects::RotationalDamping) | its rotation is not braked |
+/// | [`AddedMass`](super::effects::AddedMass) | it moves no fluid along, and no torque of the fluid turns it broadside |
 ///
-/// Without the last four the strip is in a vacuum, and its parabola and its uniform rotation are a closed form. What brakes it cannot be run
+/// Without the last four the strip is in a vacuum, and its parabola and uniform rotation are a closed form. A scene with drag or damping cannot be run
 /// backward.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Strip {
@@ -86,7 +86,7 @@ pub struct Strip {
 }
 
 impl Strip {
-    /// A strip on which nothing acts.
+    /// A strip without effects.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite).
@@ -110,11 +110,11 @@ impl Strip {
         Ok(Self { equations, start })
     }
 
-    /// The same with an effect: those of the table at [`Strip`].
+    /// Adds an effect of the table at [`Strip`].
     ///
     /// # Errors
     /// [`Error::Effect`](crate::Error::Effect) for any other; [`Error::NotFinite`](crate::Error::NotFinite);
-    /// [`Error::Negative`](crate::Error::Negative) for what should brake and would drive.
+    /// [`Error::Negative`](crate::Error::Negative) for a resistance that would drive.
     ///
     /// ```
     /// use spinning_bodies::falling_strip::Sheet;
@@ -151,7 +151,7 @@ impl Strip {
         !self.brakes() && self.equations.lift.is_none() && self.equations.added_mass.is_none()
     }
 
-    /// The numbers of the equations of a strip with this angle, velocity and spin at this place.
+    /// The state in the equations for this position, angle and velocity, with the spin of the start.
     fn numbers(&self, place: [f64; 2], angle: f64, velocity: [f64; 2]) -> [f64; 7] {
         let ([x, y], [vx, vy]) = (place, velocity);
         let (sine, cosine) = angle.sin_cos();
@@ -159,7 +159,7 @@ impl Strip {
         [x, y, angle, along, across, self.start.omega, 0.0]
     }
 
-    /// The parabola.
+    /// The state in free fall.
     fn in_free_fall(&self, t: f64) -> [f64; 7] {
         let (start, g) = (&self.start, self.equations.gravity.unwrap_or(0.0));
         let [vx, vy] = start.velocity;
@@ -183,15 +183,15 @@ impl Strip {
     }
 }
 
-/// |ω|ω has a kink where the strip turns back. A step across it is in error by its jump times the cube of the step, whatever the order of the
-/// method; so the phases are those of one sense of turning, 1 or −1, in which |ω| is smooth. A phase lasts until the strip turns the other way by more
-/// than what rounding makes of a rest: read with the wrong sense for good, the resistance would drive.
+/// The second derivative of |ω|ω jumps where the rotation reverses. The error of a step across that is the jump times the cube of the step, whatever
+/// the method's order; so a phase has one sense of rotation, 1 or −1, in which |ω|ω is smooth. A phase lasts until the strip turns the other way by more
+/// than the rounding error at rest: with the wrong sense kept for good, the resistance would drive.
 impl Flow<7> for Strip {
     type Phase = f64;
 
     fn start(&self) -> Result<(f64, [f64; 7])> {
         let y = self.numbers([0.0; 2], self.start.angle, self.start.velocity);
-        // A strip that does not turn yet is turned by −u w, the only torque on it, or by what that becomes: its rate, or the rate of its rate.
+        // A strip at rest is turned by −u w, the only torque on it; where that is zero, by its first or second derivative.
         let [.., u, w, omega, _] = y;
         let [.., du, dw, _, _] = self.equations.rate_in(1.0, &y);
         let turning = [omega, -u * w, -(du * w + u * dw), -du * dw];
@@ -199,13 +199,13 @@ impl Flow<7> for Strip {
         Ok((1.0_f64.copysign(first.unwrap_or(1.0)), y))
     }
 
-    /// a, 1, a speed, a rate, an energy.
+    /// Half chord a, 1 rad, a speed, a rate, an energy.
     fn scales(&self) -> [f64; 7] {
         let a = self.equations.plate.half_chord();
         let g = self.equations.gravity.unwrap_or(0.0).abs();
         let [vx, vy] = self.start.velocity;
         let speed = (g * a).sqrt() + vx.hypot(vy) + a * self.start.omega.abs();
-        // A strip that nothing moves has no speed; any will do.
+        // A strip that nothing moves has no speed; any scale will do.
         let speed = if speed > 0.0 { speed } else { 1.0 };
         let energy = self.equations.plate.mass() * speed * speed;
         [a, a, 1.0, speed, speed, speed / a, energy]
@@ -229,7 +229,7 @@ impl Flow<7> for Strip {
         Ok(1.0_f64.copysign(y[5]))
     }
 
-    /// With what falls in the square of the time, and with no more energy than at the start: two energies that cancel.
+    /// Position and energies grow with the square of the time; the total energy, a difference of two of them, does not.
     fn rounding(&self, angle: f64, _: &[(f64, f64)]) -> f64 {
         OF_CLOSED_FORMS * (1.0 + angle) + ROUNDING * angle * angle
     }
@@ -241,7 +241,7 @@ impl Flow<7> for Strip {
             (a[0] - b[0]).hypot(a[1] - b[1]) / scale.max(b[0].hypot(b[1]))
         };
         let alone = |a: f64, b: f64, scale: f64| (a - b).abs() / scale.max(b.abs());
-        // Three times: a strip that tumbles amplifies, and two runs may go astray together. Of 2000 in air five are off by more than is told.
+        // Three times the distance: a tumbling strip amplifies, and two runs may err together. Of 2000 motions in air, five are off by more than the estimate.
         3.0 * [
             apart(a.position, b.position, length),
             (a.angle - b.angle).abs(),
@@ -255,10 +255,10 @@ impl Flow<7> for Strip {
     }
 }
 
-/// What turns no faster than this, in units of the scale, may turn either way: its square is less than rounding. Starts that are compared differ by less.
+/// Rates below this, in units of the scale, may have either sign: their square is less than rounding. Compared starts differ by less.
 const AT_REST: f64 = 1e-9;
 
-/// What may be asked for.
+/// The message for a solver that this kind of scene does not have.
 const SOLVERS: &str = "the solver of a strip is `exact` in a vacuum, or one that steps";
 
 impl Scene for Strip {
@@ -298,7 +298,7 @@ impl Scene for Strip {
         if self.brakes() {
             books.keep(("heat", Law::NonDecreasing, energy), 0.0, |_, s| s.heat)?;
         }
-        // Without lift and drag only the weight changes the impulse of plate and fluid.
+        // Without lift and drag only the weight changes the momentum of plate and fluid.
         if equations.lift.is_none() && equations.drag.is_none() {
             let vertical = "vertical impulse and that of the weight";
             books.conserved("horizontal impulse", impulse, px, across)?;

@@ -1,4 +1,4 @@
-//! The scene `superball` (tutorial 4.6): a bouncing ball, under the open sky or under a table.
+//! The scene `superball` (tutorial 4.6): a ball that bounces on a floor, or between floor and table top.
 
 use super::columns::{Columns, columns};
 use super::effects::Effect;
@@ -12,16 +12,16 @@ use crate::integrators::{Cost, Stop};
 use crate::rolling::Coulomb;
 use crate::superball::{Flight, InFlight, Restitution, Surface};
 
-/// A ball that bounces between a floor and, perhaps, a ceiling.
+/// A ball that bounces on a floor or, if there is one, between floor and ceiling.
 ///
 /// | effect | what it does |
 /// |---|---|
 /// | [`Gravity`](super::effects::Gravity) | bends the flights; without it they are straight |
-/// | [`Restitution`] | loses a part of both contact speeds; without it nothing is lost |
+/// | [`Restitution`] | reduces both contact speeds at a bounce; without it nothing is lost |
 /// | [`Coulomb`] | limits the tangential impulse; without it the contact never slips |
 ///
-/// The plan is the [`Flight`]: closed forms, from bounce to bounce where something is lost. The equations are here for those who ask for a solver
-/// that steps.
+/// The plan is the [`Flight`]: closed forms, from bounce to bounce where bounces lose energy or slip. The equations are there for a request that
+/// chooses a solver with steps.
 #[derive(Debug, Clone, Copy)]
 pub struct Superball {
     mass: f64,
@@ -34,10 +34,10 @@ pub struct Superball {
 }
 
 impl Superball {
-    /// A ball of this mass (kg) and inertia factor under the open sky.
+    /// A ball of this mass (kg) and inertia factor without a ceiling.
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite) for the mass; the rest is examined when it runs.
+    /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite) for the mass; the rest is checked when the scene runs.
     ///
     /// ```
     /// use spinning_bodies::superball::{InFlight, Motion};
@@ -61,7 +61,7 @@ impl Superball {
         })
     }
 
-    /// The same under a ceiling: `room` (m) from floor to ceiling less the ball's diameter.
+    /// Adds a ceiling: `room` (m) is the distance from floor to ceiling less the ball's diameter.
     ///
     /// ```
     /// use spinning_bodies::superball::{InFlight, Motion};
@@ -78,7 +78,7 @@ impl Superball {
         self
     }
 
-    /// The same with [`Gravity`](super::effects::Gravity), which here must not pull up, [`Restitution`], or [`Coulomb`]'s friction at the contacts.
+    /// Adds [`Gravity`](super::effects::Gravity), which here must not pull up, [`Restitution`], or [`Coulomb`]'s friction at the contacts.
     ///
     /// # Errors
     /// [`Error::Negative`](crate::Error::Negative) for gravity; [`Error::Effect`](crate::Error::Effect) for any other effect.
@@ -106,10 +106,10 @@ impl Superball {
         Ok(self)
     }
 
-    /// The flight itself.
+    /// The ball's flight with its bounces.
     ///
     /// # Errors
-    /// As [`Flight::new`].
+    /// Those of [`Flight::new`].
     pub(crate) fn flight(&self) -> Result<Flight> {
         let effects = (self.gravity, self.restitution, self.friction);
         Flight::new(self.kappa, self.room, effects, self.start)
@@ -120,7 +120,7 @@ impl Superball {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Bouncing {
-    /// Where it is and how it moves.
+    /// Position and motion.
     pub ball: InFlight,
     /// Kinetic energy plus weight times height, J.
     pub energy: f64,
@@ -140,14 +140,14 @@ impl Tabulated for Bouncing {
     }
 }
 
-/// Place, height, velocity upward and along the floor, rim speed.
+/// Position, height, velocity upward and along the floor, rim speed.
 fn numbers(ball: &InFlight) -> [f64; 5] {
     let motion = ball.motion;
     let along = [motion.velocity, motion.rim_speed];
     [ball.position, ball.height, ball.climb, along[0], along[1]]
 }
 
-/// What may be asked for.
+/// The message for a solver that this kind of scene does not have.
 const SOLVERS: &str = "the solver of a superball is `exact` without restitution and grip, `events`, or one that steps";
 
 impl Scene for Superball {
@@ -184,7 +184,7 @@ impl Scene for Superball {
             }
         };
         let energy = |ball: &InFlight| self.mass * ball.energy(self.kappa, flight.gravity());
-        // A flight that goes on through the floor keeps its energy too.
+        // A ball that flew on through the floor would conserve its energy too.
         let depth = |ball: &InFlight| (-ball.height).max(ball.height - self.room).max(0.0);
         let heights = balls.iter().map(|ball| ball.height.abs());
         let highest = heights.fold(self.start.height, f64::max).min(self.room);
@@ -219,16 +219,16 @@ impl Scene for Superball {
     }
 }
 
-/// By how much the twin differs that tells what becomes of rounding.
+/// Relative change of a twin, which shows how the motion amplifies rounding.
 const MOVED: f64 = 1e-13;
-/// Rounding of each bounce, and what becomes of the first in units of what becomes of a difference: four times what was seen.
+/// Rounding error of each bounce, and that of the start in units of its amplification: four times the observed ones.
 const ROUNDING: f64 = 1e-15;
 
 impl Superball {
-    /// Balls bounce by bounce, what they have cost, and by how much they may be off, in the greatest lengths and speeds of the motion.
+    /// The balls by closed forms from bounce to bounce, their cost, and their error relative to the greatest lengths and speeds of the motion.
     ///
-    /// Twins that differ by [`MOVED`] tell what becomes of rounding, after as many bounces: at a bounce speeds jump, a moment earlier or later. In one
-    /// of the two what the changes do may cancel.
+    /// Twins that differ by [`MOVED`] show how rounding is amplified. They are compared after the same number of bounces, because a bounce makes the speeds
+    /// jump, a moment earlier or later. In one of the two twins the effects of the changes may cancel.
     fn followed(&self, flight: &Flight, request: &Request) -> Result<(Vec<InFlight>, (Cost, f64))> {
         let mut times = request.times().to_vec();
         times.sort_by(f64::total_cmp);
@@ -261,7 +261,7 @@ impl Superball {
                 .map(|(a, b)| apart(&numbers(a), &numbers(b), &sizes))
                 .fold(off, greater);
         }
-        // Of a ball on the floor all bounces are in a sum.
+        // All bounces of a ball that has come to lie on the floor are in a geometric sum, without rounding of each.
         let bounced = |lies: bool| {
             let balls = ordered.iter().filter(|ball| lies || ball.height > 0.0);
             let most = balls.map(|ball| ball.bounces).max();
@@ -279,15 +279,15 @@ impl Superball {
     }
 }
 
-/// A ball on its way from bounce to bounce: place, height, velocity upward. A phase is a flight, or its half that falls, by how it begins.
+/// A ball in steps: position, height, velocity upward. A phase is a flight, or its falling half, named by its initial state.
 #[derive(Clone, Copy)]
 struct Thrown {
     flight: Flight,
-    /// The longest time asked for, s.
+    /// The longest requested time, s.
     span: f64,
 }
 
-/// The ball of these numbers in a flight.
+/// The ball with these components in a flight.
 fn flying(flight: &InFlight, &[position, height, climb]: &[f64; 3]) -> InFlight {
     InFlight {
         position,
@@ -298,7 +298,7 @@ fn flying(flight: &InFlight, &[position, height, climb]: &[f64; 3]) -> InFlight 
 }
 
 impl Thrown {
-    /// After the bounce at the surface that the ball flies to.
+    /// The ball after the bounce at the surface that it flies to.
     fn bounced(&self, ball: &InFlight) -> InFlight {
         let surface = match ball.climb > 0.0 {
             true => Surface::Ceiling,
@@ -307,7 +307,7 @@ impl Thrown {
         self.flight.bounced(ball, 0.0, surface, ball.climb.abs())
     }
 
-    /// Nothing, unless a ball at the floor rises by no more than a rounding of the heights: then there are bounces without end.
+    /// Succeeds unless a ball at the floor rises by no more than a rounding of the heights: then bounces pile up without end.
     fn leaves_the_floor(&self, ball: &InFlight) -> Result<()> {
         let (g, [_, height]) = (self.flight.gravity(), self.sizes());
         let rises = ball.climb * ball.climb > 2.0 * g * f64::EPSILON * height;
@@ -319,7 +319,7 @@ impl Thrown {
         })
     }
 
-    /// The speed at the floor, and the height that a ball of that speed has to rise.
+    /// The speed at the floor, and the height to which it carries the ball.
     fn sizes(&self) -> [f64; 2] {
         let (g, ball) = (self.flight.gravity(), self.flight.start());
         let speed = ball.climb.hypot((2.0 * g * ball.height).sqrt());
@@ -349,7 +349,7 @@ impl Flow<3> for Thrown {
         [length, length, speed.max(f64::MIN_POSITIVE)]
     }
 
-    /// The time of every bounce is rounded, of one as of another: as if the ball had started with another speed.
+    /// Rounding of the times of the bounces adds up in one direction, as if the ball had started with another speed.
     fn doubt(&self) -> [f64; 3] {
         let bounces = self.pace() * self.span;
         [0.0, 0.0, OF_CLOSED_FORMS * bounces * self.scales()[2]]
@@ -372,7 +372,7 @@ impl Flow<3> for Thrown {
         }
     }
 
-    /// Up and down again in one step would hide a contact, so a flight is cut at its summit.
+    /// A flight is cut at its summit, for a step up and down again would hide a contact.
     fn lasts_until(&self, flight: InFlight, t: f64) -> f64 {
         match flight.climb > 0.0 && self.flight.gravity() > 0.0 {
             true => t + flight.climb / self.flight.gravity(),
@@ -391,7 +391,7 @@ impl Flow<3> for Thrown {
         Ok(ball)
     }
 
-    /// Where one of the two has just bounced, the other is about to.
+    /// If one of the two has just bounced and the other is about to, the states after that bounce are compared.
     fn distance(&self, (p, a): &(InFlight, [f64; 3]), (q, b): &(InFlight, [f64; 3])) -> f64 {
         let (mut a, mut b) = (flying(p, a), flying(q, b));
         if a.bounces + 1 == b.bounces {

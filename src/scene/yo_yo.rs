@@ -1,4 +1,4 @@
-//! A yo-yo let go or thrown from the hand (tutorial 4.9): down, turn, up, and down again; or down, asleep, awake, and up.
+//! The scene `yo-yo` (tutorial 4.9): let go or thrown from the hand it goes down, turns, comes up, and down again; or it goes down, sleeps, wakes, and comes up.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -11,21 +11,21 @@ use crate::error::{Error, Result, not_negative, positive};
 use crate::integrators::{Passage, Stop};
 use crate::yo_yo::{Turn, Unwinding, YoYo, sleeping_spin, spin_after_waking};
 
-/// What the yo-yo is at.
+/// The phases of a yo-yo's motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Phase {
     /// On its way down.
     Down,
-    /// In the turn at the end of the string.
+    /// Turning at the end of the string.
     Turn,
     /// On its way up.
     Up,
-    /// Spinning in the loop.
+    /// Spinning asleep in the loop.
     Asleep,
-    /// At the end of the string, without spin enough to leave it.
+    /// At the end of the string, with too little spin to leave it.
     Hanging,
-    /// Back in the hand with speed to spare, and caught.
+    /// Back in the hand with energy to spare, and caught.
     Caught,
 }
 
@@ -47,11 +47,11 @@ state! {
         /// Work of the hand so far, catching counted against it, J.
         work,
     }
-    /// What it is at.
+    /// The phase.
     phase: Phase,
 }
 
-/// A yo-yo, how fast it is thrown, and what acts on it.
+/// A yo-yo, the speed of its throw, and the effects on it.
 ///
 /// ```
 /// use spinning_bodies::scene::{Play, Request, Scene, effects::Gravity};
@@ -64,14 +64,14 @@ state! {
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 ///
-/// | effect | absent |
+/// | effect | if absent |
 /// |---|---|
-/// | [`Gravity`](super::effects::Gravity) | it unwinds by its throw alone |
-/// | [`TurnLoss`](super::effects::TurnLoss) | every turn gives the spin back |
+/// | [`Gravity`](super::effects::Gravity) | only the throw unwinds it |
+/// | [`TurnLoss`](super::effects::TurnLoss) | every turn keeps the spin |
 /// | [`Hand`](super::effects::Hand), its work at every turn | the hand holds still |
-/// | [`Sleep`](super::effects::Sleep), in a loop at the end of the string | a knot: it comes up at once |
+/// | [`Sleep`](super::effects::Sleep), in a loop at the end of the string | the string is tied fast: it comes up at once |
 /// | [`AxleFriction`](super::effects::AxleFriction) in the loop | it sleeps without loss |
-/// | [`AirDrag`](super::effects::AirDrag) | none; with it the closed forms end |
+/// | [`AirDrag`](super::effects::AirDrag) | no drag; with it there are no closed forms |
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Play {
     toy: YoYo,
@@ -85,7 +85,7 @@ pub struct Play {
 }
 
 impl Play {
-    /// This yo-yo, thrown from the hand with this speed (m/s; 0: let go).
+    /// A yo-yo thrown from the hand with this speed (m/s; 0: let go).
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Negative`].
@@ -111,7 +111,7 @@ impl Play {
         })
     }
 
-    /// The same with an effect: those of the table at [`Play`].
+    /// Adds an effect of the table at [`Play`].
     ///
     /// # Errors
     /// [`Error::Effect`] for any other; [`Error::NotPositive`] for a gravity that does not pull down.
@@ -140,22 +140,22 @@ impl Play {
     }
 }
 
-/// A yo-yo on its way from phase to phase.
+/// A yo-yo as a flow.
 #[derive(Clone, Copy)]
 struct Playing {
     play: Play,
     gravity: f64,
     /// Energy at the start, J.
     energy: f64,
-    /// Whether closed forms do it.
+    /// Whether closed forms are used.
     closed: bool,
 }
 
-/// What it is at, and how far round the turn goes, rad: half way to where it falls asleep, else all the way.
+/// The phase, and the angle at which the turn ends, rad: π/2 if the yo-yo then falls asleep, π otherwise.
 type Stage = (Phase, f64);
 
-/// Depth as a part of the string, or the angle of the turn; spin; energy, heat, work of the hand; and how much later than the clock of the run says
-/// the phase began.
+/// Depth as a fraction of the string's length, or the angle of the turn; spin; energy, heat, work of the hand; and the correction to be added to the
+/// run's clock for the time at which the phase began.
 type Numbers = [f64; 6];
 
 const ENERGY: usize = 2;
@@ -163,27 +163,27 @@ const HEAT: usize = 3;
 const WORK: usize = 4;
 const LATER: usize = 5;
 
-/// By what part of itself the time of an event is off.
+/// Relative error of the time of an event.
 const OF_A_TIME: f64 = 4e-16;
 
-/// At rest from here on.
+/// Whether the yo-yo stays at rest in this phase.
 const fn rests(phase: Phase) -> bool {
     matches!(phase, Phase::Hanging | Phase::Caught)
 }
 
-/// Into the turn at an angle, and how far it goes.
+/// Enters the turn at the angle `from`, to end at `to`.
 fn turns(y: &mut Numbers, from: f64, to: f64) -> Stage {
     y[0] = from;
     (Phase::Turn, to)
 }
 
-/// What of the energy becomes heat.
+/// Converts this much energy into heat.
 fn lose(y: &mut Numbers, lost: f64) {
     y[ENERGY] -= lost;
     y[HEAT] += lost;
 }
 
-/// A phase of this duration, s, and the numbers so long after its beginning.
+/// The passage of a phase of this duration, s; `at` gives the state a time after its beginning.
 fn lasting(
     duration: f64,
     ahead: &Ahead<'_, 6>,
@@ -197,7 +197,7 @@ fn lasting(
     let mut passage = ahead.in_closed_form(ends, |t| at(since(t)))?;
     if ends.is_some() {
         passage.end = at(duration)?;
-        // What is lost where the duration is added to the time.
+        // The rounding error of adding the duration to the time.
         passage.end[LATER] = (from - time) + rest;
     }
     Ok(passage)
@@ -214,20 +214,20 @@ impl Playing {
         })
     }
 
-    /// I + m r² about the end of the string, kg m².
+    /// I + m r² about the end of the string, with r the axle's radius, kg m².
     fn inertia(&self) -> f64 {
         let toy = &self.play.toy;
         toy.inertia() + toy.mass() * toy.axle() * toy.axle()
     }
 
-    /// n = m g r/(I + m r²): half of what a fall by the axle's radius gives to ω².
+    /// n = m g r/(I + m r²), s⁻²: half the increase of ω² in a fall by the axle's radius.
     fn pull(&self) -> f64 {
         let toy = &self.play.toy;
         let r = toy.axle();
         self.gravity * r / (r * r + toy.gyration_squared())
     }
 
-    /// Greatest energy of the motion above rest at the end of the string, J, and the spin there that has it.
+    /// The greatest energy above that of rest at the end of the string, J, and the spin that has this energy there.
     fn greatest(&self) -> (f64, f64) {
         let toy = &self.play.toy;
         let fall = toy.mass() * self.gravity * toy.length();
@@ -236,7 +236,7 @@ impl Playing {
         (energy, (2.0 * energy / self.inertia()).sqrt())
     }
 
-    /// Where the yo-yo hangs in the end: all of m g (l + r) lost.
+    /// Ends the motion at rest at the lowest point, with m g (l + r) lost.
     fn hangs(&self, y: &mut Numbers) -> Stage {
         let toy = &self.play.toy;
         let bottom = -toy.mass() * self.gravity * (toy.length() + toy.axle());
@@ -245,7 +245,7 @@ impl Playing {
         (Phase::Hanging, 0.0)
     }
 
-    /// The end of the turn: what it takes, and what the hand gives.
+    /// Ends the turn, with its loss and the work of the hand.
     fn turned(&self, y: &mut Numbers) -> Stage {
         let toy = &self.play.toy;
         if let Some(left) = self.play.turn_loss {
@@ -258,7 +258,7 @@ impl Playing {
             y[WORK] += work;
             y[1] = (y[1] * y[1] + 2.0 * work / self.inertia()).sqrt();
         }
-        // Unwinding::new asks the same: energy enough to leave the end of the string.
+        // The condition of `Unwinding::new`: energy enough to leave the end of the string.
         if y[1] > 0.0 && y[ENERGY] > -toy.mass() * self.gravity * toy.length() {
             y[0] = 1.0;
             (Phase::Up, 0.0)
@@ -267,7 +267,7 @@ impl Playing {
         }
     }
 
-    /// A phase in closed form.
+    /// The passage of a phase in closed form.
     fn passage(&self, stage: Stage, ahead: &Ahead<'_, 6>) -> Result<Passage<Numbers>> {
         let (toy, g, (phase, end), y) = (self.play.toy, self.gravity, stage, *ahead.start.1);
         let omega = y[1];
@@ -287,7 +287,7 @@ impl Playing {
                 })
             }
             Phase::Turn => {
-                // The second half begins at the lowest point.
+                // The turn after a sleep begins at the lowest point, half-way.
                 let begins = y[0] > 0.0;
                 let level = if begins {
                     (omega * omega - 2.0 * self.pull()).sqrt()
@@ -333,7 +333,7 @@ impl Playing {
                 let sense = if stage.0 == Phase::Up { -1.0 } else { 1.0 };
                 let mut tension = toy.tension(depth, omega, g);
                 if let Some(air) = self.play.air_drag {
-                    // The string keeps up the part of the spin that the air would take from the centre's motion.
+                    // The drag on the spin also slows the centre, by the string: this is the centre's share of it.
                     let share = m * radius / (toy.inertia() + m * radius * radius);
                     tension += sense * air * omega * omega * share;
                 }
@@ -363,7 +363,7 @@ impl Flow<6> for Playing {
     fn start(&self) -> Result<(Stage, Numbers)> {
         let spin = self.play.throw / self.play.toy.radius(0.0);
         let moves = self.energy > 0.0 || self.gravity > 0.0;
-        // What nothing moves stays in the hand.
+        // Without throw and gravity it stays in the hand.
         let phase = if moves { Phase::Down } else { Phase::Caught };
         Ok(((phase, 0.0), [0.0, spin, self.energy, 0.0, 0.0, 0.0]))
     }
@@ -373,7 +373,7 @@ impl Flow<6> for Playing {
         [1.0, fastest, energy, energy, energy, 1.0]
     }
 
-    /// Down and up is a turn of 2π, half of it at the mean speed; the spin is faster, but even.
+    /// The pace at which the way down, at half the greatest speed, counts as an angle of π; the spin is faster but steady.
     fn pace(&self) -> f64 {
         let toy = &self.play.toy;
         FRAC_PI_2 * self.greatest().1 * toy.radius(0.0) / toy.length()
@@ -396,7 +396,7 @@ impl Flow<6> for Playing {
             Phase::Asleep => (0.0, 0.0, toy.inertia()),
             Phase::Hanging | Phase::Caught => return [0.0; 6],
         };
-        // No signs of ω: every phase ends where it is zero, and a kink there would spoil steps that try beyond.
+        // ω is not negative. Its sign is not taken, for a kink at zero, where phases end, would spoil the steps that try beyond.
         let mut brake = 0.0;
         if let Some(air) = self.play.air_drag {
             brake += air * omega * omega;
@@ -413,7 +413,7 @@ impl Flow<6> for Playing {
         let spin = y[1] / self.greatest().1;
         match phase {
             Phase::Down => Some(1.0 - y[0]),
-            // Without energy to spare it is the spin that ends the way up: the depth would graze the hand.
+            // Without energy to spare the spin ends the way up; the depth would only graze zero.
             Phase::Up if y[ENERGY] > 0.0 => Some(y[0].min(spin)),
             Phase::Up | Phase::Asleep => Some(spin),
             Phase::Turn => Some(end - y[0]),
@@ -423,7 +423,7 @@ impl Flow<6> for Playing {
 
     fn lasts_until(&self, (phase, _): Stage, t: f64) -> f64 {
         match (phase, self.play.sleep) {
-            // Closed forms keep time more exactly than the clock.
+            // With closed forms the margin ends the sleep, more exactly than the clock.
             (Phase::Asleep, Some(sleep)) if !self.closed => t + sleep,
             _ => f64::INFINITY,
         }
@@ -439,7 +439,7 @@ impl Flow<6> for Playing {
             Phase::Down if self.play.sleep.is_some() => turns(y, 0.0, FRAC_PI_2),
             Phase::Down => turns(y, 0.0, PI),
             Phase::Turn if end < PI => {
-                // The loop slips, and the string takes up what the centre had.
+                // The loop slips on the axle, and the string takes the kinetic energy of the centre.
                 let velocity = toy.axle() * y[1];
                 lose(y, 0.5 * toy.mass() * velocity * velocity);
                 y[0] = 0.0;
@@ -463,7 +463,7 @@ impl Flow<6> for Playing {
                 (Phase::Caught, 0.0)
             }
             Phase::Up => {
-                // At rest where its energy lets it be.
+                // At rest at the depth that its energy allows.
                 let depth = -y[ENERGY] / (toy.mass() * self.gravity);
                 (y[0], y[1]) = (depth / toy.length(), 0.0);
                 (Phase::Down, 0.0)
@@ -476,7 +476,7 @@ impl Flow<6> for Playing {
         (!ahead.stepped || rests(stage.0)).then(|| self.passage(stage, ahead))
     }
 
-    /// Every phase is off by so much of its own duration.
+    /// Every phase has an error in proportion to its own duration.
     fn rounding(&self, _: f64, phases: &[(f64, Stage)]) -> f64 {
         OF_CLOSED_FORMS * (1.0 + phases.len() as f64)
     }
@@ -495,7 +495,7 @@ impl Flow<6> for Playing {
     }
 }
 
-/// What may be asked for.
+/// The message for a solver that this kind of scene does not have.
 const SOLVERS: &str =
     "the solver of a yo-yo is `events` without air, or one that chooses its steps";
 
@@ -526,7 +526,7 @@ impl Scene for Play {
         let (scale, fastest) = playing.greatest();
         let mut stages = answer.trace.samples.iter().map(|(stage, _)| stage);
         if playing.closed && stages.any(|stage| stage.0 == Phase::Turn) {
-            // In the turn the yo-yo is as fast as its spin, and the time itself is rounded.
+            // In the turn the angle changes as fast as the spin, and the time itself is rounded.
             answer.error += fastest * OF_A_TIME * request.furthest;
         }
         let mut books = answer.told(request, plan, |_, stage, y| playing.state(*stage, y));

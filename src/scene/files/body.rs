@@ -1,4 +1,4 @@
-//! A body by what it is: a shape with its sizes, and its mass or its density.
+//! The tables of a body: its shape with its sizes, or its moments or inertia matrix, and its mass or density.
 
 use core::f64::consts::{PI, TAU};
 
@@ -20,7 +20,7 @@ use crate::scene::Solid;
 use crate::tippe_top::Surface;
 
 section! {
-    /// What a rigid body is made of: of `shape`, `moments` and `inertia` one.
+    /// The keys of a rigid body: one of `shape`, `moments` and `inertia`.
     Matter {
         mass: Option<f64>, "a mass in kg", Positive;
         shape: Option<Shape>, "a shape, ";
@@ -30,10 +30,10 @@ section! {
     }
 }
 
-/// What is wrong with a number that a shape tells.
+/// The message for a number that the shape already determines.
 const FOLLOWS: &str = " follows from `shape`, which stands beside it";
 
-/// What a body's inertia is given by: a matrix or a shape.
+/// The source of a body's inertia: a matrix or a shape.
 pub(super) enum Inertia {
     Matrix(InertiaMatrix),
     Shape(MassProperties),
@@ -68,7 +68,7 @@ impl Matter {
         }
     }
 
-    /// What is drawn of the body, along its axes from their origin.
+    /// The drawing of the body, along its axes from their origin.
     pub fn outline(&self, body: &MassProperties) -> Outline {
         match &self.shape {
             Some(shape) if !shape.solids.is_empty() => Outline {
@@ -98,7 +98,7 @@ impl Matter {
         file.right("body.shape", (shape.made)(mass?))
     }
 
-    /// Mass and inertia of a body that is given about its centre of mass.
+    /// Mass and inertia, for a body whose inertia is about its centre of mass.
     pub fn about_center(&self, file: &Reader<'_>) -> Option<MassProperties> {
         let inertia = match self.inertia(file)? {
             Inertia::Shape(shaped) => return Some(shaped),
@@ -115,13 +115,13 @@ impl Matter {
 
 /// A shape with its sizes, along axes of its own from an origin of its own.
 pub(super) struct Shape {
-    /// From its mass.
+    /// Makes the body from its mass.
     made: Box<dyn Fn(f64) -> Result<MassProperties>>,
-    /// Its volume (m³), area (m²) or length (m), whichever its density is of.
+    /// Its volume (m³), area (m²) or length (m), to be multiplied by its density.
     measure: Option<f64>,
-    /// The surface it can stand on, about its origin.
+    /// The surface on which it can stand, about its origin.
     pub surface: Option<Result<Surface>>,
-    /// What is drawn of it, each from its place; nothing of a mesh.
+    /// The solids that are drawn, each with its position; none for a mesh.
     solids: Vec<(Solid, Vector3<f64>)>,
 }
 
@@ -135,7 +135,7 @@ impl Shape {
         }
     }
 
-    /// The same with one more solid from this place.
+    /// Adds a solid to the drawing, at this position.
     fn drawn(mut self, solid: Solid, place: Vector3<f64>) -> Self {
         self.solids.push((solid, place));
         self
@@ -153,7 +153,7 @@ impl Shape {
     }
 }
 
-/// How one shape is read.
+/// Reads one kind of shape.
 #[derive(Clone, Copy)]
 struct Known(fn(&Table<'_>) -> Option<Shape>);
 
@@ -195,14 +195,14 @@ impl Value for Shape {
     fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
         let known = Known::read(place, value);
         if known.is_none() {
-            // What sizes there may be nobody can tell.
+            // Without a known shape no size can be called wrong.
             place.table.takes_any();
         }
         known?.0(place.table)
     }
 }
 
-/// Reads the sizes of every shape, each from a table of its name.
+/// Reads the sizes of every shape, each from a table with the shape's name.
 pub(super) fn read_all_shapes(reader: &Reader<'_>) {
     for (name, shape) in Known::words() {
         shape.0(&Table::new(reader, name.to_owned(), None));
@@ -210,18 +210,18 @@ pub(super) fn read_all_shapes(reader: &Reader<'_>) {
 }
 
 section! {
-    /// Balls, hoops and discs; the axis of these is the third, the origin the centre.
+    /// Sizes of balls, shells, hoops and discs; the axis of the last two is the third, the origin the centre.
     Radius {
         radius: f64, "the radius in m", Positive;
     }
 
-    /// The axis is the third, the origin the centre.
+    /// Sizes of a cylinder; its axis is the third, the origin the centre.
     Cylinder {
         radius: f64, "the radius in m", Positive;
         height: f64, "the height along axis 3 in m, from the centre both ways", Positive;
     }
 
-    /// The axis is the third, the origin the tip.
+    /// Sizes of a cone; its axis is the third, the origin the tip.
     Cone {
         radius: f64, "the radius of the base in m", Positive;
         height: f64, "the height along axis 3 in m, from the tip, which is the origin, to the base", Positive;
@@ -254,17 +254,17 @@ fn racket(head: f64, handle: f64) -> Shape {
 }
 
 section! {
-    /// The origin is the centre.
+    /// Sizes of a cuboid; the origin is the centre.
     Cuboid {
         edges: [f64; 3], "the edges along the three axes in m", Positive;
     }
 
-    /// The origin is the centre.
+    /// Sizes of an ellipsoid; the origin is the centre.
     Ellipsoid {
         semi_axes: [f64; 3], "the half axes in m", Positive;
     }
 
-    /// The origin is the centre.
+    /// Sizes of an egg; the origin is the centre.
     Egg {
         long: f64, "half its length, along axis 3, in m", Positive;
         short: f64, "half its width in m", Positive;
@@ -280,13 +280,13 @@ fn ellipsoid(semi_axes: [f64; 3]) -> Shape {
 }
 
 section! {
-    /// The origin is the centre of the ring.
+    /// Sizes of a racket; the origin is the centre of the ring.
     Racket {
         head: f64, "the radius of the ring in m, all of one wire", Positive;
         handle: f64, "the length of the handle in m, along axis 1; axis 3 is normal to the ring", NotNegative;
     }
 
-    /// The origin is the centre of the ball.
+    /// Sizes of a ball without a cap; the origin is the centre of the ball.
     WithoutCap {
         radius: f64, "the radius in m", Positive;
         cut: f64, "the place of the cut on axis 3 in m from the centre of the ball, which is the origin; what is above is missing";
@@ -307,7 +307,7 @@ fn without_cap(file: &Reader<'_>, WithoutCap { radius, cut }: WithoutCap) -> Opt
 }
 
 section! {
-    /// The origin is the centre of the ball.
+    /// Sizes of a ball with a weight; the origin is the centre of the ball.
     WithWeight {
         radius: f64, "the radius in m", Positive;
         weight: f64, "the part of the mass that is the weight, a point", From(0.0, 1.0);
@@ -340,7 +340,7 @@ fn with_weight(file: &Reader<'_>, sizes: WithWeight) -> Option<Shape> {
 }
 
 section! {
-    /// The origin is that of their places.
+    /// Masses and positions of beads; the origin is that of the positions.
     Beads {
         places: Vec<[f64; 3]>, "the places of the beads in m, a list of lists of 3 numbers";
         parts: Option<Vec<f64>>, "the shares of the beads in the mass, in any unit (all the same if nothing is said)", Positive;
@@ -373,7 +373,7 @@ fn beads(file: &Reader<'_>, Beads { places, parts }: Beads) -> Option<Shape> {
 }
 
 section! {
-    /// Axes and origin are those of the file.
+    /// A mesh; axes and origin are those of its file.
     Mesh {
         file: String, "the file of a closed mesh in m, STL or OBJ by its ending, beside the scene file; it has the origin and the axes";
     }
@@ -400,7 +400,7 @@ fn mesh(file: &Reader<'_>, Mesh { file: name }: Mesh) -> Option<Shape> {
     Some(Shape::new(solid.mass(), made))
 }
 
-/// Keys that there are only where no `shape` says it all.
+/// Keys that are absent where a `shape` determines them.
 pub(super) struct Shapeless<T>(pub Option<T>);
 
 impl<T: Section> Value for Shapeless<T> {
@@ -416,7 +416,7 @@ impl<T: Section> Value for Shapeless<T> {
     }
 }
 
-/// What rolls: I/MR², and how wide it is drawn, in radii, unless it is a ball.
+/// The shape of a rolling body: I/MR², and the width of its drawing, in radii, unless it is a ball.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Round(f64, Option<f64>);
 
@@ -433,7 +433,7 @@ impl Word for Round {
 }
 
 impl Round {
-    /// What is drawn of it.
+    /// The drawing of a rolling body.
     pub fn outline(shape: Option<Self>, radius: f64) -> Outline {
         match shape.and_then(|Self(_, width)| width) {
             None => Outline::new("a ball", Solid::ball(radius)),
@@ -442,7 +442,7 @@ impl Round {
     }
 }
 
-/// The inertia factor of what rolls: given, or that of its shape, or that of a ball.
+/// The inertia factor of a rolling body: the given one, that of its shape, or that of a ball.
 pub(super) fn inertia_factor(
     file: &Reader<'_>,
     factor: Option<f64>,

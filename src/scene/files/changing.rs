@@ -1,5 +1,5 @@
-//! `kind = "swivel"`, `"skater"`, `"cat"`, `"paper-cat"`, `"crawler"`: what bodies do to themselves (1.1). Effects that need more than one number are
-//! tables of their own, such as `[effects.turnover]`.
+//! `kind = "swivel"`, `"skater"`, `"cat"`, `"paper-cat"`, `"crawler"`: bodies that change their shape, and a cat of paper (1.1). Effects that need more than
+//! one number are tables of their own, such as `[effects.turnover]`.
 
 use core::f64::consts::PI;
 
@@ -53,7 +53,7 @@ pub fn swivel(file: &File<'_, SwivelBody, SwivelInitial, SwivelEffects>) -> Made
     let scene = file.right("initial.angular_momentum", scene.with_angular_momentum(l))?;
     let acting = listed![file.effects.four_phases, file.effects.bearing_friction];
     let scene = with(file, scene, acting, Swivel::with)?;
-    // A disc of 1 kg with a moment.
+    // The radius of a disc of 1 kg with this moment.
     let radius = |moment: f64| (2.0 * moment).sqrt();
     let lower = radius(file.body.lower);
     let look: Look = Box::new(move |told| {
@@ -110,7 +110,7 @@ pub fn skater(file: &File<'_, SkaterBody, SkaterInitial, SkaterEffects>) -> Made
     let scene = file.right("initial.reach", scene)?;
     let acting = listed![file.effects.draw, file.effects.bearing_friction];
     let scene = with(file, scene, acting, Skater::with)?;
-    // Where both hands would have the moment of the core.
+    // The radius at which both hands would have the moment of the core.
     let girth = (0.5 * file.body.core / file.body.hand.max(0.02 * file.body.core)).sqrt();
     let look: Look = Box::new(move |told| {
         let [angle, spin, reach, l] = told.vector(["angle", "spin", "reach", "l"]);
@@ -131,7 +131,7 @@ pub fn skater(file: &File<'_, SkaterBody, SkaterInitial, SkaterEffects>) -> Made
 }
 
 section! {
-    /// `[body]` of a cat: every list has one number for the front and one for the rear.
+    /// `[body]` of a cat: each list has a number for the front half and one for the rear.
     CatBody {
         mass: [f64; 2], "two masses in kg", Positive;
         axial: [f64; 2], "two moments in kg m²", Positive;
@@ -176,7 +176,7 @@ pub fn cat(file: &File<'_, CatBody, CatInitial, CatEffects>) -> Made<Cat> {
         let length = (6.0 * (2.0 * half.transverse - half.axial) / half.mass).sqrt();
         Solid::wheel((2.0 * half.axial / half.mass).sqrt(), length)
     });
-    // The axis of a cylinder is its third, the spine the first; their faces look out, the line on them is at the belly, which is +y.
+    // A cylinder's axis is its third, a half's spine its first axis. The faces point outward, and the line on them marks the belly, +y.
     let [first, second] = [-1.0, 1.0].map(|out| {
         let axes = Matrix3::new(0.0, 0.0, out, 1.0, 0.0, 0.0, 0.0, out, 0.0);
         UnitQuaternion::from_matrix(&axes)
@@ -203,7 +203,7 @@ pub fn cat(file: &File<'_, CatBody, CatInitial, CatEffects>) -> Made<Cat> {
         };
         Sight {
             drawn_as: "two cylinders with its masses and moments, Ω that of the front",
-            // It is let go from rest: what is told of L is rounding.
+            // The cat starts from rest: its computed L is rounding.
             angular_momentum: None,
             solids: vec![
                 spine(a),
@@ -217,7 +217,7 @@ pub fn cat(file: &File<'_, CatBody, CatInitial, CatEffects>) -> Made<Cat> {
     Some((scene, look))
 }
 
-/// What `[body]` does not say is as for a cat cut from a postcard.
+/// Defaults of `[body]`: a cat cut from a postcard.
 const POSTCARD: Postcard = Postcard::POSTCARD;
 
 keys! {

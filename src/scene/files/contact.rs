@@ -1,4 +1,4 @@
-//! `kind = "meteorite"`, `"roller"`, `"spool"`, `"superball"`: what strikes, skids, rolls and bounces (4.2 to 4.6).
+//! `kind = "meteorite"`, `"roller"`, `"spool"`, `"superball"`: bodies that strike, skid, roll and bounce (4.2 to 4.6).
 
 use nalgebra::Vector3;
 
@@ -31,7 +31,7 @@ section! {
         cue_height: Option<f64>, "the height of the cue above the table in radii";
     }
 
-    /// What the table does.
+    /// The friction of a table.
     Friction {
         friction: Option<f64>, "the coefficient of friction of what slides, a ratio", NotNegative;
         static_friction: Option<f64>, "the coefficient of friction of what rolls, a ratio", NotNegative;
@@ -250,7 +250,7 @@ pub fn superball(
     let restitution = given[0].or(given[1]).map(|_| restitution);
     let acting = listed![effects.gravity, restitution, effects.grip];
     let ball = with(file, ball, acting, Superball::with)?;
-    // It has a speed of its rim but no radius: one that goes well with the room it has.
+    // The scene has a rim speed but no radius: the drawing takes one that fits the heights.
     let gravity = effects.gravity.map(Gravity::value).filter(|&g| g > 0.0);
     let climbed = gravity.map_or(0.0, |g| 0.5 * initial.climb.powi(2) / g);
     let room = effects.ceiling.unwrap_or(initial.height + climbed);

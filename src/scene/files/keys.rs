@@ -1,15 +1,15 @@
-//! What a key is: its name, what is expected after it, and its line on the page of keys.
+//! The declaration of a key: its name, the expected value, its bounds, and its row on the page of keys.
 
 use core::fmt::Display;
 
 use crate::error::Number;
 
-/// Between what bounds a number must lie.
+/// The bounds of a number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Bound {
     Positive,
     NotNegative,
-    /// Both included.
+    /// With both bounds included.
     From(f64, f64),
 }
 
@@ -23,10 +23,10 @@ impl Bound {
     }
 }
 
-/// A key as it is declared.
+/// A declared key.
 pub(super) struct Key {
     pub name: &'static str,
-    /// What is expected: "a mass in kg".
+    /// The expected value: "a mass in kg".
     pub what: &'static str,
     pub bound: Option<Bound>,
 }
@@ -47,14 +47,14 @@ impl Key {
         }
     }
 
-    /// What is expected, `shape` said after it, and the bound.
+    /// The expected value in words: its description, then `shape`, then the bounds.
     pub fn expected(&self, shape: impl Display) -> String {
         let bound = match self.bound {
             None => String::new(),
             Some(Bound::Positive) => ", positive".to_owned(),
             Some(Bound::NotNegative) => ", not negative".to_owned(),
             Some(Bound::From(least, most)) => {
-                // Counts are not told by an exponent.
+                // Counts are written without an exponent.
                 let told = |bound: f64| match bound.fract() {
                     0.0 => bound.to_string(),
                     _ => Number(bound).to_string(),
@@ -66,15 +66,15 @@ impl Key {
     }
 }
 
-/// A key, for a page of keys.
+/// A key as a row on the page of keys.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct KeyRow {
-    /// The table it stands in, such as `body` or `effects.draw`; nothing for the file itself.
+    /// The table it belongs to, such as `body` or `effects.draw`; empty for the top of the file.
     pub section: String,
     /// The key.
     pub key: &'static str,
-    /// What is expected: "a mass in kg, positive".
+    /// The expected value: "a mass in kg, positive".
     pub expected: String,
-    /// What stands for it where it is absent; nothing if it must be there.
+    /// The default; `None` if the key must be given.
     pub absent: Option<String>,
 }

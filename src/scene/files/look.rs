@@ -1,4 +1,4 @@
-//! Bodies as they look: what is drawn of them, and how the numbers of a motion move it.
+//! The drawing of a body, and how the numbers of a motion place it.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -9,7 +9,7 @@ use crate::scene::{AnyScene, Around, Column, Sight, Solid};
 
 type Vector = Vector3<f64>;
 
-/// The numbers of a row by their names.
+/// The numbers of a row, by the names of their columns.
 #[derive(Debug)]
 pub(in crate::scene) struct Told<'a> {
     columns: &'a [Column],
@@ -17,32 +17,31 @@ pub(in crate::scene) struct Told<'a> {
 }
 
 impl Told<'_> {
-    /// The number of this name, if it is told.
+    /// The number in the column with this name, if there is one.
     pub fn number(&self, name: &str) -> Option<f64> {
         let place = self.columns.iter().position(|column| column.name == name)?;
         self.row.get(place).copied()
     }
 
-    /// The numbers of these names; 0 for what is not told.
+    /// The numbers in the columns with these names; 0 for a missing column.
     pub fn vector<const N: usize>(&self, names: [&str; N]) -> [f64; N] {
         names.map(|name| self.number(name).unwrap_or(0.0))
     }
 }
 
-/// What a scene looks like, from the numbers that it tells.
+/// The picture of a scene as a function of the numbers in a row.
 pub(in crate::scene) type Look = Box<dyn Fn(&Told<'_>) -> Sight + Send + Sync>;
 
 impl AnyScene {
-    /// The same with what it looks like.
+    /// Sets the picture of the scene.
     #[must_use]
     pub(super) fn looking(mut self, look: Look) -> Self {
         self.look = Some(look);
         self
     }
 
-    /// What it looks like at a row of a table, by the numbers that the table tells. Only a scene from a file knows.
-    ///
-    /// Nothing for any other.
+    /// The picture of the scene at a row of a table with these columns. Only a scene from a file has one: `None` for
+    /// any other.
     ///
     /// ```
     /// use spinning_bodies::scene::files::parse;
@@ -71,7 +70,7 @@ impl Solid {
     }
 }
 
-/// A body along its axes: solids, each with the place of its origin.
+/// The drawing of a body, along its axes: solids, each with the position of its origin.
 #[derive(Debug, Clone)]
 pub(super) struct Outline {
     pub drawn_as: &'static str,
@@ -79,7 +78,7 @@ pub(super) struct Outline {
 }
 
 impl Outline {
-    /// One solid about the origin.
+    /// A drawing of one solid about the origin.
     pub fn new(drawn_as: &'static str, solid: Solid) -> Self {
         Self {
             drawn_as,
@@ -87,7 +86,7 @@ impl Outline {
         }
     }
 
-    /// The homogeneous ellipsoid of this mass and these second moments about the origin, whose centre is there, and a bar to it.
+    /// The homogeneous ellipsoid with this mass and these second moments about the origin, centred at `center`, and a bar from the origin to it.
     pub fn of_inertia(second_moments: Matrix3<f64>, mass: f64, center: Vector) -> Self {
         let about_center = second_moments - center * center.transpose() * mass;
         let half = principal_axes_of(&about_center).map(|axes| {
@@ -100,13 +99,13 @@ impl Outline {
             .and(Solid::Bar(center))
     }
 
-    /// The same with another solid about the origin.
+    /// Adds another solid about the origin.
     pub fn and(mut self, solid: Solid) -> Self {
         self.solids.push((solid, Vector::zeros()));
         self
     }
 
-    /// The same in another place of its axes.
+    /// The drawing moved along its axes.
     pub fn moved(mut self, by: Vector) -> Self {
         for (_, place) in &mut self.solids {
             *place += by;
@@ -114,7 +113,7 @@ impl Outline {
         self
     }
 
-    /// The body with its origin there.
+    /// The picture of the body with its origin at `place`.
     pub fn sight(&self, around: Around, place: Vector, attitude: UnitQuaternion<f64>) -> Sight {
         let stands = Isometry3::from_parts(place.into(), attitude);
         let solids = self.solids.iter().map(|(solid, origin)| {
@@ -125,7 +124,7 @@ impl Outline {
     }
 }
 
-/// Solids as they stand, from which nothing is told of how they turn.
+/// A picture of solids at rest, for a scene that does not give their rotation.
 pub(super) fn still(
     drawn_as: &'static str,
     around: Around,
@@ -144,7 +143,7 @@ pub(super) fn still(
 }
 
 impl Sight {
-    /// The same with Ω and L along this axis.
+    /// Adds Ω and L along this axis.
     pub(super) fn turning(self, axis: Vector, [omega, l]: [f64; 2]) -> Self {
         Self {
             omega: axis * omega,
@@ -154,7 +153,7 @@ impl Sight {
     }
 }
 
-/// A body that tells its attitude.
+/// The picture of a body whose attitude is given.
 pub(super) fn free(body: Outline, around: Around) -> Look {
     Box::new(move |told| {
         let [w, x, y, z] = told.vector(["qw", "qx", "qy", "qz"]);
@@ -171,9 +170,9 @@ pub(super) fn free(body: Outline, around: Around) -> Look {
     })
 }
 
-/// A body that turns in the plane of x and z, about the axis y: its place and its angle, if that is known (m, rad).
+/// The picture of a body that turns in the plane of x and z, about the y axis, from its position and, if known, its angle (m, rad).
 ///
-/// The third axis of what rolls lies along y.
+/// The third axis of a rolling body lies along y.
 pub(super) fn rolling(
     body: Outline,
     around: Around,
@@ -189,7 +188,7 @@ pub(super) fn rolling(
     })
 }
 
-/// A turn about an axis, rad.
+/// The rotation about an axis by an angle, rad.
 pub(super) fn about(axis: Vector, angle: f64) -> UnitQuaternion<f64> {
     UnitQuaternion::from_scaled_axis(axis * angle)
 }

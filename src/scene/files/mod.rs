@@ -1,7 +1,7 @@
-//! Scene files: a TOML text becomes a scene, or a list of all that is wrong with it.
+//! Scene files: converts a TOML text into a scene, or into the list of its mistakes.
 //!
-//! The kind is read first, then that kind's tables. Each table is declared once, key by key with unit, bound and default; the page of keys is what
-//! the reader asks for in a file that says nothing. A file's numbers can be [set], for scans. Nothing here opens a file.
+//! The kind is read first, then that kind's tables. Each table is declared once, key by key with unit, bounds and default; the page of keys lists what
+//! the reader looks for in an empty file. The numbers of a file can be replaced by [`set`], for scans. Nothing here opens a file.
 //!
 //! ```
 //! use spinning_bodies::scene::files::parse;
@@ -14,16 +14,16 @@
 //! # Ok::<(), spinning_bodies::scene::files::Mistakes>(())
 //! ```
 //!
-//! | file | what it does |
+//! | file | content |
 //! |---|---|
 //! | `reader` | tables and keys of one text; mistakes, each in one line |
-//! | `values` | what may stand after a key; how tables are declared |
+//! | `values` | the values of keys, and the declaration of tables |
 //! | `run` | times, accuracy, solver, columns |
-//! | `body` | a body by what it is |
-//! | `look` | how it is drawn |
-//! | one a kind | the tables of that kind, and the scene made of them |
+//! | `body` | the tables of a rigid body |
+//! | `look` | the drawing of a scene |
+//! | one for each kind or several | the tables of the kind, and the scene made from them |
 //!
-//! A new kind brings its tables, a function that makes its scene of them, and a line in `KINDS`.
+//! A new kind needs its tables, a function that makes a scene from them, and a line in `KINDS`.
 
 mod body;
 mod changing;
@@ -55,7 +55,7 @@ use reader::{Reader, Section, Table, find, joined};
 use run::Run;
 use values::Word;
 
-/// Effects that may be listed, as values.
+/// The optional effects of a scene, as an array of [`Effect`]s.
 macro_rules! listed {
     ($($effect:expr),* $(,)?) => {
         [$($effect.map($crate::scene::effects::Effect::from)),*]
@@ -63,7 +63,7 @@ macro_rules! listed {
 }
 use listed;
 
-/// What a file says of a scene: the three tables of its kind.
+/// The contents of a file: the three tables of its kind.
 struct File<'a, B, I, E> {
     reader: &'a Reader<'a>,
     body: B,
@@ -79,10 +79,10 @@ impl<'a, B, I, E> Deref for File<'a, B, I, E> {
     }
 }
 
-/// What makes a scene of a file, and says what it looks like.
+/// A scene made from a file, with its picture.
 type Made<S> = Option<(S, Look)>;
 
-/// The scene with those of these effects that are listed.
+/// The scene with those of the listed effects that are present.
 fn with<S>(
     file: &Reader<'_>,
     mut scene: S,
@@ -100,10 +100,10 @@ fn with<S>(
     Some(scene)
 }
 
-/// How a kind of scene is read.
+/// Reads a kind of scene.
 type Kind = fn(&Reader<'_>) -> Option<(AnyScene, Request)>;
 
-/// The kinds of scene, the first being the one without `kind`.
+/// The kinds of scene; the first is that of a file without `kind`.
 const KINDS: [(&str, Kind); 13] = [
     ("top", |file| read(file, top::top)),
     ("meteorite", |file| read(file, contact::meteorite)),
@@ -129,7 +129,7 @@ impl Word for Kind {
 const TITLE: Key = Key::new("title", "a title in quotes");
 const KIND: Key = Key::new("kind", "");
 
-/// The scene that the tables of a file make, and what is asked of it. Every table is read before anything is given up.
+/// The scene made from the tables of a file, and the request. Every table is read before the first mistake ends the reading.
 fn read<B: Section, I: Section, E: Section, S: Scene<State: Send + 'static> + 'static>(
     reader: &Reader<'_>,
     made: fn(&File<'_, B, I, E>) -> Made<S>,
@@ -154,10 +154,10 @@ fn read<B: Section, I: Section, E: Section, S: Scene<State: Send + 'static> + 's
     Some((run.told(reader, scene)?, request))
 }
 
-/// The scene and the request that a file's text describes; `name` is what the file is called where something is wrong with it.
+/// The scene and the request described by a file's text; `name` names the file in messages.
 ///
 /// # Errors
-/// All that is wrong with it. A mesh that it names is out of reach.
+/// All mistakes in the text. A mesh named by the file cannot be read.
 ///
 /// ```
 /// use spinning_bodies::scene::files::parse;
@@ -175,10 +175,10 @@ fn out_of_reach(_: &str) -> Result<Vec<u8>, String> {
     Err("other files are out of reach here".to_owned())
 }
 
-/// The same where the file may name others, such as the mesh of a body: `open` gives their bytes.
+/// Like [`parse`], for a file that may name others, such as the mesh of a body: `open` returns their bytes.
 ///
 /// # Errors
-/// All that is wrong with it.
+/// All mistakes in the text.
 ///
 /// ```
 /// use spinning_bodies::scene::files::{parse, parse_with};
@@ -198,7 +198,7 @@ pub fn parse_with(
     reader.finish(made)
 }
 
-/// The words that may stand after `kind`; the first is meant where there is none.
+/// The possible values of `kind`; the first is the default.
 ///
 /// ```
 /// use spinning_bodies::scene::files::kinds;
@@ -208,8 +208,8 @@ pub fn kinds() -> impl ExactSizeIterator<Item = &'static str> {
     KINDS.iter().map(|(name, _)| *name)
 }
 
-/// The keys of a kind in `[body]`, `[initial]` and `[effects]`; for `run` those that all kinds share, at the top and in `[run]`; for `shapes` the sizes
-/// of all shapes, where in place of the section stands the shape. Nothing for another word.
+/// The keys of a kind in `[body]`, `[initial]` and `[effects]`; for `run` the keys common to all kinds, at the top and in `[run]`; for `shapes` the sizes
+/// of all shapes, with the shape in place of the section. `None` for any other word.
 ///
 /// ```
 /// use spinning_bodies::scene::files::keys;
@@ -219,7 +219,7 @@ pub fn kinds() -> impl ExactSizeIterator<Item = &'static str> {
 /// ```
 pub fn keys(kind: &str) -> Option<Vec<KeyRow>> {
     let reader = Reader::listing(&out_of_reach).ok()?;
-    // Those that all kinds share are read with the first.
+    // The common keys are read with the first kind.
     let known = KINDS.iter().find(|known| [known.0, "run"].contains(&kind));
     match kind {
         "shapes" => body::read_all_shapes(&reader),
@@ -231,7 +231,7 @@ pub fn keys(kind: &str) -> Option<Vec<KeyRow>> {
     Some(rows)
 }
 
-/// The paths of all numbers of a file.
+/// The paths of all numbers in a file.
 ///
 /// ```
 /// use spinning_bodies::scene::files::numbers;
@@ -262,8 +262,8 @@ pub fn numbers(text: &str) -> Vec<String> {
     found
 }
 
-/// The same file with another number in one place, given by its path: "body.moments.2", places in a list counting from 0; nothing where there is no number. A whole number stays one as long as it
-/// can, for some keys take no other.
+/// The file's text with the number at `path` replaced: "body.moments.2", with places in a list counted from 0; `None` if there is no number there. An integer stays
+/// one if it can, since some keys take no other number.
 ///
 /// ```
 /// use spinning_bodies::scene::files::set;

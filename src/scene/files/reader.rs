@@ -1,4 +1,4 @@
-//! Tables and keys of one file; what is wrong is gathered, each in one line that names file, line and key.
+//! Reads the tables and keys of one file and collects its mistakes, each in one line with file, line and key.
 
 use core::cell::{Cell, RefCell};
 use core::fmt::Display;
@@ -9,32 +9,32 @@ use toml::de::{DeTable, DeValue};
 
 use super::keys::{Key, KeyRow};
 
-/// All that is wrong with a file, in the order of its lines: in one line each the file, the line, the key, and what was expected.
+/// All mistakes in a file, in the order of its lines; each is one line with the file, the line, the key, and the expected value.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{}", .0.join("\n"))]
 pub struct Mistakes(Vec<String>);
 
-/// A file being read. Whatever gives back nothing has told why.
+/// A file being read. A method that returns `None` has recorded the mistake.
 pub(super) struct Reader<'a> {
     name: &'a str,
     text: &'a str,
     entries: DeTable<'a>,
-    /// Line, counted from 1, and text; what has no line to point at comes last.
+    /// Line, counted from 1, and message; messages without a line come last.
     mistakes: RefCell<Vec<(usize, String)>>,
-    /// Reads another file that this one names.
+    /// Reads another file, named in this one.
     pub open: &'a Open<'a>,
-    /// Whether it is there only to see which keys are asked for: then tables that may be absent are read as well.
+    /// Whether the file serves only to list the keys; then optional tables are read as well.
     lists: bool,
-    /// The keys that were asked for and are not there.
+    /// The keys that were looked for and are absent.
     pub absent: RefCell<Vec<KeyRow>>,
 }
 
-/// Gives the bytes of a file that a scene file names, or says why not.
+/// Returns the bytes of a file named in a scene file, or the reason why it cannot.
 pub(super) type Open<'a> = dyn Fn(&str) -> Result<Vec<u8>, String> + 'a;
 
 impl<'a> Reader<'a> {
     /// # Errors
-    /// If the text is not TOML.
+    /// A message if the text is not TOML.
     pub fn new(name: &'a str, text: &'a str, open: &'a Open<'a>) -> Result<Self, Mistakes> {
         let new = |entries| Self {
             name,
@@ -60,13 +60,13 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Of a file that says nothing: [`absent`](Self::absent) will be all keys that are asked for.
+    /// A reader of an empty file: [`absent`](Self::absent) collects all keys.
     pub fn listing(open: &'a Open<'a>) -> Result<Self, Mistakes> {
         let lists = true;
         Self::new("", "", open).map(|empty| Self { lists, ..empty })
     }
 
-    /// What the file makes, if nothing was wrong with it.
+    /// The value made from the file, if there were no mistakes.
     pub fn finish<T>(self, made: Option<T>) -> Result<T, Mistakes> {
         let mut mistakes = self.mistakes.into_inner();
         mistakes.sort_by_key(|mistake| mistake.0);
@@ -86,13 +86,13 @@ impl<'a> Reader<'a> {
             None => (usize::MAX, format!("{}: {told}", self.name)),
         };
         let mut mistakes = self.mistakes.borrow_mut();
-        // A key that is read for two reasons is wrong once.
+        // A key that is read for two purposes is reported once.
         if !mistakes.contains(&mistake) {
             mistakes.push(mistake);
         }
     }
 
-    /// Something is wrong with these keys, given by their paths with commas between them: "body.mass, body.radius".
+    /// Records a mistake in these keys, given by their paths, separated by commas: "body.mass, body.radius".
     pub fn wrong<T>(&self, keys: &str, told: impl Display) -> Option<T> {
         let mut paths = keys.split(", ");
         let place = paths.find_map(|path| find(&self.entries, path));
@@ -104,7 +104,7 @@ impl<'a> Reader<'a> {
         None
     }
 
-    /// What a constructor gives back; a refusal is blamed on these keys.
+    /// The result of a constructor; its error is recorded for these keys.
     pub fn right<T>(&self, keys: &str, given: crate::Result<T>) -> Option<T> {
         match given {
             Ok(given) => Some(given),
@@ -112,7 +112,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// How a value stands in the file, in a few letters.
+    /// A value as written in the file, shortened.
     pub fn shown(&self, value: &Spanned<DeValue<'_>>) -> String {
         let text = self.text.get(value.span()).unwrap_or_default();
         one_line(text).chars().take(40).collect()
@@ -123,7 +123,7 @@ fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// Where a key and its value stand, by its path: "body.moments", or "body.moments.2" with places in a list counted from 0.
+/// A key and its value, by the path: "body.moments", or "body.moments.2" with places in a list counted from 0.
 pub(super) fn find<'t, 'a>(
     entries: &'t DeTable<'a>,
     path: &str,
@@ -147,7 +147,7 @@ pub(super) fn find<'t, 'a>(
     Some(found)
 }
 
-/// The path of a key, or of a place in a list, within what has this path; the file itself has none.
+/// The path of a key or of a place in a list, from the path of its table or list; that of the file is empty.
 pub(super) fn joined(path: &str, step: &str) -> String {
     match path {
         "" => step.to_owned(),
@@ -155,7 +155,7 @@ pub(super) fn joined(path: &str, step: &str) -> String {
     }
 }
 
-/// Keys by name, those of one table together.
+/// The names of keys in a message, those of one table together.
 fn named(keys: &str) -> String {
     let parted = |path| str::rsplit_once(path, '.').unwrap_or(("", path));
     let paths: Vec<(&str, &str)> = keys.split(", ").map(parted).collect();
@@ -169,33 +169,33 @@ fn named(keys: &str) -> String {
     format!("key {}", tables.collect::<Vec<_>>().join(", "))
 }
 
-/// What may stand after a key.
+/// A type that can be the value of a key.
 pub(super) trait Value: Sized {
-    /// Whether it is a table, with keys of its own.
+    /// Whether the value is a table with keys of its own.
     const IS_TABLE: bool = false;
 
-    /// What is expected, in words.
+    /// The expected value in words.
     fn expected(key: &Key) -> String {
         key.expected("")
     }
 
-    /// From what stands there.
+    /// The value from the TOML value written there.
     fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self>;
 
-    /// What stands for it where it is absent, and how that is told; nothing where it must be there.
+    /// The default and its text; `None` if the key must be given.
     fn absent() -> Option<(Self, String)> {
         None
     }
 
-    /// From its table: a value that is made of several keys takes them itself.
+    /// The value from its table; one made from several keys takes them itself.
     fn take(table: &Table<'_>, key: &Key, default: Option<(Self, String)>) -> Option<Self> {
         table.value(key, default)
     }
 }
 
-/// A table of declared keys.
+/// A table with declared keys.
 pub(super) trait Section: Value {
-    /// Reads all of them.
+    /// Reads all keys.
     fn fields(table: &Table<'_>) -> Option<Self>;
 }
 
@@ -204,9 +204,9 @@ pub(super) struct Table<'r> {
     pub reader: &'r Reader<'r>,
     path: String,
     entries: Option<&'r DeTable<'r>>,
-    /// The keys that someone has asked for: those that the table may have.
+    /// The keys that were looked for, which are those that the table may have.
     known: RefCell<Vec<&'static str>>,
-    /// Whether keys that nobody knows are let pass.
+    /// Whether unknown keys are allowed.
     takes_any: Cell<bool>,
 }
 
@@ -226,7 +226,7 @@ impl<'r> Table<'r> {
         }
     }
 
-    /// Lets keys pass that nobody knows: one that would tell which there may be is wrong.
+    /// Allows unknown keys: the key that decides which there may be is wrong.
     pub fn takes_any(&self) {
         self.takes_any.set(true);
     }
@@ -235,17 +235,17 @@ impl<'r> Table<'r> {
         joined(&self.path, key)
     }
 
-    /// A key's value, as it stands there.
+    /// The TOML value of a key.
     pub fn entry(&self, key: &'static str) -> Option<&'r Spanned<DeValue<'r>>> {
         let mut known = self.known.borrow_mut();
-        // Of some a second time: what there may be depends on them.
+        // Some keys are looked for twice, because others depend on them.
         if !known.contains(&key) {
             known.push(key);
         }
         self.entries?.get(key)
     }
 
-    /// The value of a key, or what stands for it where it is absent.
+    /// The value of a key, or its default if it is absent.
     pub fn value<T: Value>(&self, key: &Key, default: Option<(T, String)>) -> Option<T> {
         let place = Place { table: self, key };
         if let Some(value) = self.entry(key.name) {
@@ -265,7 +265,7 @@ impl<'r> Table<'r> {
         value
     }
 
-    /// One of the large tables, `[body]` say: without keys if it is not there, and its name no slip.
+    /// One of the main tables, such as `[body]`: read as empty if it is absent, unless its name seems to be misspelt.
     pub fn part<S: Section>(&self, name: &'static str) -> Option<S> {
         let key = &Key::new(name, "a table");
         match self.entry(name) {
@@ -275,7 +275,7 @@ impl<'r> Table<'r> {
         }
     }
 
-    /// All keys of the table. Each is read before anything is given up.
+    /// All keys of the table; each is read before the first mistake ends the reading.
     pub fn section<S: Section>(self) -> Option<S> {
         let before = self.reader.mistakes.borrow().len();
         let section = S::fields(&self);
@@ -291,12 +291,12 @@ impl<'r> Table<'r> {
             .filter(move |key| !known.contains(key))
     }
 
-    /// A key that nobody knows and that may be meant for this one.
+    /// An unknown key that may be a misspelling of this one.
     fn slip(&self, key: &str) -> Option<&'r str> {
         nearest(key, self.strangers())
     }
 
-    /// Tells which keys are strange, and which are missing; a slip of the pen is told once.
+    /// Records the unknown and the missing keys; a misspelt one is reported once.
     pub fn done(&self) {
         let absent = self.reader.absent.borrow();
         let needed = |row: &&KeyRow| row.section == self.path && row.absent.is_none();
@@ -330,26 +330,26 @@ impl<'p> Place<'p> {
         self.table.path_of(self.key.name)
     }
 
-    /// The value is of another kind.
+    /// Records that the value is of the wrong type.
     pub fn unexpected<T>(&self, value: &Spanned<DeValue<'_>>, expected: &str) -> Option<T> {
         let (kind, shown) = (value.get_ref().type_str(), self.table.reader.shown(value));
         self.wrong(value, format_args!("{expected}, got the {kind} {shown}"))
     }
 
-    /// The value is not what it must be.
+    /// Records that the value is not as it must be.
     pub fn wrong<T>(&self, value: &Spanned<DeValue<'_>>, must_be: impl Display) -> Option<T> {
         let told = format!("{} must be {must_be}", named(&self.path()));
         self.table.reader.add(Some(value.span()), told);
         None
     }
 
-    /// The table that this key's value is.
+    /// The table that is the value of this key.
     pub fn inner(&self, entries: &'p DeTable<'p>) -> Table<'p> {
         Table::new(self.table.reader, self.path(), Some(entries))
     }
 }
 
-/// A question whether one of these was meant, `; did you mean ...?`, where one is near; otherwise nothing.
+/// The question whether one of these was meant, `; did you mean ...?`, if one is similar; otherwise empty.
 ///
 /// ```
 /// use spinning_bodies::scene::files::meant;

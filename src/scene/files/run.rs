@@ -1,4 +1,4 @@
-//! `[run]`: when, how well, and by which solver.
+//! `[run]`: times, accuracy, solver and columns.
 
 use std::collections::BTreeSet;
 
@@ -29,7 +29,7 @@ impl Run {
         Some(request.by(self.solver))
     }
 
-    /// The scene telling the numbers asked for.
+    /// The scene with the requested columns.
     pub fn told(&self, file: &Reader<'_>, scene: AnyScene) -> Option<AnyScene> {
         match &self.columns {
             None => Some(scene),
@@ -58,7 +58,7 @@ impl Run {
             (None, Some(until), samples) => {
                 let samples = samples.unwrap_or(101);
                 let last = (samples - 1) as f64;
-                // Product first: 49 of 52 seconds in 520 parts is 4.9 then, not one ulp less.
+                // The product comes first: 49 of 52 seconds in 520 parts is then 4.9, not one ulp less.
                 let is_finite = (until * last).is_finite();
                 let unit = if is_finite { 1.0 } else { last };
                 let at = |i: usize| (until / unit) * i as f64 / (last / unit);
@@ -75,10 +75,10 @@ impl Run {
     }
 }
 
-/// The scene telling these numbers.
+/// The scene with these columns.
 ///
 /// # Errors
-/// A name that is none, and what was probably meant: "has no column `tlt` to tell; …"; one that stands there twice.
+/// An unknown name, with the one that was probably meant: "has no column `tlt` to tell; …"; a name given twice.
 ///
 /// ```
 /// use spinning_bodies::scene::files::{parse, telling};

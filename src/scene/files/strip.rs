@@ -1,4 +1,4 @@
-//! `kind = "strip"`: a strip that falls through a fluid, or through none (4.10).
+//! `kind = "strip"`: a strip that falls through a fluid or a vacuum (4.10).
 
 use nalgebra::Vector3;
 

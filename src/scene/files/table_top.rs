@@ -21,7 +21,7 @@ section! {
         stands_on: Shapeless<StandsOn>, "";
     }
 
-    /// The surface of a body without a shape.
+    /// The surface of a body given without a shape.
     StandsOn {
         radius: Option<f64>, "a radius in m", Positive;
         semi_axes: Option<[f64; 3]>, "half axes in m", Positive;
@@ -51,7 +51,7 @@ section! {
     }
 }
 
-/// What `friction` means.
+/// The law that `friction_law` names.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Law {
     Coulomb,
@@ -114,7 +114,7 @@ fn made(file: &Reader<'_>, body: &Body) -> Option<(ConvexBody, Outline)> {
 }
 
 impl StandsOn {
-    /// Its surface about its centre, and a bar to that from C.
+    /// The drawing of a body: its surface about the surface's centre, and a bar from C to that centre.
     fn outline(&self) -> Outline {
         let half = self.semi_axes.unwrap_or([self.radius.unwrap_or(1.0); 3]);
         let turn = about(Vector3::z(), self.surface_turn).to_rotation_matrix();

@@ -1,4 +1,4 @@
-//! What may stand after a key, and the tables made of it: each declared once, for the reader and for the page of keys.
+//! The values of keys, and the macros that declare tables of them, once for the reader and for the page of keys.
 
 use toml::Spanned;
 use toml::de::DeValue;
@@ -14,9 +14,9 @@ use crate::scene::effects::{
 };
 use crate::scene::{Choice, Solver};
 
-/// Declares tables: a struct each with a line for each key, `name: type, "what is expected, in its unit", bound;`, the bound left out where any number
-/// will do. An `Option` may be absent, `name: type = value` stands for what is. The keys of a table within a table stand in that one, those of an
-/// `Option` in one of their own.
+/// Declares tables: a struct each, with a line for each key, `name: type, "the expected value, with its unit", bound;`, without the bound where any number
+/// will do. An `Option` may be absent; `name: type = value` gives a default. The keys of a nested table are read from the outer one, those of an
+/// `Option` from a table of their own.
 macro_rules! section {
     ($($(#[$doc:meta])* $name:ident {
         $($field:ident: $type:ty $(= $default:expr)?, $what:expr $(, $bound:expr)?;)*
@@ -33,7 +33,7 @@ macro_rules! section {
 }
 pub(super) use section;
 
-/// The same for a struct that there is already, its fields being named as the keys.
+/// Declares the keys of a struct that exists already, named like its fields.
 macro_rules! keys {
     ($name:ty {
         $($field:ident: $type:ty $(= $default:expr)?, $what:expr $(, $bound:expr)?;)*
@@ -90,7 +90,7 @@ impl<T: Value> Value for Option<T> {
     }
 }
 
-/// The number that a value is, if it is one.
+/// The number, if the value is one.
 pub(super) fn number(value: &DeValue<'_>) -> Option<f64> {
     match value {
         DeValue::Float(number) => number.as_str().parse().ok(),
@@ -119,7 +119,7 @@ impl Value for f64 {
     }
 }
 
-/// The members of a list, each read before anything is given up.
+/// The members of a list; each is read before the first mistake ends the reading.
 fn members<T: Value>(
     place: &Place<'_>,
     value: &Spanned<DeValue<'_>>,
@@ -167,7 +167,7 @@ impl Value for BodyVector {
     }
 }
 
-/// A unit quaternion. Rounding is forgiven, and divided out.
+/// A unit quaternion: normalised, if its length is within 1e-3 of 1.
 impl Value for Attitude {
     fn expected(key: &Key) -> String {
         <[f64; 4]>::expected(key)
@@ -208,7 +208,7 @@ impl Value for String {
     }
 }
 
-/// One of several words; the first of them if nothing is said.
+/// A value that is one of several words; the first is the default.
 pub(super) trait Word: Sized {
     fn words() -> Vec<(&'static str, Self)>;
 }
@@ -253,7 +253,7 @@ impl Word for Choice {
     }
 }
 
-/// An effect of one number.
+/// Effects that are given by one number.
 macro_rules! numbers {
     ($($effect:ident)*) => {$(
         impl Value for $effect {

@@ -38,7 +38,7 @@ section! {
 
 pub fn yo_yo(file: &File<'_, Body, Initial, Effects>) -> Made<Play> {
     let toy = toy(file, &file.body)?;
-    // That of the disc of this mass and inertia, if no other is given.
+    // Without another value, the radius of the disc with this mass and inertia.
     let of_disc = (2.0 * toy.inertia() / toy.mass()).sqrt();
     let radius = file.body.radius.unwrap_or(of_disc);
     let outline = Outline::new("a yo-yo", Solid::wheel(radius, 0.8 * radius));

@@ -16,7 +16,7 @@ use crate::scene::engine::{AN_INTEGRAL, Answer, Flow, planned, solved};
 use crate::scene::motion::Books;
 use crate::scene::{Motion, Plan, Request, Scene, Solver, Tabulated};
 
-/// A cat of two halves, let go: attitude and angular momentum at the start, a path of shapes, and gravity.
+/// A cat of two halves in free fall: attitude and angular momentum at the start, a path of shapes, and gravity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cat {
     body: phenomena::Cat,
@@ -30,7 +30,7 @@ pub struct Cat {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CatState {
-    /// Attitude of the first half, its spine along x.
+    /// Attitude of the first half, whose spine is along x.
     pub attitude: Attitude,
     /// Angular velocity of the first half, rad/s.
     pub omega: BodyVector,
@@ -38,7 +38,7 @@ pub struct CatState {
     pub bend: Bend,
     /// Centre of mass, m.
     pub center: SpaceVector,
-    /// Angular momentum about it, summed over the halves, kg m²/s.
+    /// Angular momentum about the centre of mass, summed over the halves, kg m²/s.
     pub angular_momentum: SpaceVector,
 }
 
@@ -58,7 +58,7 @@ impl Tabulated for CatState {
 }
 
 impl Cat {
-    /// A straight cat let go from rest, its centre at the origin, that does nothing.
+    /// A straight cat released at rest, its centre at the origin, without effects.
     ///
     /// ```
     /// use spinning_bodies::{frame::Attitude, phenomena::{self, Half}, scene::{Request, Scene, shape::Cat}};
@@ -78,7 +78,7 @@ impl Cat {
         }
     }
 
-    /// The attitude of a cat held by the paws, back down: spine along the x axis of space, the belly, which is +y of its axes, up.
+    /// The attitude of a cat held by the paws, back down: the spine along the x axis of space, the belly, +y of its own axes, up.
     ///
     /// ```
     /// use spinning_bodies::{frame::BodyVector, scene::shape::Cat};
@@ -89,10 +89,10 @@ impl Cat {
         turn_x(FRAC_PI_2).into()
     }
 
-    /// The same with an effect: a path of shapes, [`Turnover`]; [`Gravity`](crate::scene::effects::Gravity), which cannot turn it.
+    /// Adds a path of shapes, [`Turnover`], or [`Gravity`](crate::scene::effects::Gravity), which cannot turn it.
     ///
     /// # Errors
-    /// [`Error::Effect`](crate::Error::Effect) for any other; what is wrong with the path.
+    /// [`Error::Effect`](crate::Error::Effect) for any other effect; the errors of an invalid path.
     ///
     /// ```
     /// use spinning_bodies::{frame::Attitude, phenomena::{self, Half}, scene::{Request, Scene, effects::Gravity, shape::Cat}};
@@ -111,7 +111,7 @@ impl Cat {
         Ok(self)
     }
 
-    /// The same with this angular momentum (kg m²/s) about the centre of mass.
+    /// Sets the angular momentum (kg m²/s) about the centre of mass.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite).
@@ -135,18 +135,18 @@ impl Cat {
         self.turnover.map_or(Bend::default(), |path| path.bend(t))
     }
 
-    /// The closed form, if there is one.
+    /// The cat of the closed form: with equal halves and without angular momentum, if it is that.
     fn equal_halves(&self) -> Option<EqualHalves> {
         let still = self.angular_momentum == SpaceVector::zero();
         self.body.equal_halves().filter(|_| still)
     }
 
-    /// From the frame of the bend, which turns about the bisector of the spines, to the first half, which turns back in it.
+    /// The turn from the frame of the bend, which turns about the bisector of the spines, to the first half, which turns back in that frame.
     fn to_half(bend: &Bend) -> UnitQuaternion<f64> {
         turn_z(-0.5 * bend.angle) * turn_x(-bend.direction)
     }
 
-    /// The attitude in closed form: χ = ψ − ∫(1 − f) dψ, while the bend goes round.
+    /// The attitude in closed form: χ = ψ − ∫(1 − f) dψ while the bend goes round.
     fn known(&self, equal: &EqualHalves, t: f64) -> Result<[f64; 4]> {
         let back = |t: f64| {
             let bend = self.bend(t);
@@ -172,7 +172,7 @@ impl Cat {
         BodyVector::from_components(Self::to_half(bend).inverse() * in_frame)
     }
 
-    /// The same from the angular momentum.
+    /// The angular velocity from the angular momentum.
     fn omega(&self, t: f64, attitude: &Attitude) -> Result<BodyVector> {
         let l = attitude.to_body(self.angular_momentum);
         self.body.angular_velocity(&self.bend(t), l)
@@ -197,7 +197,7 @@ impl Cat {
     }
 }
 
-/// The attitude of the first half.
+/// The cat's state is the quaternion of the first half.
 impl Flow<4> for Cat {
     type Phase = ();
 
@@ -229,13 +229,13 @@ impl Flow<4> for Cat {
         next_of(self.turnover.map(|path| path.corners()), t)
     }
 
-    /// Ω follows from the attitude: by no more, against the fastest rate.
+    /// Ω is a function of the attitude, and its error, relative to the fastest rate, is no greater.
     fn distance(&self, ((), a): &((), [f64; 4]), ((), b): &((), [f64; 4])) -> f64 {
         unit(a).angle_to(&unit(b))
     }
 }
 
-/// What may be asked for.
+/// The message for a solver that this kind of scene does not have.
 const SOLVERS: &str = "the solver of a cat is `exact`, if it has equal halves and no angular momentum, or one that steps";
 
 impl Scene for Cat {
@@ -263,7 +263,7 @@ impl Scene for Cat {
         let rows = request.times().iter().zip(&trace.samples);
         let states = rows.map(|(&t, ((), y))| self.state(t, y, exact));
         let states: Vec<CatState> = states.collect::<Result<_>>()?;
-        // Against the angular momenta of the fastest parts, of which the whole is made.
+        // Drifts are relative to the angular momenta of the fastest parts, whose sum is the whole.
         let pace =
             |s: &CatState| s.omega.norm() + s.bend.angle_rate.abs() + s.bend.direction_rate.abs();
         let fastest = states.iter().map(pace).fold(0.0, f64::max);

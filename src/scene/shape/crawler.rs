@@ -1,4 +1,4 @@
-//! The crawler (tutorial 1.1): what friction makes possible on ice that is not perfect.
+//! The scene `crawler` (tutorial 1.1): how it moves by the friction of imperfect ice.
 
 use core::f64::consts::TAU;
 
@@ -13,7 +13,7 @@ use crate::scene::effects::Effect;
 use crate::scene::engine::{Ahead, Flow, planned, solved};
 use crate::scene::{Motion, Plan, Request, Scene};
 
-/// Two feet and a muscle on the ground, at rest at first.
+/// Two feet joined by a muscle, on the ground, initially at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Crawler {
     body: phenomena::Crawler,
@@ -40,7 +40,7 @@ state! {
 }
 
 impl Crawler {
-    /// This crawler, its centre of mass at 0, on perfect ice.
+    /// The crawler with its centre of mass at 0, on perfect ice.
     ///
     /// ```
     /// use spinning_bodies::{phenomena::{self, Strokes}, scene::{Request, Scene, shape::Crawler}};
@@ -58,11 +58,11 @@ impl Crawler {
         }
     }
 
-    /// The same with an effect: [`Coulomb`], the friction of the ground; [`Gravity`](crate::scene::effects::Gravity), which presses the feet to it.
-    /// One without the other does nothing.
+    /// Adds [`Coulomb`], the friction of the ground, or [`Gravity`](crate::scene::effects::Gravity), which presses the feet on it.
+    /// Either has an effect only with the other.
     ///
     /// # Errors
-    /// [`Error::Effect`](crate::Error::Effect) for any other; [`Error::Negative`](crate::Error::Negative) for a gravity that lifts.
+    /// [`Error::Effect`](crate::Error::Effect) for any other effect; [`Error::Negative`](crate::Error::Negative) for gravity that points up.
     ///
     /// ```
     /// use spinning_bodies::{phenomena::{self, Strokes}, scene::{Request, Scene, effects::Coulomb, shape::Crawler}};
@@ -83,7 +83,7 @@ impl Crawler {
         Ok(self)
     }
 
-    /// μg of a foot that slips and of one that holds, m/s²; nothing on perfect ice.
+    /// μg of a foot that slips and of one that holds, m/s²; `None` on perfect ice.
     fn grip(&self) -> Option<[f64; 2]> {
         let (friction, g) = (self.friction?, self.gravity?);
         Some([friction.kinetic() * g, friction.grip() * g])
@@ -93,7 +93,7 @@ impl Crawler {
 /// Most cycles of a run: more than a day of crawling.
 const MOST_CYCLES: f64 = 250_000.0;
 
-/// A piece of the strokes, and how the feet move in it.
+/// The piece of the strokes, a half of one, and the leg: how the feet move in it.
 type Phase = (u64, Leg);
 
 impl Crawler {
@@ -101,7 +101,7 @@ impl Crawler {
         self.body.strokes().at(piece, t)
     }
 
-    /// The leg that begins, once feet that have lost their way have come to rest; the centre then goes with them.
+    /// The leg that begins at this time. Feet that have no velocity left come to rest first, and set that of the centre.
     fn leg(&self, piece: u64, t: f64, feet: [Foot; 2], y: &mut [f64; 5]) -> Leg {
         let gap = self.gap(piece, t);
         let [sliding, holding] = self.grip().unwrap_or_default();
@@ -118,7 +118,7 @@ impl Crawler {
         leg
     }
 
-    /// After how long which foot comes to rest, if the muscle goes on like this.
+    /// The time after which a foot first comes to rest if the stroke continues, and which foot.
     fn rest(&self, leg: &Leg, velocity: f64, rate: f64) -> Option<(f64, usize)> {
         let stop = |foot: usize| {
             let [along, acceleration] = self.body.slowing(leg, foot, velocity, rate)?;
@@ -128,7 +128,7 @@ impl Crawler {
     }
 }
 
-/// From event to event, where a stroke turns or a foot comes to rest: centre, velocity, impulse of the friction, heat and work of the muscle.
+/// Components: centre, velocity, impulse of friction, heat, work of the muscle. A phase ends where a stroke reverses or a foot comes to rest.
 impl Flow<5> for Crawler {
     type Phase = Phase;
 
@@ -185,7 +185,7 @@ impl Flow<5> for Crawler {
                 piece
             }
             Stop::AtTheEnd => {
-                // Where the stroke turns, a foot that was dragged by one at rest is at rest as well, and both are where the centre is: to rounding.
+                // Where the stroke reverses, a foot dragged by one at rest has stopped too, and both have the velocity of the centre, to rounding.
                 let [_, speed, ..] = self.scales();
                 let rests = feet.contains(&Foot::Holds) || y[1].abs() <= f64::EPSILON * speed;
                 if piece % 2 == 1 && rests {
@@ -213,7 +213,7 @@ impl Flow<5> for Crawler {
     }
 }
 
-/// What may be asked for.
+/// The message for a solver that this kind of scene does not have.
 const SOLVERS: &str = "the solver of a crawler is `events` on a rough ground, `exact` on perfect ice, or one that steps";
 
 impl Scene for Crawler {
@@ -234,7 +234,7 @@ impl Scene for Crawler {
         let condition = "a crawler must be asked for no more than 250000 cycles";
         no_more(request.furthest / strokes.cycle(), MOST_CYCLES, condition)?;
         let gap = |t: f64| strokes.at(strokes.piece_at(t), t);
-        // On perfect ice only the muscle's work is to be told: the kinetic energy.
+        // On perfect ice the only component is the muscle's work, which is the kinetic energy.
         let answer = solved((self, &plan, request), 1, |t| {
             Ok([0.0, 0.0, 0.0, 0.0, body.energy(0.0, gap(t).rate)])
         })?;

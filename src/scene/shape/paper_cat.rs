@@ -1,4 +1,4 @@
-//! The paper cat (tutorial 1.1): a rigid sheet that the air turns over.
+//! The scene `paper-cat` (tutorial 1.1): a rigid sheet that the air turns over.
 
 use core::f64::consts::{PI, TAU};
 
@@ -11,10 +11,10 @@ use crate::scene::effects::Effect;
 use crate::scene::engine::{Flow, apart, planned, solved};
 use crate::scene::{Motion, Plan, Request, Scene, Solver};
 
-/// What the double nearest to π leaves of it.
+/// π less the double nearest to it.
 const PI_LEFT: f64 = 1.224_646_799_147_353_2e-16;
 
-/// A paper cat let go: tilt, air and weight.
+/// A falling paper cat: tilt, air and weight.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PaperCat {
     cat: phenomena::PaperCat,
@@ -39,20 +39,20 @@ state! {
     }
 }
 
-/// When a paper cat first points its feet down, and how far it has fallen by then.
+/// The moment at which a paper cat first points its feet down.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Righting {
-    /// s.
+    /// The time, s.
     pub time: f64,
-    /// m.
+    /// The height fallen, m.
     pub fall: f64,
 }
 
 impl PaperCat {
-    /// A cat at rest, tilted by this much (radians) from feet-down.
+    /// A cat at rest, tilted by `tilt` (radians) from feet-down.
     ///
     /// # Errors
-    /// What no cat can be like; [`Error::NotFinite`](crate::Error::NotFinite) for the tilt.
+    /// Those of an invalid cat; [`Error::NotFinite`](crate::Error::NotFinite) for the tilt.
     ///
     /// ```
     /// use spinning_bodies::{phenomena, scene::{Request, Scene, shape::PaperCat}};
@@ -69,7 +69,7 @@ impl PaperCat {
         })
     }
 
-    /// The same with an effect: [`Air`](crate::scene::effects::Air), [`Gravity`](crate::scene::effects::Gravity).
+    /// Adds [`Air`](crate::scene::effects::Air) or [`Gravity`](crate::scene::effects::Gravity).
     ///
     /// # Errors
     /// [`Error::Effect`](crate::Error::Effect) for any other.
@@ -90,7 +90,7 @@ impl PaperCat {
         Ok(self)
     }
 
-    /// The way the cat's tilt is counted from: feet down, or exactly upside down if it starts nearer to that.
+    /// The position from which the tilt is counted: feet down, or exactly upside down if the start is nearer to that.
     fn rest(&self) -> f64 {
         if self.tilt.cos() < 0.0 && self.tilt.abs() < TAU {
             PI.copysign(self.tilt)
@@ -99,15 +99,15 @@ impl PaperCat {
         }
     }
 
-    /// Fall, velocity, tilt from the resting place, its rate, loss.
+    /// Fall, velocity, tilt from [`rest`](Self::rest), its rate, loss.
     fn first(&self) -> [f64; 5] {
         let rest = self.rest();
-        // π is more than its double.
+        // π exceeds its double.
         let tilt = (self.tilt - rest) - rest / PI * PI_LEFT;
         [0.0, 0.0, tilt, 0.0, 0.0]
     }
 
-    /// Where the cat first points its feet down, if it does within `time` (s). Observed error: 1e-12.
+    /// Time and height at which the cat first points its feet down, or `None` if it does not within `time` (s). Observed error: 1e-12.
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::Integration`](crate::Error::Integration).
@@ -139,12 +139,12 @@ impl PaperCat {
         }))
     }
 
-    /// The cat for so long.
+    /// The flow of the cat for a time `last`.
     fn falling(&self, last: f64) -> Falling {
         let Self { mut cat, air, .. } = *self;
         let g = self.gravity.unwrap_or(0.0).abs();
         let fastest = air.map_or(f64::INFINITY, |air| cat.terminal_speed(air, g));
-        // Upside down the air turns it the other way.
+        // Near upside down the moment of the air has the opposite sign.
         if self.rest() != 0.0 {
             cat.lever = -cat.lever;
         }
@@ -157,12 +157,12 @@ impl PaperCat {
     }
 }
 
-/// Against what a number is judged: where it stays 0, anything will do.
+/// The size by which a quantity is judged; 1 for a quantity that stays 0.
 fn size(greatest: f64) -> f64 {
     if greatest > 0.0 { greatest } else { 1.0 }
 }
 
-/// A paper cat, how fast and how far it falls at most, and how fast it swings.
+/// A paper cat as a flow, its greatest speed and height of fall, and the rate at which it swings.
 #[derive(Clone, Copy)]
 struct Falling {
     cat: PaperCat,
@@ -179,7 +179,7 @@ impl Flow<5> for Falling {
     }
 
     fn scales(&self) -> [f64; 5] {
-        // The error of a cat that balances is judged by its distance from balance.
+        // The error of a cat near balance is relative to its distance from balance.
         let near = self.cat.first()[2].abs().clamp(1e-8, 1.0);
         let (length, rate) = (self.cat.cat.gyration, size(self.pace));
         let speed = length * rate;
@@ -211,7 +211,7 @@ impl Flow<5> for Falling {
     }
 }
 
-/// What may be asked for.
+/// The message for a solver that this kind of scene does not have.
 const SOLVERS: &str = "the solver of a paper cat is `exact`, if there is no air, or one that steps";
 
 impl Scene for PaperCat {

@@ -1,22 +1,22 @@
-//! Paths of shapes (tutorial 1.1): what muscles can do is prescribed; how hard they must work for it comes out.
+//! Paths of shapes (tutorial 1.1): the motion of the muscles as a function of time.
 
 use core::f64::consts::{PI, TAU};
 
 use crate::error::{Error, Result, not_negative, positive, within};
 use crate::phenomena::{Bend, Waist};
 
-/// How a stroke of a muscle is spread over its time: from 0 to 1, at rest at both ends.
+/// The progress of a stroke in its time: from 0 to 1, at rest at both ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Pace {
-    /// The same forward and backward: u³(10 − 15u + 6u²).
+    /// Symmetric in time: u³(10 − 15u + 6u²).
     #[default]
     Even,
-    /// Slow at first and hasty at the end: the same of u².
+    /// Slow at first and hasty at the end: the same function of u².
     Late,
 }
 
 impl Pace {
-    /// Value, rate and acceleration after a fraction `u` of the stroke.
+    /// Progress, its rate and its acceleration after a fraction `u` of the stroke.
     pub(crate) fn at(self, u: f64) -> [f64; 3] {
         let u = u.clamp(0.0, 1.0);
         match self {
@@ -32,7 +32,7 @@ impl Pace {
         }
     }
 
-    /// No rate is greater.
+    /// An upper bound of the rate.
     pub(super) const fn greatest_rate(self) -> f64 {
         match self {
             Self::Even => 1.875,
@@ -51,34 +51,34 @@ fn even(u: f64) -> [f64; 3] {
     ]
 }
 
-/// The shape of a swivel, a body of two parts on one axis, and how it changes.
+/// The shape of a swivel, a body of two parts on one axis, and its rate of change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Twist {
     /// Moment of the upper part, kg m².
     pub upper: f64,
-    /// Angle of the upper part against the lower, radians.
+    /// Angle of the upper part relative to the lower, radians.
     pub angle: f64,
-    /// Its rate, rad/s.
+    /// Rate of that angle, rad/s.
     pub rate: f64,
 }
 
-/// A swivel twists with the arms out, pulls them in, untwists, and stretches them out: over and over again, each phase a quarter of the time.
+/// The cycle of a swivel: it twists with the arms out, pulls them in, untwists, and stretches them out, each in a quarter of the duration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FourPhases {
     /// Upper moment with the arms out, kg m².
     pub arms_out: f64,
     /// Upper moment with the arms in, kg m².
     pub arms_in: f64,
-    /// How far the upper part twists, radians.
+    /// The angle by which the upper part twists, radians.
     pub twist: f64,
     /// Duration of a cycle, s.
     pub duration: f64,
-    /// How each phase is spread over its time.
+    /// The progress of each phase.
     pub pace: Pace,
 }
 
 impl FourPhases {
-    /// The shape at a time. The remainder by the duration is exact, however far that is.
+    /// The shape at a time. The remainder by the duration is exact, however late the time.
     pub(super) fn at(&self, t: f64) -> Twist {
         let since = t.rem_euclid(self.duration);
         let phase = 4.0 * (since / self.duration);
@@ -95,7 +95,7 @@ impl FourPhases {
     }
 }
 
-/// Rounds that a run with steps may pass through.
+/// The most cycles in a run by steps.
 const MOST_ROUNDS: f64 = 1e5;
 
 impl FourPhases {
@@ -115,19 +115,19 @@ impl FourPhases {
         self.duration / 4.0
     }
 
-    /// Nothing, if a run with steps can pass through all the rounds up to this time.
+    /// Succeeds if a run by steps can take all the cycles up to this time.
     ///
     /// # Errors
-    /// [`Error::Condition`] if they are too many.
+    /// [`Error::Condition`] for too many cycles.
     pub(super) fn passed_through(&self, time: f64) -> Result<()> {
         let condition = "a path of shapes must be asked for no more than 100000 rounds";
         no_more(time / self.duration, MOST_ROUNDS, condition)
     }
 
-    /// The next corner after a time, s.
+    /// The first boundary between two phases after a time, s.
     pub(super) fn corner_after(&self, t: f64) -> f64 {
         let passed = (t / self.part()).floor();
-        // At a corner itself the quotient may be rounded to less than its number.
+        // At a boundary the quotient may be rounded to less than its number.
         next_of(Some([1.0, 2.0].map(|n| (passed + n) * self.part())), t)
     }
 
@@ -138,16 +138,16 @@ impl FourPhases {
     }
 }
 
-/// A skater's hands move to another distance, and stay there.
+/// A motion of a skater's hands to another distance, where they stay.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Draw {
-    /// Where they end, m.
+    /// Final distance, m.
     pub to: f64,
-    /// When they begin, s.
+    /// Beginning of the motion, s.
     pub begin: f64,
-    /// How long they take, s.
+    /// Duration of the motion, s.
     pub duration: f64,
-    /// How the stroke is spread over its time.
+    /// The progress of the motion.
     pub pace: Pace,
 }
 
@@ -159,7 +159,7 @@ impl Draw {
         Ok(self)
     }
 
-    /// Distance of the hands from the axis (m), its rate and its acceleration, after they were at rest at `still`.
+    /// Distance of the hands from the axis (m), its rate and its acceleration, for hands first at rest at `still`.
     pub(super) fn reach(&self, still: f64, t: f64) -> [f64; 3] {
         let [part, rate, acceleration] = self.pace.at((t - self.begin) / self.duration);
         let way = self.to - still;
@@ -170,22 +170,22 @@ impl Draw {
         ]
     }
 
-    /// When they begin and when they end, s.
+    /// Beginning and end of the motion, s.
     pub(super) fn corners(&self) -> [f64; 2] {
         [self.begin, self.begin + self.duration]
     }
 }
 
-/// A cat bends forward, carries the bend once round, and straightens: a quarter, a half and a quarter of the time.
+/// The motion of a cat that bends forward, carries the bend once round, and straightens: in a quarter, a half and a quarter of the duration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turnover {
     /// Bend γ forward, radians.
     pub forward: f64,
-    /// Bend backward, half-way round, radians; a cat's back allows less.
+    /// Bend backward, half-way round, radians; a cat's back bends less.
     pub back: f64,
-    /// Duration of the whole, s.
+    /// Duration of the whole motion, s.
     pub duration: f64,
-    /// How each part is spread over its time.
+    /// The progress of each part.
     pub pace: Pace,
 }
 
@@ -197,7 +197,7 @@ impl Turnover {
         Ok(self)
     }
 
-    /// The shape at a time, and its rate.
+    /// The bend at a time, and its rate.
     pub(super) fn bend(&self, t: f64) -> Bend {
         let u = t / self.duration;
         let forward = |part: f64, rate: f64, direction: f64| Bend {
@@ -227,21 +227,21 @@ impl Turnover {
         }
     }
 
-    /// Where the path is not smooth, s.
+    /// The times at which the path is not smooth, s.
     pub(super) fn corners(&self) -> [f64; 3] {
         [0.25, 0.75, 1.0].map(|u| u * self.duration)
     }
 
-    /// No rate is greater, rad/s.
+    /// An upper bound of the rates, rad/s.
     pub(super) fn greatest_rate(&self) -> f64 {
         2.0 * TAU * self.pace.greatest_rate() / self.duration
     }
 }
 
-/// Nothing, if a run can pass through so many.
+/// Succeeds if `value` does not exceed `most`.
 ///
 /// # Errors
-/// [`Error::Condition`] for more than the most.
+/// [`Error::Condition`] if it does.
 pub(super) fn no_more(value: f64, most: f64, condition: &'static str) -> Result<()> {
     match value <= most {
         true => Ok(()),
@@ -249,7 +249,7 @@ pub(super) fn no_more(value: f64, most: f64, condition: &'static str) -> Result<
     }
 }
 
-/// The first of these corners after a time, s; none is infinitely far.
+/// The first of these corners after a time, s; infinity if there is none.
 pub(super) fn next_of<const N: usize>(corners: Option<[f64; N]>, t: f64) -> f64 {
     let mut corners = corners.into_iter().flatten();
     corners.find(|&corner| corner > t).unwrap_or(f64::INFINITY)

@@ -1,4 +1,4 @@
-//! The skater who pulls in the arms (tutorial 1.1).
+//! The scene `skater` (tutorial 1.1): a skater who pulls in the arms.
 
 use super::path::{Draw, next_of};
 use crate::error::{Result, finite, not_negative};
@@ -9,7 +9,7 @@ use crate::scene::effects::Effect;
 use crate::scene::engine::{AN_INTEGRAL, Flow, apart, planned, solved};
 use crate::scene::{Motion, Plan, Request, Scene};
 
-/// A skater who spins: a core, two hands, a path for them, and what the ice does.
+/// A spinning skater: a core, two hands, a path for them, and the friction of the ice.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Skater {
     body: phenomena::Skater,
@@ -60,10 +60,10 @@ impl Skater {
         })
     }
 
-    /// The same with an effect: a path of the hands, [`Draw`]; [`BearingFriction`](crate::scene::effects::BearingFriction) of the ice.
+    /// Adds a path of the hands, [`Draw`], or [`BearingFriction`](crate::scene::effects::BearingFriction) of the ice.
     ///
     /// # Errors
-    /// [`Error::Effect`](crate::Error::Effect) for any other; what is wrong with the path.
+    /// [`Error::Effect`](crate::Error::Effect) for any other effect; the errors of an invalid path.
     ///
     /// ```
     /// use spinning_bodies::{phenomena, scene::{Request, Scene, effects::{Draw, Pace}, shape::Skater}};
@@ -94,7 +94,7 @@ impl Skater {
         self.body.moment(self.reach) * self.spin
     }
 
-    /// No spin is faster, rad/s.
+    /// An upper bound of the spin, rad/s.
     fn fastest(&self) -> f64 {
         let nearest = self.draw.map_or(self.reach, |draw| draw.to.min(self.reach));
         let spin = self.body.spin(self.angular_momentum(), nearest);
@@ -107,7 +107,7 @@ impl Skater {
         SkaterState::of([angle, spin, reach, energy, work, heat])
     }
 
-    /// Ω = L/I, and the integral of it while the hands move.
+    /// The state in closed form: Ω = L/I, and its integral while the hands move.
     fn known(&self, t: f64) -> Result<[f64; 4]> {
         let l = self.angular_momentum();
         let [reach, rate, _] = self.reach(t);
@@ -124,7 +124,7 @@ impl Skater {
     }
 }
 
-/// With friction: angle, spin, work and heat.
+/// The components, with friction: angle, spin, work and heat.
 impl Flow<4> for Skater {
     type Phase = ();
 
@@ -134,7 +134,7 @@ impl Flow<4> for Skater {
 
     fn scales(&self) -> [f64; 4] {
         let fastest = self.fastest();
-        // Hands that are drawn in have energy even where nothing spins.
+        // Moving hands have energy even without spin.
         let hands = self.draw.map_or(0.0, |draw| {
             (draw.to - self.reach) * draw.pace.greatest_rate() / draw.duration
         });
@@ -170,7 +170,7 @@ impl Flow<4> for Skater {
     }
 }
 
-/// What may be asked for.
+/// The message for a solver that this kind of scene does not have.
 const SOLVERS: &str = "the solver of a skater is `exact`, if nothing resists, or one that steps";
 
 impl Scene for Skater {
@@ -192,7 +192,7 @@ impl Scene for Skater {
         let mut books = answer.told(request, plan, |t, _, y| self.state(t, y));
         let l = self.angular_momentum();
         let start = self.state(0.0, &[0.0, self.spin, 0.0, 0.0]);
-        // What the hands do with the energy and what the energy does with the rounding: relative to the largest that occurs.
+        // The hands change the energy, and with it the rounding: drifts are relative to the greatest energy.
         let energies = books.states().map(|state| state.energy);
         let largest = energies.fold(start.energy, f64::max);
         let momentum = |_: usize, state: &SkaterState| {

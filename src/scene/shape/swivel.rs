@@ -1,4 +1,4 @@
-//! The swivel on ice (tutorial 1.1, picture b).
+//! The scene `swivel` (tutorial 1.1, picture b): a body of two parts on ice.
 
 use super::path::{FourPhases, Twist};
 use crate::error::{Result, finite, positive};
@@ -9,7 +9,7 @@ use crate::scene::effects::Effect;
 use crate::scene::engine::{AN_INTEGRAL, Flow, apart, planned, solved};
 use crate::scene::{Motion, Plan, Request, Scene, Solver};
 
-/// Two parts on one vertical axis, the lower one free to turn on the ice: angular momentum L, a path of shapes, and what the bearing does.
+/// Two parts on one vertical axis, the lower one free to turn on the ice: angular momentum L, a path of shapes, and the friction of the bearing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Swivel {
     lower: f64,
@@ -36,7 +36,7 @@ state! {
 }
 
 impl Swivel {
-    /// A body at rest, its parts of these moments (kg m²), that does nothing.
+    /// A body at rest without effects, its parts with these moments (kg m²).
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite).
@@ -57,10 +57,10 @@ impl Swivel {
         })
     }
 
-    /// The same with an effect: a path of shapes, [`FourPhases`], or [`BearingFriction`](crate::scene::effects::BearingFriction).
+    /// Adds a path of shapes, [`FourPhases`], or [`BearingFriction`](crate::scene::effects::BearingFriction).
     ///
     /// # Errors
-    /// [`Error::Effect`](crate::Error::Effect) for any other; what is wrong with a path.
+    /// [`Error::Effect`](crate::Error::Effect) for any other effect; the errors of an invalid path.
     ///
     /// ```
     /// use std::f64::consts::{FRAC_PI_2, FRAC_PI_8};
@@ -80,7 +80,7 @@ impl Swivel {
         Ok(self)
     }
 
-    /// The same with this angular momentum at the start, kg m²/s.
+    /// Sets the angular momentum at the start, kg m²/s.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite).
@@ -119,7 +119,7 @@ impl Swivel {
         SwivelState::of([lower, upper, shape.upper, rate, l])
     }
 
-    /// The least moment that turns, and no greater rate of the lower part.
+    /// The least moment of the whole body, and an upper bound of the lower part's rate.
     fn extremes(&self) -> (f64, f64) {
         let (upper, twist) = self.path.map_or((self.upper, 0.0), |path| path.extremes());
         let moment = upper + self.lower;
@@ -127,7 +127,7 @@ impl Swivel {
         (moment, (turning + twist).max(f64::MIN_POSITIVE))
     }
 
-    /// The angle at a time: whole rounds, whole parts of the last one, and one integral.
+    /// The angle of the lower part: whole cycles, whole phases of the last one, and one integral for the rest.
     fn turned(&self, parts: &[f64], t: f64) -> Result<f64> {
         let Some(path) = &self.path else {
             return Ok(self.lower_rate(self.angular_momentum, &self.still()) * t);
@@ -143,7 +143,7 @@ impl Swivel {
         Ok(rounds * parts[parts.len() - 1] + (parts[passed] + rest))
     }
 
-    /// What the lower part turns in the parts of a round, one after the other.
+    /// The angle of the lower part at the beginning of a cycle and after each of its phases.
     fn parts(&self, path: &FourPhases) -> Result<Vec<f64>> {
         let rate = |t: f64| self.lower_rate(self.angular_momentum, &path.at(t));
         let mut parts = vec![0.0];
@@ -155,7 +155,7 @@ impl Swivel {
     }
 }
 
-/// With friction: the angle of the lower part, and L.
+/// The components, with friction: the angle of the lower part, and L.
 impl Flow<2> for Swivel {
     type Phase = ();
 
@@ -188,7 +188,7 @@ impl Flow<2> for Swivel {
     }
 }
 
-/// What may be asked for.
+/// The message for a solver that this kind of scene does not have.
 const SOLVERS: &str = "the solver of a swivel is `exact`, if nothing resists, or one that steps";
 
 impl Scene for Swivel {
@@ -219,7 +219,7 @@ impl Scene for Swivel {
             let rate = state.rate + self.shape(request.times()[place]).rate;
             state.upper_moment * rate
         };
-        // L with what the bearing took of it, summed over the two parts from their rates.
+        // L, summed over the two parts from their rates, plus what the bearing has taken.
         let whole = |place: usize, state: &SwivelState| {
             let both = upper(place, state) + self.lower * state.rate;
             self.bearing_friction

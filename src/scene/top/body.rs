@@ -8,10 +8,10 @@ use crate::inertia::{InertiaMatrix, MassProperties, PrincipalMoments};
 use crate::integrators::geometric::Phase;
 use crate::precise::{Extended, Number};
 
-/// A rigid body as a top sees it: mass, principal moments about the pivot in the order of the axes, centre of mass from the pivot.
+/// A rigid body with a fixed point: mass, principal moments about the pivot in the order of the axes, centre of mass relative to the pivot.
 ///
-/// A body may have [axes of its own](Self::along_own_axes) that are not principal ones. Its start and its states are along its own axes, and the third of
-/// them is the one that tilts; inside, a top turns along principal axes.
+/// A body may have [axes of its own](Self::along_own_axes) that are not principal. Its start and its states are then along its own axes, and its tilt is
+/// that of the third of them; the computation is along the principal axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -21,13 +21,13 @@ use crate::precise::{Extended, Number};
 pub struct Body {
     pub(super) mass: f64,
     pub(super) moments: [f64; 3],
-    /// Along the principal axes.
+    /// Centre of mass, along the principal axes.
     pub(super) center: [f64; 3],
-    /// Turns components along the principal axes into those along the body's own, where these are others.
+    /// Turns components along the principal axes into those along the body's own, if these differ.
     pub(super) own: Option<Attitude>,
 }
 
-/// A body as it is written: what it is made of, not yet known to be a body.
+/// A serialised body before its check.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 struct Written {
@@ -52,7 +52,7 @@ impl TryFrom<Written> for Body {
 }
 
 impl Body {
-    /// The body with these moments (kg m², any order), and neither mass nor arm: gravity does not turn it.
+    /// The body with these moments (kg m², any order), without mass and lever: gravity does not turn it.
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Negative`], [`Error::TriangleInequality`].
@@ -75,8 +75,8 @@ impl Body {
         })
     }
 
-    /// The body with this inertia matrix about the pivot, along axes of its own, and neither mass nor arm. Where these are principal axes already nothing is
-    /// turned and no bit is changed.
+    /// The body with this inertia matrix about the pivot, along axes of its own, without mass and lever. If these are principal axes already, nothing is
+    /// turned and no bit changes.
     ///
     /// # Errors
     /// As for [`new`](Self::new).
@@ -107,7 +107,7 @@ impl Body {
         })
     }
 
-    /// A body that is held at this point (m, along its own axes, from their origin).
+    /// The body held at `pivot` (m, along its own axes, from their origin).
     ///
     /// # Errors
     /// As for [`new`](Self::new); [`Error::NotFinite`] for the point.
@@ -123,7 +123,7 @@ impl Body {
         held.with_center_of_mass(body.mass(), body.center() - pivot)
     }
 
-    /// The same with mass (kg) and centre of mass C, seen from the pivot along the body's axes (m).
+    /// Sets the mass (kg) and the centre of mass C, relative to the pivot, along the body's axes (m).
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::Negative`] for the mass.
@@ -151,7 +151,7 @@ impl Body {
         })
     }
 
-    /// From the body's own axes to the principal ones.
+    /// A vector, from the body's own axes to the principal ones.
     pub(super) fn inward(&self, vector: BodyVector) -> BodyVector {
         self.own.map_or(vector, |own| {
             BodyVector::from_components(
@@ -161,7 +161,7 @@ impl Body {
         })
     }
 
-    /// The same of an attitude.
+    /// The attitude of the principal axes.
     pub(super) fn attitude_inward(&self, attitude: Attitude) -> Attitude {
         self.own.map_or(attitude, |own| attitude * own)
     }
@@ -182,20 +182,20 @@ impl Body {
         (self.moments.iter()).try_for_each(|&moment| positive(quantity, moment).map(|_| ()))
     }
 
-    /// Whether axis 3 is an axis of symmetry, C on it.
+    /// Whether axis 3 is an axis of symmetry with C on it.
     pub(super) fn is_symmetric_about_third(&self) -> bool {
         let [x, y, _] = self.arm();
         self.own.is_none() && self.moments[0] == self.moments[1] && x == 0.0 && y == 0.0
     }
 }
 
-/// What rounding may have done to a start, several times over: to Ω or L along each axis as parts of the whole, and to the quaternion. Each number
-/// has another part, lest the displacement have the symmetry of the motion.
+/// Several times the possible rounding error of a start: of Ω or L along each axis, as a fraction of the whole, and of the quaternion. They differ, so
+/// that the displacement lacks the symmetries of the motion.
 pub(super) const DOUBT: [f64; 7] = [2e-14, -1.5e-14, 1.8e-14, -1e-14, 1.2e-14, 8e-15, -1e-14];
-/// Of what a motion makes of such a displacement, this much is told.
+/// The reported error is this fraction of the effect of such a displacement.
 pub(super) const DOUBTED: f64 = 0.1;
 
-/// How a top starts: its attitude, and Ω or L along the body's axes.
+/// The start of a top: its attitude, and Ω or L along the body's axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Start {
@@ -215,7 +215,7 @@ pub(super) enum Spin {
 }
 
 impl Start {
-    /// Turning with Ω, rad/s.
+    /// A start with Ω, rad/s.
     ///
     /// ```
     /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{Request, Scene, top::{Body, Start, Top}}};
@@ -231,7 +231,7 @@ impl Start {
         }
     }
 
-    /// Turning with L, kg m²/s. The closed forms take it as it is, without a division.
+    /// A start with L, kg m²/s. The closed forms use L as it is, without a division.
     ///
     /// ```
     /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{Request, Scene, top::{Body, Start, Top}}};
@@ -247,7 +247,7 @@ impl Start {
         }
     }
 
-    /// The same along the principal axes of this body.
+    /// The start along the principal axes of this body.
     pub(super) fn inward(&self, body: &Body) -> Self {
         Self {
             attitude: body.attitude_inward(self.attitude),
@@ -258,7 +258,7 @@ impl Start {
         }
     }
 
-    /// L along the body's axes and the attitude.
+    /// The phase: L along the body's axes, and the attitude.
     pub(super) fn phase(&self, body: &Body) -> Result<Phase> {
         let l = match self.spin {
             Spin::AngularMomentum(l) => l,
@@ -270,7 +270,7 @@ impl Start {
         ))
     }
 
-    /// Ω before it is rounded, rad/s.
+    /// Ω without rounding, to 106 bits, rad/s.
     pub(super) fn exact_omega(&self, moments: [f64; 3]) -> [Extended; 3] {
         let number = Extended::from_double;
         match self.spin {
@@ -285,7 +285,7 @@ impl Start {
         }
     }
 
-    /// Another start, as near as rounding can tell, that turns a little faster or slower.
+    /// A start displaced by [`DOUBT`], turning a little faster or slower.
     pub(super) fn beside(&self, moments: [f64; 3], sense: f64) -> Result<Self> {
         let [a, b, c, d, e, f, g] = DOUBT;
         let omega = self.omega(moments)?;
@@ -305,7 +305,7 @@ impl Start {
                     .into();
                 let mut omega = [0.0; 3];
                 for k in 0..3 {
-                    // About an axis without moment there is no angular momentum.
+                    // About an axis without moment L must be zero, and Ω is taken as zero.
                     if l[k] == 0.0 {
                         continue;
                     }

@@ -1,4 +1,4 @@
-//! The tops whose motion is known: which of them a scene is, and the same top along the axes that its solution wants.
+//! The tops with a closed form: which of them a scene is, and the same top along the axes of its solution.
 
 use nalgebra::{Quaternion, UnitQuaternion};
 
@@ -28,19 +28,19 @@ pub(crate) enum ClosedForm {
     Kovalevskaya(Box<KovalevskayaTop>, Axes),
 }
 
-/// How a solution's axes lie in the body: the turn that takes the body's components to the solution's.
+/// The turn from the body's axes to those of the solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Axes {
     onto: UnitQuaternion<f64>,
-    /// By how many places the axes are exchanged cyclically, if the turn does nothing else.
+    /// The number of places of a cyclic exchange of the axes, if the turn is only that.
     shift: Option<usize>,
 }
 
-/// Why a scene has no closed form.
+/// The reason for a plan without a closed form.
 pub(super) const NONE: &str = "gravity on a body without a fourth integral: no closed form exists";
 
 impl ClosedForm {
-    /// The closed form of a top under this gravity alone, if it has one.
+    /// The closed form of a top under this gravity alone, if there is one.
     pub(super) fn find(body: &Body, gravity: f64, start: &Start) -> Result<Option<Self>> {
         let moments = body.moments;
         let [x, y, z] = body.arm().map(|component| component * gravity);
@@ -67,7 +67,7 @@ impl ClosedForm {
         };
         let [transverse, _, axial] = axes.exchanged(moments);
         let top = match axes.shift {
-            // What is rounded here a motion next to its separatrix would amplify.
+            // Without rounding, which a motion next to its separatrix would amplify.
             Some(_) => {
                 let [_, _, center] = axes.exchanged(body.center);
                 let number = Extended::from_double;
@@ -86,7 +86,7 @@ impl ClosedForm {
         Ok(Some(Self::Lagrange(top, axes)))
     }
 
-    /// In a few words, why it is known.
+    /// The reason for the plan.
     pub(super) fn reason(&self) -> &'static str {
         match self {
             Self::Free(_) => "no torque: closed form",
@@ -95,7 +95,7 @@ impl ClosedForm {
         }
     }
 
-    /// Whether the solution has what is given as it is, and not rounded on the way.
+    /// Whether the solution has received the start without rounding.
     pub(super) fn is_exact(&self) -> bool {
         match self {
             Self::Free(_) => true,
@@ -104,19 +104,19 @@ impl ClosedForm {
         }
     }
 
-    /// The error that rounding makes by time t (s), `angle` radians of the pace: attitude in radians, Ω relative.
+    /// The rounding error at time t (s), after `angle` radians at the pace: attitude in radians, Ω relative.
     pub(super) fn rounding(&self, t: f64, angle: f64) -> f64 {
         match self {
-            // The phases are carried in 106 bits: [`EulerTop::at`] states what is lost of the angle.
+            // The phases are carried in 106 bits; [`EulerTop::at`] states the error of the angle.
             Self::Free(_) => 4e-15 + 1e-25 * angle,
             Self::Lagrange(_, axes) if axes.shift.is_some() => 6e-14 + 1e-22 * angle,
-            // Ω is rounded where it is turned to the axis, and the phases with it.
+            // Ω is rounded by the turn to the axis, and the phases with it.
             Self::Lagrange(..) => 6e-14 + 1e-15 * angle,
             Self::Kovalevskaya(top, _) => top.stated_error(t),
         }
     }
 
-    /// By how much more Ω is off where it is much slower than the pace (both rad/s), as after a release a moment ago: by a rounding of the pace, or by what is stated in its units.
+    /// The additional relative error of an Ω much slower than the pace (both rad/s), as just after a release: a rounding of the pace, or the stated error in units of the pace.
     pub(super) fn hardly_moving(&self, pace: f64, fastest: f64) -> f64 {
         match self {
             Self::Lagrange(..) if fastest > 0.0 => f64::EPSILON * (pace / fastest),
@@ -127,7 +127,7 @@ impl ClosedForm {
         }
     }
 
-    /// Attitude and Ω at each of these times (s), shown in their order: where they have to be walked to, each from the one before.
+    /// Calls `show` with attitude and Ω at each of these times (s), in their order. Kovalevskaya's solution continues each time from the one before.
     #[inline]
     pub(super) fn each(
         &self,
@@ -135,7 +135,7 @@ impl ClosedForm {
         budget: &Budget,
         mut show: impl FnMut(f64, Attitude, BodyVector),
     ) -> Result<()> {
-        // One loop a form: a state is not copied on its way.
+        // A loop for each solution, so that no state is copied.
         match self {
             Self::Free(top) => {
                 for &t in times {
@@ -152,7 +152,7 @@ impl ClosedForm {
                 }
             }
             Self::Kovalevskaya(top, axes) => {
-                // Outward from the start: on the way back a walk would lose more.
+                // Outward from the start: on its way back a continuation would lose more digits.
                 let states = both_ways(times, |times| {
                     let states = top.states(times.iter().copied()).zip(times);
                     let counted = |(state, &t)| budget.spend(1, t).and(state);
@@ -168,7 +168,7 @@ impl ClosedForm {
 }
 
 impl Axes {
-    /// The body's axis of this number becomes the third, the others follow in cyclic order.
+    /// The body's axis of this number becomes the third, and the others follow in cyclic order.
     fn third_from(axis: usize) -> Self {
         let shift = (axis + 1) % 3;
         let half = [(1.0, 0.0), (0.5, -0.5), (0.5, 0.5)][shift];
@@ -179,7 +179,7 @@ impl Axes {
         }
     }
 
-    /// This direction becomes the third axis, by the shortest turn; any axis of a spherical body will do.
+    /// This direction becomes the third axis, by the shortest turn; for a body with three equal moments, all of whose axes are principal.
     fn third_along(direction: BodyVector) -> Self {
         let third = nalgebra::Vector3::z();
         let direction = direction.components();
@@ -192,7 +192,7 @@ impl Axes {
         exchanged(components, self.shift.unwrap_or(0))
     }
 
-    /// The attitude as the solution's axes have it: its quaternion times the inverse of the turn onto them, whose numbers are halves.
+    /// The quaternion of the solution's axes: that of the attitude times the inverse of the turn onto them, whose components are halves, so to 106 bits.
     fn exact_attitude(&self, attitude: &Attitude) -> [Extended; 4] {
         let (q, onto) = (attitude.quaternion(), self.onto);
         let sum = |products: [[f64; 2]; 4]| sum_of_products(&products);
@@ -231,7 +231,7 @@ impl Axes {
     }
 }
 
-/// Cyclically, by so many places.
+/// The components, exchanged cyclically by this number of places.
 fn exchanged<T: Copy>(components: [T; 3], places: usize) -> [T; 3] {
     core::array::from_fn(|k| components[(k + places) % 3])
 }

@@ -1,4 +1,4 @@
-//! What can be told of a top beside its usual numbers.
+//! The columns of a top beside its usual ones.
 
 use super::equations::Turning;
 use super::ledger::{Conserved, up};
@@ -6,10 +6,10 @@ use super::{State, Top};
 use crate::frame::{BodyVector, SpaceVector};
 use crate::scene::columns::{Columns, columns};
 
-/// The numbers of a top's states. The force at the pivot is told of a body with mass, gravity or not.
+/// The further columns of a top's states. The force at the pivot is a column of every body with mass, with gravity or without.
 pub(super) fn columns(top: &Top) -> Columns<State> {
     let body = top.body;
-    // Moments, lever and centre of mass are along the principal axes, the states along the body's own.
+    // Moments, lever and centre of mass are along the principal axes, the states along the body's own axes.
     let momentum = move |state: &State| {
         let l = (body.axis_moments()).angular_momentum(body.inward(state.omega));
         body.attitude_inward(state.attitude).to_space(l)

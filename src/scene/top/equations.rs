@@ -1,4 +1,4 @@
-//! The equations of a stepped top: L along the body's axes, the attitude's quaternion and, where something resists, the work it takes.
+//! The equations of a top in steps: L along the body's axes, the attitude's quaternion and, with resistance, the energy lost.
 
 use super::body::DOUBT;
 use super::ledger::Conserved;
@@ -10,40 +10,40 @@ use crate::integrators::geometric::Phase;
 use crate::integrators::{Kept, Stop};
 use crate::scene::engine::{Flow, greater};
 
-/// A top as a flow: seven numbers, L and the quaternion, and an eighth, the energy lost, where something resists.
+/// A top as a flow of seven components, L and the quaternion, and with resistance an eighth, the energy lost.
 ///
-/// An effect that is absent is `None`: no number stands for it, and no evaluation asks for it. Divisions are done beforehand, for an evaluation
-/// waits for each of its operations.
+/// An absent effect is `None` and costs nothing in an evaluation. Quotients are precomputed, because the operations of an evaluation
+/// depend on each other.
 #[derive(Clone)]
 pub(super) struct Turning {
     moments: [f64; 3],
     inverse: [f64; 3],
-    /// (I₂ − I₃)/(I₂I₃) and so on: L₁′ is this times L₂L₃, nearly equal moments lose nothing.
+    /// (I₂ − I₃)/(I₂I₃) and cyclic: L₁′ is this times L₂L₃, so that nearly equal moments lose no digits.
     difference: [f64; 3],
     lever: Option<[f64; 3]>,
     pivot_friction: Option<f64>,
     bearing_friction: Option<f64>,
     air_drag: Option<f64>,
-    /// The torque of the dry tip, against the spin that it started with.
+    /// The torque of dry friction at the tip, with the sign of the initial spin.
     tip_friction: Option<f64>,
     start: Phase,
     pace: f64,
-    /// The rate at which it falls, if it stands, rad/s.
+    /// The rate at which the weight makes a top at rest fall, rad/s.
     falling: f64,
     energy: f64,
 }
 
-/// Whether the dry tip brakes.
+/// Whether dry friction at the tip brakes the spin.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Spin {
-    /// It does, if there is one.
+    /// It does, if the scene has it.
     Spinning,
-    /// It has brought L₃ to zero and holds it there.
+    /// It has brought L₃ to zero, where L₃ stays.
     Stopped,
 }
 
 impl Turning {
-    /// The top with `energy` (J) as the scale of what may be lost.
+    /// The flow of a top, with `energy` (J) as the scale of the energy lost.
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) for a body with an axis without moment.
@@ -74,7 +74,7 @@ impl Turning {
     }
 
     // ANCHOR: resistance
-    /// The torque of what resists, N m.
+    /// The torque of all resistances, N m.
     fn resistance(&self, spin: Spin, omega: [f64; 3]) -> [f64; 3] {
         let mut torque = [0.0; 3];
         if let Some(c) = self.pivot_friction {
@@ -88,7 +88,7 @@ impl Turning {
         }
         if let Some(k) = self.air_drag {
             let [x, y, z] = omega;
-            // Not `hypot`, which takes longer than all the rest.
+            // Not `hypot`, which would take longer than all the rest.
             let strength = k * (x * x + y * y + z * z).sqrt();
             for k in 0..3 {
                 torque[k] -= strength * omega[k];
@@ -103,7 +103,7 @@ impl Turning {
     }
     // ANCHOR_END: resistance
 
-    /// The state of these numbers.
+    /// The state with these components.
     pub fn state<const N: usize>(&self, numbers: &[f64; N], conserved: &Conserved) -> State {
         let Phase { l, q } = phase(numbers);
         let [w, x, y, z] = q;
@@ -113,7 +113,7 @@ impl Turning {
         conserved.state(attitude, omega.into())
     }
 
-    /// Ω̇ along the body's axes, rad/s², at this attitude and Ω, as long as the spin lasts: what dry friction does about axis 3 moves no C on it.
+    /// Ω̇ along the body's axes, rad/s², at this attitude and Ω, before dry friction stops the spin; what that does about the third axis does not move C, which lies on it.
     pub fn acceleration(&self, attitude: &Attitude, omega: BodyVector) -> BodyVector {
         let (q, omega) = (attitude.quaternion(), omega.components());
         let y: [f64; 8] = core::array::from_fn(|n| match n {
@@ -161,7 +161,7 @@ impl<const N: usize> Flow<N> for Turning {
     fn doubt(&self) -> [f64; N] {
         let rate = speed(self.start.l, self.inverse);
         core::array::from_fn(|n| match n {
-            // A spin that dry friction has stopped is exactly 0.
+            // A spin stopped by dry friction is exactly 0.
             2 if self.tip_friction.is_some() && self.start.l[2] == 0.0 => 0.0,
             0..3 => DOUBT[n] * self.moments[n] * rate,
             3..7 => DOUBT[n],
@@ -177,12 +177,12 @@ impl<const N: usize> Flow<N> for Turning {
         self.pace
     }
 
-    /// Beside an equilibrium a top moves by less than any tolerance at first.
+    /// Near an equilibrium the motion is at first smaller than any tolerance.
     fn growth_rate(&self) -> f64 {
         self.falling
     }
 
-    /// L′ = L∧Ω + N and q′ = ½qΩ, and the power that the resistance takes.
+    /// L′ = L∧Ω + N, q′ = ½qΩ, and the power lost to resistance.
     fn rate(&self, spin: Spin, _: f64, numbers: &[f64; N]) -> [f64; N] {
         let [a, b, c, w, x, y, z]: [f64; 7] = core::array::from_fn(|n| numbers[n]);
         let [j1, j2, j3] = self.inverse;
@@ -190,7 +190,7 @@ impl<const N: usize> Flow<N> for Turning {
         let [d1, d2, d3] = self.difference;
         let mut torque = [d1 * (b * c), d2 * (c * a), d3 * (a * b)];
         if let Some([l1, l2, l3]) = self.lever {
-            // The third row of the rotation matrix, for |q| = 1: off it the equations go on smoothly, and q stays on it as well as it is computed.
+            // The third row of the rotation matrix for |q| = 1; the equations are smooth off that norm, too, and every step restores it.
             let up = phase(numbers).up();
             torque[0] += up[1] * l3 - up[2] * l2;
             torque[1] += up[2] * l1 - up[0] * l3;
@@ -199,7 +199,7 @@ impl<const N: usize> Flow<N> for Turning {
         let [o1, o2, o3] = omega;
         let turned = quaternion_rate([w, x, y, z], BodyVector::new(o1, o2, o3));
         let mut power = 0.0;
-        // Seven numbers: nothing resists.
+        // With seven components nothing resists.
         if N > 7 {
             let resistance = self.resistance(spin, omega);
             for k in 0..3 {
@@ -230,14 +230,14 @@ impl<const N: usize> Flow<N> for Turning {
         b: &[(Spin, [f64; N])],
         seen: &[(Spin, [f64; N])],
     ) -> f64 {
-        // The fastest rate of the motion is at least this, rad/s.
+        // A lower bound of the fastest rate of the motion, rad/s.
         let start = speed(self.start.l, self.inverse);
         let speeds = seen.iter().map(|(_, y)| speed(phase(y).l, self.inverse));
         let fastest = match speeds.fold(start, f64::max) {
             0.0 => self.pace,
             fastest => fastest,
         };
-        // Angle between two attitudes (radians), difference of the angular velocities over the fastest, or that of what was lost.
+        // The greatest of: the angle between the attitudes (radians), the difference of Ω over the fastest rate, that of the energy lost over its scale.
         let apart = |a: &[f64; N], b: &[f64; N]| {
             let between: [f64; N] = core::array::from_fn(|n| a[n] - b[n]);
             let Phase { l, q } = phase(&between);

@@ -1,4 +1,4 @@
-//! What a top conserves, or may only lose.
+//! The quantities that a top conserves, or may only lose.
 
 use super::{State, Top};
 use crate::conservation::Law;
@@ -7,18 +7,18 @@ use crate::euler_equations::{HeavyTop, Integrability, TopState};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::scene::motion::Books;
 
-/// A top and its start, as the ledger needs them.
+/// A top and its start, with the scales for its ledger.
 pub(super) struct Conserved {
-    /// It knows what is conserved besides.
+    /// The heavy top, which names its further integral.
     heavy: HeavyTop,
     pub start: State,
-    /// Size of the energies at play, J; positive.
+    /// Size of the energies in the motion, J; positive.
     pub energy_scale: f64,
-    /// Size of the angular momenta at play, kg m²/s; positive.
+    /// Size of the angular momenta in the motion, kg m²/s; positive.
     pub momentum_scale: f64,
 }
 
-/// A closed form keeps its constants by construction; reading that many of its rows shows whether it did.
+/// The most rows of a closed form that are checked: it keeps its constants by construction.
 const MOST_READ: usize = 256;
 
 impl Conserved {
@@ -47,7 +47,7 @@ impl Conserved {
         state(&self.heavy, attitude, omega)
     }
 
-    /// No torque resists: E is kept; L, or of it what gravity leaves; the fourth integral of tops that have one.
+    /// Without resistance: E is conserved; L, or the component that gravity leaves; the fourth integral of tops that have one.
     pub fn lossless(&self, books: Books<State>) -> Result<Books<State>> {
         let mut books = books.reading(MOST_READ);
         let (first, scale) = (self.start.energy, self.energy_scale);
@@ -71,13 +71,13 @@ impl Conserved {
         Ok(books)
     }
 
-    /// Something resists: the energy can only fall, and with what was lost it is kept; without gravity |L| can only fall.
+    /// With resistance: the energy may only fall, and its sum with the energy lost is conserved; without gravity |L| may only fall.
     pub fn lossy(
         &self,
         mut books: Books<State>,
         lost: impl Fn(usize) -> f64,
     ) -> Result<Books<State>> {
-        // The motion may be asked for before the start: monotone quantities begin with the earliest row.
+        // Requested times may precede the start: monotone quantities begin with the earliest row.
         let (earliest, scale) = (*books.earliest(), self.energy_scale);
         let falling = ("energy", Law::NonIncreasing, scale);
         books.keep(falling, earliest.energy, |_, state| state.energy)?;
@@ -92,7 +92,7 @@ impl Conserved {
         Ok(books)
     }
 
-    /// Name, value and scale of the fourth integral: L along the axis of symmetry, or Kovalevskaya's.
+    /// Name, value and scale of the fourth integral: L along the axis of symmetry or the line to C, or Kovalevskaya's constant.
     fn fourth(&self, state: &State) -> Option<(&'static str, f64, f64)> {
         let (heavy, scale) = (&self.heavy, self.momentum_scale);
         let seen = TopState {
@@ -121,7 +121,7 @@ impl Conserved {
 #[inline]
 fn state(heavy: &HeavyTop, attitude: Attitude, omega: BodyVector) -> State {
     let energy = match heavy.kind() {
-        // Without a lever there is no height to ask for.
+        // Without a lever there is no potential energy.
         Integrability::Euler => heavy.moments.energy(omega),
         _ => heavy.energy(&TopState {
             omega,

@@ -1,4 +1,4 @@
-//! Tops under gravity alone by the methods for turning bodies, for those who ask for one by its name: steps of one length.
+//! The geometric methods for a top under gravity alone, when a request names one: steps of one length.
 
 use super::Top;
 use super::equations::Turning;
@@ -10,10 +10,10 @@ use crate::integrators::{AnyLeg, Cost, Effort, Passage, Stop};
 use crate::scene::engine::{Flow, longest_step};
 use crate::scene::{Geometric, Request};
 
-/// What steps for the engine: between two samples the steps are of one length, and half of it makes twice as many.
+/// The stepper for the engine: between two samples the steps have one length, and half of it gives twice as many.
 ///
 /// # Errors
-/// [`Error::Solver`] for a method that cannot run this top, or that is asked for one run to a tolerance.
+/// [`Error::Solver`] for a method that cannot run this top, or a single run to a tolerance.
 pub(super) fn steps(
     top: &Top,
     turning: &Turning,
@@ -51,7 +51,7 @@ pub(super) fn steps(
                     paid = spent.evaluations;
                     budget.spend(evaluations, begun + since)
                 };
-                // No shorter, or rounding might count one more of them.
+                // Rounded up, or rounding might add a step.
                 let step = (gap.abs() / count).next_up();
                 let course = follow(&*method, &phase, &[gap], step, &mut watch)?;
                 (phase, now) = (course.states[0], time);
@@ -69,7 +69,7 @@ pub(super) fn steps(
     })
 }
 
-/// The method, if it can run this top.
+/// The method for this top, if it can run it.
 fn method_for(top: &Top, method: Geometric) -> Result<Box<dyn Integrator>> {
     let (moments, lever) = (top.body.moments, top.lever());
     let free = lever == [0.0; 3];

@@ -1,11 +1,11 @@
-//! A top: a body with a fixed point, and whatever of gravity, friction at the pivot, in the bearing and at the tip, and drag acts on it (6, 7, 8).
+//! Tops: a body with a fixed point under any of gravity, friction at the pivot, in the bearing and at the tip, and drag (6, 7, 8).
 //!
 //! * `body`: moments, mass, centre of mass; attitude and Ω, or L, at the start;
 //! * `equations`: the torque of each effect, and the flow that the engine follows;
-//! * `closed`: the scenes whose motion is known;
-//! * `columns`: what else can be told of its states;
-//! * `methods`: tops under gravity alone by the methods for turning bodies;
-//! * `ledger`: what is conserved, or may only be lost;
+//! * `closed`: the scenes with a closed form;
+//! * `columns`: further columns of the states;
+//! * `methods`: geometric methods for tops under gravity alone;
+//! * `ledger`: what is conserved, or may only decrease;
 //! * this file: the top and its effects, its state, the plan, the motion.
 
 mod body;
@@ -32,7 +32,7 @@ use closed::ClosedForm;
 use equations::Turning;
 use ledger::Conserved;
 
-/// A top and the effects at work on it.
+/// A top and the effects on it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -49,7 +49,7 @@ pub struct Top {
     tip_friction: Option<TipFriction>,
 }
 
-/// A top as it was written, with effects that it may not take.
+/// A serialised top before its effects are checked.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -84,11 +84,11 @@ impl TryFrom<Written> for Top {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State {
-    /// How the body stands in space.
+    /// The attitude.
     pub attitude: Attitude,
     /// Ω along the body's axes, rad/s.
     pub omega: BodyVector,
-    /// Kinetic energy, plus potential energy above the pivot, J.
+    /// Kinetic energy plus potential energy relative to the pivot, J.
     pub energy: f64,
 }
 
@@ -104,7 +104,7 @@ impl Tabulated for State {
 }
 
 impl Top {
-    /// The body, left alone.
+    /// The body without effects.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for the start.
@@ -127,7 +127,7 @@ impl Top {
         Self::of_principal_axes(body, start.inward(&body))
     }
 
-    /// The same with a start along the principal axes.
+    /// A top whose start is along the principal axes.
     fn of_principal_axes(body: Body, start: Start) -> Result<Self> {
         start.omega(body.moments)?;
         Ok(Self {
@@ -141,11 +141,11 @@ impl Top {
         })
     }
 
-    /// The same with one effect more, or with another value of one that it has.
+    /// Adds an effect, or replaces its value.
     ///
     /// # Errors
-    /// [`Error::Effect`] for one that has no meaning for a top. [`Error::Condition`] for tip friction unless I₁ = I₂ and C lies on the third axis: of
-    /// another body the spin would not stay stopped; for bearing friction of a body whose own axes are not principal ones.
+    /// [`Error::Effect`] for one that has no meaning for a top. [`Error::Condition`] for tip friction unless I₁ = I₂ and C lies on the third axis, because
+    /// the spin of any other body would not stay at rest; for bearing friction of a body whose own axes are not principal.
     ///
     /// ```
     /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{effects::{AirDrag, TurnLoss}, top::{Body, Start, Top}}};
@@ -184,10 +184,10 @@ impl Top {
         Ok(self)
     }
 
-    /// The motion in closed form, if this scene has one.
+    /// The closed form of the motion, if there is one.
     ///
     /// # Errors
-    /// Those of the solution.
+    /// Those of the closed form.
     fn closed_form(&self) -> Result<Option<ClosedForm>> {
         if self.resisting().next().is_some() {
             return Ok(None);
@@ -205,7 +205,7 @@ impl Top {
         self.gravity.map_or(0.0, Gravity::value)
     }
 
-    /// Nothing, if every axis has a moment or nothing resists: no closed form takes what does.
+    /// Succeeds if every axis has a moment or nothing resists: resistance excludes the closed forms, and steps need all moments.
     ///
     /// # Errors
     /// [`Error::NotPositive`].
@@ -215,7 +215,7 @@ impl Top {
         resisting.try_for_each(|_| self.body.has_every_moment())
     }
 
-    /// The names of what resists.
+    /// The names of the resistances.
     fn resisting(&self) -> impl Iterator<Item = &'static str> {
         let effects: [Option<Effect>; 4] = [
             self.pivot_friction.map(Effect::from),
@@ -226,13 +226,13 @@ impl Top {
         effects.into_iter().flatten().map(|effect| effect.name())
     }
 
-    /// The rate that this top turns at, or would if its weight made it fall, rad/s.
+    /// The pace, rad/s: the rate at which this top turns, or its weight would make it fall.
     fn pace(&self) -> Result<f64> {
         let omega = self.start.omega(self.body.moments)?.norm();
         Ok(omega.hypot(self.falling()).max(f64::MIN_POSITIVE))
     }
 
-    /// The rate at which its weight makes it fall, rad/s; 0 without any.
+    /// The rate at which its weight would make it fall, rad/s; 0 without weight.
     fn falling(&self) -> f64 {
         let moments = self.body.moments;
         let [x, y, z] = self.lever();
@@ -245,11 +245,11 @@ impl Top {
     }
 }
 
-/// At so many of the times asked for a closed form is compared with that from a start beside.
+/// The most requested times at which a closed form is compared with one from a displaced start.
 const OF_THE_TIMES: usize = 64;
 
 impl Top {
-    /// The plan: the closed form wherever there is one, otherwise order 8; or what was asked for by name.
+    /// The plan, and the closed form if it uses one: the closed form if there is one, otherwise order 8; or the requested solver.
     fn planned(&self, request: &Request) -> Result<(Plan, Option<ClosedForm>)> {
         let resisting: Vec<&str> = self.resisting().collect();
         let refused = |condition| Err(Error::Solver { condition });
@@ -311,7 +311,7 @@ impl Scene for Top {
 }
 
 impl Top {
-    /// The motion as the principal axes see it.
+    /// The motion along the principal axes.
     fn along_principal_axes(&self, request: &Request) -> Result<Motion<State>> {
         let conserved = Conserved::of(self)?;
         let (plan, closed) = self.planned(request)?;
@@ -319,7 +319,7 @@ impl Top {
             return self.stepped(plan, request, &conserved);
         };
         match self.known(plan, &closed, request, &conserved) {
-            // Where the motion amplifies too much, or would be walked too far.
+            // Where the motion amplifies rounding too much, or the solution cannot be continued as far.
             Err(Error::Integration { .. } | Error::OutOfRange { .. } | Error::Amplified { .. })
                 if request.choice == Choice::Auto
                     && matches!(closed, ClosedForm::Kovalevskaya(..)) =>
@@ -331,7 +331,7 @@ impl Top {
         }
     }
 
-    /// By a closed form: every time on its own.
+    /// The motion in closed form.
     fn known(
         &self,
         plan: Plan,
@@ -360,8 +360,8 @@ impl Top {
         conserved.lossless(books)?.closed(request)
     }
 
-    /// How far a start that rounding cannot tell from this one gets from it by the last of the times, or by some of the others. Closed forms that take what is
-    /// given before anything is rounded have no such doubt; what has been turned to the principal axes is rounded.
+    /// The greatest effect of a displaced start at the last and some of the other requested times. It is zero for closed forms that receive the start without
+    /// rounding, unless the start had to be turned to the principal axes.
     fn doubted(&self, closed: &ClosedForm, request: &Request) -> Result<f64> {
         if closed.is_exact() && self.body.own.is_none() {
             return Ok(0.0);
@@ -377,7 +377,7 @@ impl Top {
             here.push((attitude, omega))
         })?;
         let mut most = 0.0_f64;
-        // In one of them what the changes do may cancel.
+        // In one of the two directions the effects of the changes may cancel.
         for sense in [1.0, -1.0] {
             let start = self.start.beside(self.body.moments, sense)?;
             let Some(beside) = ClosedForm::find(&self.body, self.g(), &start)? else {
@@ -395,7 +395,7 @@ impl Top {
         Ok(most)
     }
 
-    /// By order 8, or a method asked for by its name.
+    /// The motion by order 8, or by the method that the request names.
     fn stepped(
         &self,
         plan: Plan,

@@ -1,4 +1,4 @@
-//! A common trait by which every method, geometric, general or closed form, is asked for the motion of a body.
+//! A common trait by which every method, geometric, general or closed form, returns the motion of a body.
 
 use core::fmt::Debug;
 
@@ -8,9 +8,9 @@ use spinning_bodies::integrators::geometric::{Integrator, Phase, Torque, follow}
 use spinning_bodies::integrators::{Effort, Kept, Solution, System, order_eight};
 use spinning_bodies::{Error, Result};
 
-/// A method that can be asked for a motion by step or by tolerance.
+/// A method that returns the motion of a body, by steps or to a tolerance.
 pub trait Follow: Debug {
-    /// Its name, as in the tables.
+    /// Its name in the tables.
     fn name(&self) -> String;
 
     /// Its order, where it has one.
@@ -20,11 +20,11 @@ pub trait Follow: Debug {
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::NotPositive`] for times and effort; [`Error::Integration`], [`Error::Accuracy`] where the method fails;
-    /// [`Error::Solver`] for a tolerance where a method has steps of one length.
+    /// [`Error::Solver`] for a tolerance if the method has steps of one length.
     fn follow(&self, start: &Phase, times: &[f64], effort: Effort) -> Result<Solution<Phase>>;
 }
 
-/// Between two samples it takes steps of equal length, not above the one given.
+/// Between two samples the steps have one length, at most the given one.
 impl<I: Integrator + Debug> Follow for I {
     fn name(&self) -> String {
         Integrator::name(self)
@@ -46,21 +46,21 @@ impl<I: Integrator + Debug> Follow for I {
 
 /// [`order_eight`] for a turning body under a torque: L and the attitude's quaternion, which keeps norm 1.
 ///
-/// Explicit, neither symmetric nor symplectic: energy and L drift like the error, in proportion to the time. With [`Effort::Tolerance`] the
+/// Explicit, neither symmetric nor symplectic: energy and L drift with the error, in proportion to the time. With [`Effort::Tolerance`] the
 /// error of a step is judged relative to |L| and in the quaternion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DormandPrince8<N> {
     inverse: [f64; 3],
-    /// (I₂ − I₃)/(I₂I₃) and cyclic: L₁′ is this times L₂L₃, so that nearly equal moments lose nothing.
+    /// (I₂ − I₃)/(I₂I₃) and cyclic: L₁′ is this times L₂L₃, so that nearly equal moments lose no digits.
     difference: [f64; 3],
     torque: N,
 }
 
 impl<N> DormandPrince8<N> {
-    /// For the body with these moments under this torque.
+    /// The method for a body with these moments, kg m², under this torque.
     ///
     /// # Errors
-    /// Those of the moments.
+    /// Those of an invalid moment.
     pub fn new([i1, i2, i3]: [f64; 3], torque: N) -> Result<Self> {
         let moments = AxisMoments::new(i1, i2, i3)?.values();
         Ok(Self {

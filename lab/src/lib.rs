@@ -1,8 +1,8 @@
-//! The laboratory of the book *Spinning Bodies*: methods are judged here, and times measured.
+//! The laboratory of the book *Spinning Bodies*: it measures the errors of methods, and their times.
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | [`accuracy`] | every method on every kind of top: error against cost |
+//! | [`accuracy`] | every method on eight motions of tops: error against cost |
 //! | [`follow`] | a common trait for methods that follow the motion of a body, and order 8 written for one |
 //! | [`general`] | methods for any equations, also applied to a body; like `accuracy` behind the feature `general`, a default |
 //! | [`hard_cases`] | textbook formulas beside the library's, where digits are lost |

@@ -1,15 +1,15 @@
-//! Timing: the least time of repeated calls, which other work on the machine disturbs least.
+//! Timing by the least time of repeated calls, which other work on the machine disturbs least.
 
 use std::time::Instant;
 
-/// Calls go on at least this long, s, and not much longer than [`LONG`].
+/// Least duration of the calls, s; [`LONG`] is about the greatest.
 const SHORT: f64 = 0.02;
 const LONG: f64 = 0.1;
 /// Reading the clock costs some 30 ns, so calls are bundled into lots of this length, s.
 const LOT: f64 = 2e-5;
 const FEWEST: u32 = 5;
 
-/// Seconds a call: calls until five lots and 0.02 s are over, or 0.1 s; the time of the fastest lot, per call.
+/// Seconds a call, from the fastest lot of calls. It ends after five lots and 0.02 s, or after 0.1 s.
 pub fn least(mut work: impl FnMut()) -> f64 {
     let begin = Instant::now();
     work();
@@ -30,7 +30,7 @@ pub fn least(mut work: impl FnMut()) -> f64 {
     }
 }
 
-/// The same for several functions, alternating in five rounds, so that all of them meet the same conditions.
+/// Seconds a call of several functions, alternating in five rounds, so that all of them run under the same conditions.
 pub fn in_turn<const N: usize>(mut works: [&mut dyn FnMut(); N]) -> [f64; N] {
     let mut best = [f64::INFINITY; N];
     for _ in 0..5 {

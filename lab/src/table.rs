@@ -7,7 +7,7 @@ use crate::finite;
 /// The rows whose first cell is `wanted`, each converted by `of`.
 ///
 /// # Errors
-/// [`Error::AtPlace`] with the number of the line below the heading, for one that has more or fewer cells than N, and for one that `of` refuses.
+/// [`Error::AtPlace`] with the number of the line below the heading, for a line with more or fewer cells than N, or one that `of` rejects.
 pub(crate) fn rows<const N: usize, T>(
     table: &'static str,
     wanted: impl Fn(&str) -> bool,
@@ -58,7 +58,7 @@ pub(crate) fn decimal(cell: &str) -> Result<[f64; 2]> {
         let places = i32::try_from(fraction.len()).ok()? - exponent.parse::<i32>().ok()?;
         let places = usize::try_from(places).ok()?;
         let high: f64 = cell.parse().ok()?;
-        // What the first of them leaves, in units of the last place of the decimal: exact, but for less than one of them.
+        // The remainder after the first double, in units of the last decimal place: exact, but for less than one unit.
         let units = |text: &str| text.replacen('.', "", 1).parse::<i128>().ok();
         let rest = units(mantissa)?.checked_sub(units(&format!("{high:.places$}"))?)?;
         let low: f64 = format!("{rest}e-{places}").parse().ok()?;
@@ -85,7 +85,7 @@ mod tests {
             Ok(-2048.0 * (1.0 - f64::EPSILON / 2.0))
         );
         assert_eq!(exact("0x0.0p+0"), Ok(0.0));
-        // A tenth, and what a double lacks of it: 0.1 is 2⁻⁵⁵ × 3602879701896397, a tenth of which is 0.4 too much.
+        // 0.1, and what its double lacks: the double is 2⁻⁵⁵ × 3602879701896397, which is 0.2 units of 2⁻⁵⁵ too much.
         assert_eq!(
             decimal("0.1000000000000000000000000000000000"),
             Ok([0.1, -0.4 * 2.0_f64.powi(-56)])

@@ -14,7 +14,7 @@ use super::table_top::Sliding;
 use crate::follow::{DormandPrince8, Follow};
 use crate::general::GeneralMethod;
 
-/// A method for a problem, and the efforts from coarse to more than rounding allows.
+/// A method for a problem, with its efforts from coarse to beyond what rounding allows.
 #[derive(Debug)]
 pub struct Candidate {
     /// The name in the tables: `exact`, `rk4`, `kick-drift-6`, …
@@ -28,7 +28,7 @@ pub struct Candidate {
 /// The methods that can run a problem: closed form where there is one, geometric ones, those of the crate `differential-equations`.
 ///
 /// # Errors
-/// Those of moments and levers that no body has.
+/// Those of invalid moments and levers.
 pub fn candidates(problem: &Problem) -> Result<Vec<Candidate>> {
     let mut found = Found {
         problem,
@@ -131,15 +131,15 @@ impl Found<'_> {
 pub(super) fn efforts(solver: Solver, end: f64, turns: f64) -> Vec<Effort> {
     match solver {
         Solver::Exact | Solver::Events => vec![Effort::Tolerance(0.0)],
-        // The crate counts time from 0 to 1, where a third is no double.
+        // The crate counts time from 0 to 1, where a third is not a double, so there is only one multiple.
         Solver::General(Method::Rk4 | Method::Gauss) => steps(end, turns, &[1.0]),
         Solver::General(_) | Solver::Geometric(Geometric::DormandPrince8) => tolerances(),
         _ => steps(end, turns, &[1.0, 1.5]),
     }
 }
 
-/// Three to a decade, down to where the error of a step is rounding: finer than the differences between methods. Below 1e-15 a method may look
-/// for a step that rounding does not let it find.
+/// Three to a decade, down to where the error of a step is rounding: finer than the differences between methods. Below 1e-15 a method may fail to find
+/// a step, because of rounding.
 fn tolerances() -> Vec<Effort> {
     const DECADES: [f64; 14] = [
         1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15,

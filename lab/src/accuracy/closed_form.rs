@@ -1,4 +1,4 @@
-//! The closed forms, in the form of a method.
+//! The closed forms, as methods.
 
 use spinning_bodies::euler_equations::{AxisMoments, HeavyTop, Integrability};
 use spinning_bodies::euler_top::EulerTop;
@@ -11,9 +11,9 @@ use spinning_bodies::{Error, Result};
 
 use crate::follow::Follow;
 
-/// The exact motion of a body that has one: free (6), or with a lever along axis 3 and I₁ = I₂ (7), or Kovalevskaya's (8).
+/// The exact motion of a body with a closed form: free (6), or with a lever along axis 3 and I₁ = I₂ (7), or Kovalevskaya's (8).
 ///
-/// No step and no tolerance changes what it returns. One evaluation a time.
+/// It depends on no step and no tolerance. Cost: one evaluation for each time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ClosedForm {
     moments: [f64; 3],
@@ -29,10 +29,10 @@ enum Kind {
 }
 
 impl ClosedForm {
-    /// For the body with these moments, kg m², and this lever MgC, N m.
+    /// The closed form for a body with these moments, kg m², and this lever MgC, N m.
     ///
     /// # Errors
-    /// Those of the moments; [`Error::NotFinite`]; [`Error::Condition`] for a body without a closed form, or with its axis of symmetry not the third.
+    /// Those of an invalid moment; [`Error::NotFinite`]; [`Error::Condition`] for a body without a closed form, or with its axis of symmetry not the third.
     pub fn new(moments: [f64; 3], lever: [f64; 3]) -> Result<Self> {
         let [i1, i2, i3] = moments;
         let [x, y, z] = lever;
@@ -97,7 +97,7 @@ impl Follow for ClosedForm {
             }
             Kind::Kovalevskaya => {
                 let top = KovalevskayaTop::new(self.moments, self.lever, omega, attitude)?;
-                // Where power series are needed, each time goes on from the one before.
+                // Where power series are needed, each time continues from the one before.
                 for state in top.states(times.iter().copied()) {
                     let state = state?;
                     phases.push(self.phase(state.omega, &state.attitude));

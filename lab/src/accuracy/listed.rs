@@ -8,7 +8,7 @@ use super::sample::Sample;
 use super::table_top::SlidingBall;
 use crate::table;
 
-/// Problem and length, time, attitude and angular velocity of each sample.
+/// Rows of problem and length, time, attitude and angular velocity: the samples of the truth.
 const TRUTH: &str = include_str!("../../../tests/reference/accuracy.csv");
 
 /// The names of the problems; each is a family of runs, of 1, 10, … turns, a turn being 2π/|Ω| at the start.
@@ -50,7 +50,7 @@ const fn top(moments: [f64; 3], lever: [f64; 3]) -> Model {
     Model::Top { moments, lever }
 }
 
-/// In the order of the names.
+/// Families in the order of the names.
 const FAMILIES: [Family; 8] = [
     Family {
         description: "free, all moments different: the body of Hairer and Vilmart (2006)",
@@ -106,7 +106,7 @@ const FAMILIES: [Family; 8] = [
 /// All problems, each over all its lengths, 28 runs in all.
 ///
 /// # Errors
-/// None for these bodies; those of the reference table, if a line of it were broken.
+/// None for these bodies; those of the reference table, should a line be invalid.
 pub fn problems() -> Result<Vec<Problem>> {
     read(|_| true)
 }
@@ -114,12 +114,12 @@ pub fn problems() -> Result<Vec<Problem>> {
 /// The problems of this name: `free-top` for all its lengths, `free-top/1000` for one; an empty list if there is no such name.
 ///
 /// # Errors
-/// As for [`problems`].
+/// Those of [`problems`].
 pub fn named(name: &str) -> Result<Vec<Problem>> {
     read(|run| run == name || run.split('/').next() == Some(name))
 }
 
-/// The problems with such a name and length, in the order of the table.
+/// The problems with these names and lengths, in the order of the table.
 fn read(wanted: impl Fn(&str) -> bool) -> Result<Vec<Problem>> {
     let samples = table::rows(TRUTH, wanted, |cells: [&'static str; 9]| {
         let [run, time, numbers @ ..] = cells;

@@ -12,9 +12,9 @@ use crate::stopwatch;
 /// The outcome of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
-    /// An error that more effort would make smaller.
+    /// The error would decrease with more effort.
     Ok,
-    /// Rounding: more effort than a coarser run without gain, or an error no greater than that of the truth. Only [`Trial::sweep`] can tell.
+    /// Rounding: more effort than a coarser run without gain, or an error no greater than that of the truth. Only [`Trial::sweep`] can recognise it.
     Floor,
     /// The attitude is off by more than a radian, Ω by more than itself, or either not finite.
     Diverged,
@@ -60,7 +60,7 @@ pub struct Measurement {
 }
 
 impl Measurement {
-    /// The error of the attitude, or if there is none that of the rates.
+    /// The error of the attitude or, without an attitude, that of the rates.
     pub const fn error(&self) -> f64 {
         if self.error_attitude.is_nan() {
             self.error_omega
@@ -138,7 +138,7 @@ impl<E> Trial<'_, E> {
                 let Apart { attitude, omega } = (self.apart)(&end);
                 (found.error_attitude, found.error_omega) = (attitude, omega);
                 (found.evaluations, found.steps) = (cost.evaluations, cost.steps);
-                // An error of a radian, or of the whole angular velocity, is no answer.
+                // An error of a radian, or of the whole angular velocity, is not a result.
                 found.status = if attitude > 1.0 || omega > 1.0 {
                     Status::Diverged
                 } else {
@@ -154,13 +154,13 @@ impl<E> Trial<'_, E> {
     pub fn timed(&self, effort: Effort) -> Measurement {
         let mut found = self.measure(effort);
         if found.status != Status::Failed {
-            // Its result has been judged above.
+            // The result was judged above.
             found.seconds = Some(stopwatch::least(|| drop((self.run)(effort))));
         }
         found
     }
 
-    /// The method from coarse to fine, until rounding stops it or `run` has enough.
+    /// Measures the method from coarse to fine, until rounding stops it or `run` ends the sweep.
     ///
     /// `run` gets the measurements so far and the next effort, and measures it, or returns `None` to end the sweep. Runs that gained nothing
     /// over a coarser one, or whose error is no greater than that of the truth, are marked as [`Status::Floor`].
@@ -189,11 +189,11 @@ impl<E> Trial<'_, E> {
         rows
     }
 
-    /// Whether the run at `place` is at the floor: its error is not distinguishable from that of the truth, or not better by a fifth than all coarser ones, one of
-    /// which is within the reach of rounding.
+    /// Whether the run at `place` is at the floor: its error is not distinguishable from that of the truth, or it is not smaller by a fifth than those of all coarser
+    /// runs, one of which is within the reach of rounding.
     ///
-    /// Each effort is finer by at least a quarter, so that the error of a method of order 2 falls to 0.57: a fall that does not reach 0.8 is no gain.
-    /// Errors above 1e-6, or far above the floor, may belong to steps too long for the order to show, and be small by chance.
+    /// Each effort is finer by at least a quarter, by which the error of a method of order 2 falls to 0.57: a fall to more than 0.8 is no gain.
+    /// Errors above 1e-6, or far above the floor, may belong to steps too long for the order to show, and may be small by chance.
     fn no_gain(&self, rows: &[Measurement], place: usize) -> bool {
         let errors = rows[..place].iter().map(Measurement::error);
         let best = errors.fold(f64::INFINITY, f64::min);
@@ -206,7 +206,7 @@ impl<E> Trial<'_, E> {
     }
 }
 
-/// Rounding may cause errors up to this, and up to this multiple of the floor.
+/// Greatest error that rounding may cause, and greatest multiple of the floor.
 const REACH: f64 = 1e-6;
 const FAR: f64 = 1e5;
 

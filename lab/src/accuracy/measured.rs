@@ -1,10 +1,10 @@
-//! The committed measurements of the command `accuracy --csv`: which method is cheapest, and from which length a closed form pays.
+//! The committed measurements of the command `accuracy --csv`: which method is cheapest, and from which length on the closed form is cheaper.
 
 /// The output of the command, under a line that names machine and compiler.
 pub const SWEEP: &str = include_str!("../../../book/src/tables/accuracy.csv");
 /// Lengths in turns.
 const LENGTHS: [u32; 3] = [1, 10, 1000];
-/// Each motion, its name on a page, and the lengths in turns for which all methods followed it.
+/// Each motion, its name in the book, and the lengths in turns for which all methods followed it.
 pub const MOTIONS: [(&str, &str, [u32; 3]); 8] = [
     ("free-top", "free body", LENGTHS),
     ("near-separatrix", "beside the separatrix", LENGTHS),
@@ -27,7 +27,7 @@ pub struct Row<'a> {
     pub problem: &'a str,
     /// The name of the method.
     pub method: &'a str,
-    /// The error of the attitude, or if there is none that of the rates.
+    /// The error of the attitude or, without an attitude, that of the rates.
     pub error: f64,
     /// Seconds, or another cost.
     pub price: f64,
@@ -54,7 +54,7 @@ pub fn rows(csv: &str) -> Vec<Row<'_>> {
     rows.collect()
 }
 
-/// The methods that reach the error on this run, cheapest first, each with its least price.
+/// The methods that reach this error on this run, cheapest first, each with its least price.
 pub fn ranking<'a>(rows: &[Row<'a>], problem: &str, target: f64) -> Vec<(&'a str, f64)> {
     let mut ranked: Vec<(&str, f64)> = Vec::new();
     let good = rows
@@ -70,10 +70,10 @@ pub fn ranking<'a>(rows: &[Row<'a>], problem: &str, target: f64) -> Vec<(&'a str
     ranked
 }
 
-/// The number of turns from which the closed form is cheaper than every method that steps, if there is one between two lengths that were measured;
+/// The number of turns from which the closed form is cheaper than every method with steps, if it lies between two measured lengths;
 /// between them the logarithm of the price is interpolated linearly in that of the length.
 pub fn crossover(rows: &[Row<'_>], motion: &str, lengths: &[u32], target: f64) -> Option<f64> {
-    // The logarithm of the stepper's price over that of the closed form.
+    // The logarithm of the price of the cheapest method with steps relative to that of the closed form.
     let gain = |turns: f64| {
         let ranked = ranking(rows, &format!("{motion}/{turns}"), target);
         let price = |exact: bool| ranked.iter().find(|row| (row.0 == EXACT) == exact);

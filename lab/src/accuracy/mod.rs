@@ -8,7 +8,7 @@
 //! | which method was cheapest when measured? | [`measured`]: the committed sweep |
 //! | and for a scene of any kind? | [`JudgedScene`]: two methods of different families judge the others |
 //!
-//! Every method is asked through [`Follow`](crate::follow::Follow). The truth is never the same code with a finer step: it is
+//! Every method is called through [`Follow`](crate::follow::Follow). The truth is never the same code with a finer step: it is
 //! the committed table `tests/reference/accuracy.csv`, by two independent routes of 45 and more digits that agree to 30.
 //!
 //! ```

@@ -1,14 +1,14 @@
-//! The order of a method, measured.
+//! The measured order of a method.
 
 use super::measure::{Measurement, Status};
 
-/// Errors above this may be those of steps too long for the method to be of any order.
+/// Errors above this may belong to steps too long for the order to show.
 const SMALL: f64 = 1e-2;
 
 /// The slope of log error against log step over the finest runs of a sweep that rounding has not touched, four at most; `None` for fewer than three.
 ///
-/// For methods with a step; the error of those with a tolerance has no order. Rows as [`Trial::sweep`](super::Trial::sweep) returns them, from coarse to fine.
-/// The runs next to the floor are left out as well: errors below a hundred times the least of the sweep.
+/// For methods with a step; the error of those with a tolerance has no order. Rows are in the order of [`Trial::sweep`](super::Trial::sweep), from coarse to fine.
+/// The runs next to the floor are left out as well: errors below a hundred times the smallest of the sweep.
 pub fn measured_order(rows: &[Measurement]) -> Option<f64> {
     let least = rows
         .iter()
@@ -26,7 +26,7 @@ pub fn measured_order(rows: &[Measurement]) -> Option<f64> {
     (points.len() >= 3).then(|| slope(points))
 }
 
-/// Of the straight line that leaves the least squares.
+/// The slope of the straight line of least squares.
 fn slope(points: &[(f64, f64)]) -> f64 {
     let count = points.len() as f64;
     let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;

@@ -11,18 +11,18 @@ use super::table_top::SlidingBall;
 /// The moving system.
 #[derive(Debug, Clone, Copy)]
 pub enum Model {
-    /// A body with a fixed point, under its weight or none.
+    /// A body with a fixed point, free or under its weight.
     Top {
         /// Moments along the body's axes, kg m².
         moments: [f64; 3],
         /// The lever MgC along the body's axes, N m.
         lever: [f64; 3],
     },
-    /// A ball on a table, C off its centre.
+    /// A ball on a table, with C off its centre.
     Table(SlidingBall),
 }
 
-/// A motion: a body, its start, the time it lasts, and samples of the truth.
+/// A motion: a body, its start, its duration, and samples of the truth.
 #[derive(Debug, Clone)]
 pub struct Problem {
     name: String,
@@ -34,11 +34,11 @@ pub struct Problem {
 }
 
 impl Problem {
-    /// The motion from `start` at time 0 through the samples of `truth`, in their order, at the last of which it ends; `turns` is
-    /// about the number of turns until then, for the steps that methods begin with.
+    /// The motion from `start` at time 0 to the last sample of `truth`; `turns` is about the number of turns
+    /// until then, from which the first steps of the methods are chosen.
     ///
     /// # Errors
-    /// [`Error::Empty`] without samples; [`Error::OutOfRange`] for sample times that do not ascend from 0; [`Error::NotFinite`].
+    /// [`Error::Empty`] without samples; [`Error::OutOfRange`] unless the times of the samples ascend from 0; [`Error::NotFinite`].
     pub fn new(
         name: impl Into<String>,
         model: Model,
@@ -75,23 +75,23 @@ impl Problem {
         })
     }
 
-    /// The same with a one-line description.
+    /// Sets a one-line description.
     pub(super) const fn described(mut self, description: &'static str) -> Self {
         self.description = description;
         self
     }
 
-    /// Its name, as in the tables: `free-top/1000`, the number of turns last.
+    /// Its name in the tables: `free-top/1000`, with the number of turns last.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Its description in one line; empty for a problem of one's own.
+    /// Its description in one line; empty for a problem that is not in the list.
     pub const fn description(&self) -> &'static str {
         self.description
     }
 
-    /// What moves.
+    /// The moving system.
     pub const fn model(&self) -> &Model {
         &self.model
     }
@@ -109,7 +109,7 @@ impl Problem {
         &self.start
     }
 
-    /// About the number of turns.
+    /// About the number of turns of the motion.
     pub const fn turns(&self) -> f64 {
         self.turns
     }

@@ -15,12 +15,12 @@ pub struct Sample {
 pub struct Apart {
     /// Angle of the rotation between the two attitudes, rad; infinite if one is not finite, NaN for a scene without an attitude.
     pub attitude: f64,
-    /// |ΔΩ|/|Ω|; infinite if that is not finite. For a scene the norm of the error of its rates over the greatest norm of the rates, NaN if it has none.
+    /// |ΔΩ|/|Ω|; infinite if that is not finite. For a scene the norm of the error of its rates over the greatest norm of the rates; NaN if it has none.
     pub omega: f64,
 }
 
 impl Sample {
-    /// At this time (s): Ω along the body's axes (rad/s) and the attitude's quaternion (w, x, y, z), each number the sum of two doubles.
+    /// The sample at this time (s): Ω along the body's axes (rad/s) and the attitude's quaternion (w, x, y, z), each number the sum of two doubles.
     pub fn new(time: f64, omega: [[f64; 2]; 3], attitude: [[f64; 2]; 4]) -> Self {
         let sum = |[high, low]: [f64; 2]| {
             DoubleDouble::from_double(high) + DoubleDouble::from_double(low)
@@ -42,14 +42,14 @@ impl Sample {
         (self.omega, self.attitude)
     }
 
-    /// The error of `phase`, of a body with these moments.
+    /// The error of `phase`, for a body with these moments.
     ///
-    /// Differences are formed in two words, so that errors down to 1e-30 are themselves right, in whatever kind of numbers the state is given.
+    /// Differences are formed in two words, so that errors down to 1e-30 are themselves correct, in whatever kind of number the state is given.
     /// The quaternion may have any length.
     pub fn apart<T: Real>(&self, phase: &Phase<T>, moments: [f64; 3]) -> Apart {
         let [a, b, c, d] = self.attitude;
         let [w, x, y, z] = phase.q.map(T::two_words);
-        // The vector part of truth⁻¹q, which for small angles is all of it.
+        // The vector part of truth⁻¹q, which contains all of a small angle.
         let across = [
             (a * x - b * w) + (d * y - c * z),
             (a * y + b * z) - (c * w + d * x),
@@ -70,7 +70,7 @@ impl Sample {
     }
 }
 
-/// The error, infinite if it is NaN.
+/// The error; infinity in place of NaN.
 pub(super) const fn known(error: f64) -> f64 {
     if error.is_nan() { f64::INFINITY } else { error }
 }

@@ -12,7 +12,7 @@ use super::measure::Trial;
 use super::sample::{Apart, known};
 use crate::general::DifferentialEquations;
 
-/// The possible judges: a closed form, whole or from event to event; order 8; Verner's pair of order 9(8), which is of another family and another implementation.
+/// The possible judges: a closed form, whole or from event to event; order 8; Verner's pair of order 9(8), of another family and implementation.
 const JUDGES: [Solver; 4] = [
     Solver::Exact,
     Solver::Events,
@@ -21,20 +21,20 @@ const JUDGES: [Solver; 4] = [
 ];
 /// The tolerance of judges that step.
 const TIGHTEST: Effort = Effort::Tolerance(1e-15);
-/// Number of times at which they are compared, the last being the end.
+/// Number of times at which the judges are compared, the last being the end.
 const SAMPLES: u32 = 16;
-/// Judges that disagree by more are of no use: the coarsest of the accuracies shown.
+/// Greatest disagreement of judges: the coarsest accuracy in the tables.
 const COARSEST: f64 = 1e-3;
-/// Errors below this multiple of their disagreement cannot be distinguished from it.
+/// The floor, as a multiple of the disagreement of the judges.
 const TOLD: f64 = 10.0;
 
-/// A scene from its start to its end, with the end state by the first two judges that can run it.
+/// A scene from its start to its end, with the end state according to the first two judges that can run it.
 ///
-/// A closed form also states its own error, which is believed but not improved on; where no method steps, it is the only judge.
+/// A closed form also states its own error, and no smaller one is reported for it; where no method with steps can run, it is the only judge.
 #[derive(Debug)]
 pub struct JudgedScene {
     scene: AnyScene,
-    /// The state at the end.
+    /// The request for the state at the end.
     asked: Request,
     judges: Vec<Solver>,
     floor: f64,
@@ -45,8 +45,8 @@ pub struct JudgedScene {
 }
 
 impl JudgedScene {
-    /// The scene from time 0 to this one, s. Of its usual columns the attitude's quaternion is compared, and the rates: all those in rad/s, or
-    /// if there are none all those in m/s.
+    /// The scene from time 0 to `end`, s. Among its usual columns the attitude's quaternion is compared, and the rates: all those in rad/s or,
+    /// if there are none, all those in m/s.
     ///
     /// # Errors
     /// [`Error::Condition`] for a motion on which its judges disagree by more than 1e-3; that of the scene if none can run it.
@@ -120,7 +120,7 @@ impl JudgedScene {
         &self.judges
     }
 
-    /// The error that cannot be distinguished from the truth: ten times the disagreement of the judges.
+    /// The greatest error that cannot be distinguished from that of the truth: ten times the disagreement of the judges.
     pub const fn floor(&self) -> f64 {
         self.floor
     }
@@ -135,12 +135,12 @@ impl JudgedScene {
         self.ruler.rates > 0
     }
 
-    /// The efforts at which a solver is run on it, from coarse to fine.
+    /// The efforts at which a solver runs this scene, from coarse to fine.
     pub fn efforts(&self, solver: Solver) -> Vec<Effort> {
         efforts(solver, self.end(), self.turns)
     }
 
-    /// The trial of this solver on the scene, under this name. A run that would take more evaluations fails.
+    /// The trial of this solver on the scene, under this name. A run that exceeds this number of evaluations fails.
     pub fn trial<'a>(
         &'a self,
         name: &'a str,
@@ -163,7 +163,7 @@ impl JudgedScene {
             }),
             apart: Box::new(|table| {
                 let Apart { attitude, omega } = self.ruler.apart(&self.truth, &table.row(0).1);
-                // An error that does not exist (NaN) stays so for a closed form.
+                // For a closed form an error that does not exist stays NaN.
                 let told = |error: f64| match table.error_estimate {
                     own if own.is_finite() && own > error => own,
                     _ => error,
@@ -177,7 +177,7 @@ impl JudgedScene {
     }
 }
 
-/// The error if no judge has given another.
+/// The error if no judge returned another.
 const NONE: Error = Error::Empty {
     quantity: "the list of methods that can judge a scene",
 };
@@ -187,10 +187,10 @@ fn by(request: &Request, solver: Solver) -> Request {
     request.with_methods(&DifferentialEquations)
 }
 
-/// How two rows are compared.
+/// The comparison of two rows.
 #[derive(Debug)]
 struct Ruler {
-    /// Index at which the rates begin: after the quaternion, if there is one.
+    /// Index of the first rate: after the quaternion, if there is one.
     rates: usize,
     /// The greatest norm of the rates.
     fastest: f64,
@@ -212,7 +212,7 @@ impl Ruler {
         };
         let omega = match rates {
             [] => f64::NAN,
-            // At rest all the time.
+            // The scene is at rest all the time.
             _ if gap == 0.0 => 0.0,
             _ => known(gap / self.fastest),
         };

@@ -7,7 +7,7 @@ use spinning_bodies::integrators::{Effort, Kept, Method, Solution, System, order
 use crate::follow::Follow;
 use crate::general::Run;
 
-/// The quaternion, Ω along the body's axes, level velocity of C, its level place, work done against friction.
+/// The quaternion, Ω along the body's axes, horizontal velocity of C, its horizontal position, work done against friction.
 type Numbers = [f64; 12];
 
 /// A ball with I₁ = I₂ on a table with viscous friction, C on its third axis off the centre; quotients that its rates need are precomputed.
@@ -48,14 +48,14 @@ impl SlidingBall {
         self.moments
     }
 
-    /// The numbers of the equations for this phase, C at rest.
+    /// The components of the equations for this phase, with C at rest.
     fn numbers(&self, phase: &Phase) -> Result<Numbers> {
         let q = phase.attitude()?.quaternion();
         let [a, b, c] = core::array::from_fn(|k| phase.l[k] / self.moments[k]);
         Ok([q.w, q.i, q.j, q.k, a, b, c, 0.0, 0.0, 0.0, 0.0, 0.0])
     }
 
-    /// The size below which each number counts as small.
+    /// The size below which each component counts as small.
     fn scales(&self, y: &Numbers) -> Numbers {
         let size = self.radius;
         let omega = y[4].hypot(y[5]).hypot(y[6]);
@@ -75,11 +75,11 @@ impl SlidingBall {
 }
 
 impl System<12> for SlidingBall {
-    /// The equations of any body on a table, for a ball with I₁ = I₂ and C on its third axis: a third of the work, so that a method's own cost is not lost in
-    /// that of the problem.
+    /// The equations of any body on a table, simplified for a ball with I₁ = I₂ and C on its third axis: a third of the work, so that the cost of a method
+    /// does not disappear in that of the problem.
     ///
     /// In the notation of the general equations the arm ρ from C to the contact is (0, 0, a) − Ru. With it the vertical acceleration of C is
-    /// that of a u₃: the rotation about u drops out. The time of an evaluation is that of its longest chain of operations, not of
+    /// that of a u₃: the rotation about u drops out. The time of an evaluation depends on its longest chain of dependent operations, not on
     /// their number, so the slip is formed along the body's axes, where it needs no second rotation, and factors are applied as late as possible.
     #[inline]
     fn rate(&self, _: f64, y: &Numbers) -> Numbers {
@@ -94,7 +94,7 @@ impl System<12> for SlidingBall {
             gravity,
             ..
         } = *self;
-        // The rows of the rotation times |q|², and the third again as a vector of the body: up.
+        // The rows of the rotation matrix times |q|²; the third also as a vector of the body, up.
         let (ww, xx, yy, zz) = (w * w, x * x, y2 * y2, z * z);
         let (dw, dx, dy) = (w + w, x + x, y2 + y2);
         let (xy, xz, yz, wx, wy, wz) = (dx * y2, dx * z, dy * z, dw * x, dw * y2, dw * z);
@@ -104,13 +104,13 @@ impl System<12> for SlidingBall {
         // 1/|q|² to first order in |q|² − 1: without this the drift of |q| costs a general method a factor of fifty in its error.
         let unit = 2.0 - ((ww + zz) + (xx + yy));
         let (u1, u2, u3) = (unit * n1, unit * n2, unit * n3);
-        // Slip: V + Ω∧ρ without its vertical part. Of that, Ru∧Ω is level.
+        // Slip: V + Ω∧ρ without its vertical part, in which Ru∧Ω is horizontal.
         let (r1, r2, r3) = (radius * o1, radius * o2, radius * o3);
         let climb = (a * unit) * (n1 * o2 - n2 * o1);
         let s1 = (unit * ((v1 * a1 + v2 * b1) - (r2 * n3 - r3 * n2)) + a * o2) - climb * u1;
         let s2 = (unit * ((v1 * a2 + v2 * b2) - (r3 * n1 - r1 * n3)) - a * o1) - climb * u2;
         let s3 = unit * ((v1 * a3 + v2 * b3) - (r1 * n2 - r2 * n1)) - climb * u3;
-        // Torque over reaction: ρ∧(u − cs), of which the part with u is a(−u₂, u₁, 0); and −cρ.
+        // Torque over reaction: ρ∧(u − cs). Its part with u is a(−u₂, u₁, 0); the other needs −cρ.
         let pull = friction * radius;
         let (p1, p2, p3) = (pull * u1, pull * u2, pull * u3 - friction * a);
         let t1 = (p2 * s3 - p3 * s2) - a * u2;
@@ -144,11 +144,11 @@ impl System<12> for SlidingBall {
     }
 }
 
-/// A ball followed by a general method, or by ours of order 8: asked for phases like any other, though its numbers are twelve.
+/// A ball followed by a general method or by the library's order 8: it returns phases like any other method, though its state has twelve components.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sliding {
     pub(super) ball: SlidingBall,
-    /// `None` for ours.
+    /// `None` for the library's order 8.
     pub(super) general: Option<Method>,
 }
 

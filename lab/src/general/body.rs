@@ -9,7 +9,7 @@ use spinning_bodies::integrators::{Effort, Method, Solution, System};
 use super::Run;
 use crate::follow::Follow;
 
-/// A body under a torque, followed by a general method as a system of seven numbers.
+/// A body under a torque, followed by a general method as a system of seven equations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GeneralMethod<N> {
     moments: [f64; 3],
@@ -18,10 +18,10 @@ pub struct GeneralMethod<N> {
 }
 
 impl<N> GeneralMethod<N> {
-    /// For the body with these moments under this torque.
+    /// The method for a body with these moments, kg m², under this torque.
     ///
     /// # Errors
-    /// Those of the moments.
+    /// Those of an invalid moment.
     pub fn new([i1, i2, i3]: [f64; 3], torque: N, method: Method) -> Result<Self> {
         Ok(Self {
             moments: AxisMoments::new(i1, i2, i3)?.values(),
@@ -31,7 +31,7 @@ impl<N> GeneralMethod<N> {
     }
 }
 
-/// The order of a method with steps of one length; `None` where a tolerance chooses the steps, since then it does not show.
+/// The order of a method with steps of one length; `None` where a tolerance chooses the steps, so that the order does not show.
 pub const fn order(method: Method) -> Option<u32> {
     match method {
         Method::Rk4 => Some(4),

@@ -4,7 +4,7 @@ use differential_equations::ode::ODE;
 
 use spinning_bodies::integrators::System;
 
-/// The crate compares times with 2e-15 absolute, so every run is made to last from 0 to 1.
+/// The crate compares times with an absolute tolerance of 2e-15, so every run is rescaled to last from 0 to 1.
 #[derive(Clone, Copy)]
 pub(super) struct Clock {
     pub start: f64,
@@ -24,7 +24,7 @@ impl Clock {
     }
 }
 
-/// The equations in phase.
+/// The equations with the rescaled time, the phase, as variable.
 pub(super) struct Timed<'a, const N: usize> {
     pub system: &'a dyn System<N>,
     pub clock: Clock,

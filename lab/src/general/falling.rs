@@ -1,4 +1,4 @@
-//! The location, between two steps, at which a quantity falls through zero.
+//! Locates, between the ends of a step, where a quantity falls through zero.
 
 use spinning_bodies::Result;
 use spinning_bodies::integrators::Event;
@@ -23,13 +23,13 @@ impl<const N: usize> Falling<'_, N> {
     }
 }
 
-/// Step of the difference that tells whether a quantity rises from zero, in phase.
+/// Step in phase of the difference that shows whether a quantity rises from zero.
 const PROBE: f64 = 1e-8;
 
-/// The zero of the event's quantity between the two ends of a step, of which the second is past it.
+/// The zero of the event's quantity between the two ends of a step, the second of which is past it.
 ///
-/// By secants, with the value at an end that has stayed twice halved (the Illinois rule), and by bisection whenever three trials have not made the
-/// enclosure eight times smaller, which also copes with a start at zero, whose secant is of no use.
+/// By secants, halving the value at an end that has stayed twice (the Illinois rule), and by bisection whenever three trials have not made the
+/// bracket eight times smaller, which also copes with a start at zero, where secants are useless.
 pub(super) fn falling<const N: usize>(
     crossing: &Falling<'_, N>,
     before: (f64, [f64; N]),
@@ -55,7 +55,7 @@ pub(super) fn falling<const N: usize>(
         let phase = if slow || above <= 0.0 || !secant.is_finite() {
             0.5 * (low.0 + high.0)
         } else {
-            // A step beyond the zero, so that the far end comes near as well.
+            // A step beyond the zero, so that the far end approaches it as well.
             secant.clamp(low.0 + rounding, high.0 - rounding)
         };
         if trials == 3 {
@@ -82,12 +82,12 @@ pub(super) fn falling<const N: usize>(
     })
 }
 
-/// An end of the enclosure.
+/// An end of the bracket.
 #[derive(Clone, Copy, PartialEq)]
 enum End {
     Low,
     High,
 }
 
-/// Trials at most; halving alone would need sixty.
+/// Most trials; bisection alone would need sixty.
 const MOST_TRIALS: usize = 200;

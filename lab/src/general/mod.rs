@@ -1,6 +1,6 @@
-//! Methods for any equations, those of the crate `differential-equations`: systems of N numbers, samples at given times, events.
+//! Methods for any equations, those of the crate `differential-equations`: systems of N equations, samples at given times, events.
 //!
-//! The library itself has only order 8 and the methods for bodies; the general methods judge it, and are passed to a scene in its request as
+//! The library itself has only order 8 and the methods for bodies; the general methods serve to judge them, and are passed to a scene in its request as
 //! [`DifferentialEquations`].
 //!
 //! * this file: the interface to scenes;
@@ -8,7 +8,7 @@
 //! * `clock`: the equations with time rescaled to 0 … 1;
 //! * `track`: the record of a run;
 //! * `falling`: the location of an event between two steps;
-//! * `scaled`: the equations scaled so that every number is near 1;
+//! * `scaled`: the equations scaled so that every component is near 1;
 //! * `body`: the motion of a body by such a method.
 
 mod body;
@@ -53,7 +53,7 @@ impl GeneralMethods for DifferentialEquations {
     }
 }
 
-/// The same for a number of components known at compile time.
+/// The passage for a number of components known at compile time.
 fn sized<const N: usize>(
     method: Method,
     leg: &AnyLeg<'_>,

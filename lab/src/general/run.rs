@@ -35,7 +35,7 @@ impl<const N: usize> core::fmt::Debug for Run<'_, N> {
 }
 
 impl<'a, const N: usize> Run<'a, N> {
-    /// `scales` are the sizes below which a component counts as small: the error of a step may be tolerance × (|y| + scale) in each.
+    /// A run of this method; the error of a step may be tolerance × (|y| + scale) in each component, `scales` being the sizes below which it counts as small.
     pub const fn new(
         system: &'a dyn System<N>,
         scales: &'a [f64; N],
@@ -50,14 +50,14 @@ impl<'a, const N: usize> Run<'a, N> {
         }
     }
 
-    /// States at all of `times` (s, in any order, before and after `start_time` alike).
+    /// States at all of `times` (s, in any order, before and after `start_time`).
     ///
     /// Each sample is reached by a step of its own from the last step before it, not by dense output, which is less exact by up to
     /// four digits; it costs the evaluations of one step.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for times and start; [`Error::NotPositive`] for the effort;
-    /// [`Error::Integration`] if the method gives up.
+    /// [`Error::Integration`] if the method fails.
     pub fn solve(
         &self,
         start_time: f64,
@@ -89,20 +89,20 @@ impl<'a, const N: usize> Run<'a, N> {
         Ok(Solution { states, cost })
     }
 
-    /// From `start` at `start_time` towards `end_time`, with states at `times` (ordered, all between the two), until the event's quantity
+    /// The passage from `start` at `start_time` towards `end_time`, with states at `times` (ordered, all between the two), until the event's quantity
     /// falls through zero.
     ///
-    /// The quantity is evaluated at the end of every step and at seven places within it. Once it has fallen, the event is enclosed between states that
-    /// the method itself reaches, by secants kept within the enclosure and by bisection, down to rounding. Dense output is not used, and quantities with
-    /// corners (the least of several) are no worse than smooth ones. Observed error: that of the run. Cost: one step of the
+    /// The quantity is evaluated at the end of every step and at seven places within it. Once it has fallen, its zero is bracketed between states that
+    /// the method itself reaches, by secants within the bracket and by bisection, down to rounding. Dense output is not used, so quantities with
+    /// corners (the least of several) are located as well as smooth ones. Observed error: that of the run. Cost: one step of the
     /// method for each of some ten trials.
     ///
     /// A quantity that is zero at the start can fall only after it has risen, and one that is negative at the start only after a
-    /// step has ended with it positive. Missed are a quantity that falls and rises again within an eighth of a step, and one that touches zero
+    /// step has ended with it positive. A quantity that falls and rises again within an eighth of a step is missed, and so is one that touches zero
     /// without passing through; use one that changes sign instead.
     ///
     /// # Errors
-    /// As for [`solve`](Self::solve).
+    /// Those of [`solve`](Self::solve).
     pub fn until(
         &self,
         start_time: f64,
@@ -119,14 +119,14 @@ impl<'a, const N: usize> Run<'a, N> {
             start: start_time,
             span: end_time - start_time,
         };
-        // Components with their own tolerances: tolerance × (|y| + scale).
+        // Absolute tolerances: tolerance × scale for each component.
         let absolute = |tolerance: f64| self.scales.map(|scale| tolerance * scale);
-        // Steps of one length, no longer than this, that add up to a phase.
+        // The length in phase of equal steps, at most the given one, that fill the run.
         let even = |step: f64| -> Result<_> {
             let step = positive("the step", step)? / clock.span.abs();
             Ok(move |length: f64| length / (length / step).ceil().max(1.0))
         };
-        // Each method is a type of its own.
+        // A macro, because each method is a type of its own.
         macro_rules! by_tolerance {
             ($method:ident, $tolerance:expr) => {{
                 let tolerance = positive("the tolerance", $tolerance)?;
@@ -157,7 +157,7 @@ impl<'a, const N: usize> Run<'a, N> {
                     let run = Run::new(&scaled, &[1.0; N], self.method, self.effort);
                     let start = scaled.to_units(start);
                     let driven = run.drive(make, clock, &start, times, &scaled);
-                    // A component that outgrows its size is rounded by more than that tolerance.
+                    // A component that outgrows its size has rounding errors above that tolerance.
                     let stalled = matches!(driven, Err(Error::Integration { reason: STIFF, .. }));
                     if !stalled || sizes == scaled.sizes.get() {
                         return Ok(scaled.passage(driven?));
@@ -172,7 +172,7 @@ impl<'a, const N: usize> Run<'a, N> {
         }
     }
 
-    /// One run of the crate's loop from phase 0 to 1, then a short one to each sample and to the event, from the step before it: dense
+    /// One run of the crate's loop from phase 0 to 1, then a short one from the step before it to each sample and to the event: dense
     /// output loses up to four digits against the steps.
     fn drive<M>(
         &self,
@@ -199,7 +199,7 @@ impl<'a, const N: usize> Run<'a, N> {
             system: self.system,
             clock,
         };
-        // With a rate that is not finite the crate would reduce its first step twenty million times.
+        // With a rate that is not finite the crate would shorten its first step twenty million times.
         for rate in timed.system.rate(clock.start, start) {
             finite("a rate at the start", rate)?;
         }
@@ -226,7 +226,7 @@ impl<'a, const N: usize> Run<'a, N> {
         } else {
             (Stop::AtTheEnd, (1.0, carried(&timed, track.last, 1.0)))
         };
-        // The samples replace the steps in the list, because for millions there should not be two lists.
+        // The samples replace the steps in the list, for there may be millions, and one list of them is enough.
         let mut states = track.states;
         let passed = times.partition_point(|&time| clock.phase(time) <= end.0);
         states.resize(passed, track.last.1);
@@ -247,10 +247,10 @@ impl<'a, const N: usize> Run<'a, N> {
     }
 }
 
-/// Phases nearer than this are bridged by one Euler step: the crate's loop ends within 2e-15 of its end.
+/// A difference in phase below this is bridged by one Euler step: the crate's loop ends within 2e-15 of its end.
 const NO_TIME: f64 = 1e-14;
 
-/// An implicit method held to steps of one length: no error is too large, and no step may grow.
+/// An implicit method with steps of one length: no error is too large, and no step may grow.
 fn held<E, F, const N: usize, const O: usize, const S: usize, const I: usize>(
     method: ImplicitRungeKutta<E, F, f64, [f64; N], O, S, I>,
     step: f64,
@@ -259,16 +259,16 @@ fn held<E, F, const N: usize, const O: usize, const S: usize, const I: usize>(
     method.atol(f64::MAX).newton_tol(NEWTON)
 }
 
-/// Residual allowed in the stage equations, in units of the scales: a few roundings.
+/// Residual allowed in the stage equations, in units of the scales: a few rounding errors.
 const NEWTON: f64 = 4.0 * f64::EPSILON;
 
-/// The first step: chosen by the method for the whole run, a single one for what is left of a step.
+/// The first step: chosen by the method for a whole run; the whole length for what is left of a step.
 fn first_step(length: f64) -> f64 {
     if length < 1.0 { length } else { 0.0 }
 }
 
 fn spent<const N: usize>(run: &Finished<f64, [f64; N]>) -> Cost {
-    // An implicit method differentiates by differences: one evaluation for each component, and one in common.
+    // An implicit method differentiates by differences: one evaluation for each component, and one for all.
     let differences = run.evals.jacobian * (N + 1);
     Cost {
         evaluations: (run.evals.function + differences) as u64,

@@ -5,12 +5,12 @@ use core::cell::Cell;
 use spinning_bodies::Result;
 use spinning_bodies::integrators::{Event, Passage, System};
 
-/// A system and its event with components in units of their scales, rounded to powers of two so that nothing else is rounded.
+/// A system and its event with components in units of their scales, which are rounded to powers of two so that scaling causes no rounding.
 pub(super) struct Scaled<'a, const N: usize> {
     system: &'a dyn System<N>,
     event: &'a dyn Event<N>,
     units: [f64; N],
-    /// The scales, or the greatest that a step has come to where that is more.
+    /// The scales, each replaced by the greatest size reached at a step if that is more.
     pub sizes: Cell<[f64; N]>,
 }
 
@@ -67,7 +67,7 @@ impl<const N: usize> Event<N> for Scaled<'_, N> {
     }
 }
 
-/// The power of two next below a size.
+/// The greatest power of two not above a size.
 fn power_of_two_below(size: f64) -> f64 {
     const EXPONENT_BITS: u64 = 0x7ff0_0000_0000_0000;
     f64::from_bits(size.to_bits() & EXPONENT_BITS).max(f64::MIN_POSITIVE)

@@ -10,7 +10,7 @@ use spinning_bodies::Result;
 use super::clock::Timed;
 use super::falling::Falling;
 
-/// The record of a run: for each sample the last step before it, and the last two steps. It ends the run when the event is past.
+/// The record of a run: for each sample the last step before it, and the last two steps. It ends the run once the event is past.
 pub(super) struct Track<'a, const N: usize> {
     timed: &'a Timed<'a, N>,
     /// The times of the samples. They are read one by one, because there may be millions and an event before the second of them.
@@ -25,7 +25,7 @@ pub(super) struct Track<'a, const N: usize> {
     pub armed: bool,
     /// Whether it has fallen since.
     pub fallen: bool,
-    /// The system's answer to the last step: an error ends the run.
+    /// The result of [`System::reached`] after the last step: an error ends the run.
     pub went_on: Result<()>,
 }
 
@@ -51,7 +51,7 @@ impl<'a, const N: usize> Track<'a, N> {
     }
 }
 
-/// Number of parts into which a step is cut, to see whether the quantity dips below zero within it.
+/// Number of parts of a step at whose ends the quantity is evaluated, lest it dip below zero within the step.
 const PARTS: u32 = 8;
 
 impl<const N: usize> Solout<f64, [f64; N]> for Track<'_, N> {
@@ -87,7 +87,7 @@ impl<const N: usize> Solout<f64, [f64; N]> for Track<'_, N> {
             && stepped
         {
             let here = crossing.value(now, state);
-            // The first place at which it has fallen: it may have dipped, as a ball passes over the edge of a sheet and back.
+            // The first place at which the quantity has fallen: it may dip, as when a ball passes over the edge of a sheet and back.
             let mut parts = (1..PARTS).take_while(|_| self.armed);
             let dip = parts.find_map(|n| {
                 let phase = before + (now - before) * f64::from(n) / f64::from(PARTS);

@@ -1,4 +1,4 @@
-//! How far a body has turned: by the cosine, and by sine and cosine.
+//! The angle that a body has turned: by the cosine, and by sine and cosine.
 
 use super::{Family, numbers};
 use spinning_bodies::Result;

@@ -1,4 +1,4 @@
-//! dn by its definition, and by Jacobi's functions with the complementary parameter.
+//! dn by its definition, and by Jacobi's functions of the complementary parameter.
 
 use super::{Family, numbers};
 use spinning_bodies::elliptic::{Parameter, sn_cn_dn};

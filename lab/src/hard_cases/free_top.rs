@@ -74,7 +74,7 @@ fn exact(inputs: &[f64]) -> Result<Vec<f64>> {
     Ok(vec![omega.x(), omega.y(), omega.z()])
 }
 
-/// Ω₁ and Ω₂ alone.
+/// Ω₁ and Ω₂ only.
 fn wobble(way: super::Formula, inputs: &[f64]) -> Result<Vec<f64>> {
     let mut omega = way(inputs)?;
     omega.truncate(2);

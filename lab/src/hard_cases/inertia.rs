@@ -1,4 +1,4 @@
-//! Moments of a body far away, and of a needle.
+//! Moments of inertia of a distant body, and of a needle.
 
 use nalgebra::Matrix3;
 
@@ -38,7 +38,7 @@ pub(super) const NEEDLE: Family = Family {
 
 const FACES: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
 
-/// A tetrahedron, moved by the same distance along each axis.
+/// A tetrahedron, displaced by the same distance along each axis.
 fn corners([away]: [f64; 1]) -> [[f64; 3]; 4] {
     let near = [
         [0.0, 0.0, 0.0],
@@ -49,7 +49,7 @@ fn corners([away]: [f64; 1]) -> [[f64; 3]; 4] {
     near.map(|corner| corner.map(|x| x + away))
 }
 
-/// ∫(x² + y²)dV about the origin, less V(X² + Y²): the parallel axis theorem read backwards.
+/// ∫(x² + y²)dV about the origin, less V(X² + Y²): the parallel axis theorem, applied in reverse.
 fn steiner(inputs: &[f64]) -> Result<Vec<f64>> {
     let corners = corners(numbers(inputs)?);
     let (mut volume, mut first, mut about_origin) = (0.0, [0.0; 2], 0.0);
@@ -68,7 +68,7 @@ fn steiner(inputs: &[f64]) -> Result<Vec<f64>> {
     Ok(vec![about_origin - squares])
 }
 
-/// Entries xx yy zz xy xz yz.
+/// The matrix with the entries xx yy zz xy xz yz.
 fn matrix([x, y, z, xy, xz, yz]: [f64; 6]) -> Matrix3<f64> {
     Matrix3::new(x, xy, xz, xy, y, yz, xz, yz, z)
 }

@@ -69,7 +69,7 @@ pub(super) const SLOW_PRECESSION: Family = Family {
     },
 };
 
-/// A top with its quaternion (1, half, 0, 0), not of length 1, and the constants of 7.2.
+/// A top whose quaternion (1, half, 0, 0) does not have length 1, and the constants of 7.2.
 struct Almost {
     i1: f64,
     weight: f64,

@@ -1,14 +1,14 @@
 //! Hard cases: the digits that textbook formulas lose, and the accuracy reached once cancellation is removed by algebra.
 //!
-//! Twelve families of cases, each approaching a place where a formula that is right on paper loses its digits in doubles: the separatrix, an axis,
-//! the sphere, a long time, a top almost upright. At each step the formula as the tutorial prints it and the library's way are computed from the same doubles and compared
+//! Twelve families of cases, each approaching a place where a formula that is exact in real numbers loses its digits in doubles: the separatrix, an axis,
+//! the sphere, a long time, a top almost upright. At each step the tutorial's printed formula and the library's method are evaluated for the same doubles and compared
 //! with a committed table of 36 digits, made by two routes (`tests/reference/hard_cases.csv` and `.py`).
 //!
 //! | family | the textbook | the library |
 //! |---|---|---|
-//! | 2, 6, 7 | differences of rounded numbers | the same differences formed by algebra before anything is rounded |
-//! | 6.6 | 1 − k² | k² and 1 − k² side by side, both from the mechanics |
-//! | 6.6, 4.6 | a rate times a long time | the rate in two words, reduced before it is rounded |
+//! | 2, 6, 7 | differences of rounded numbers | the same differences, formed by algebra before rounding |
+//! | 6.6 | 1 − k² | k² and 1 − k² separately, both from the mechanics |
+//! | 6.6, 4.6 | a rate times a long time | the rate in two words, and the angle reduced before it is rounded |
 //!
 //! ```
 //! use lab::hard_cases::named;
@@ -29,22 +29,22 @@ use spinning_bodies::{Error, Result};
 
 use crate::table;
 
-/// Family, nearness, inputs and results of each step.
+/// Rows of family, nearness, inputs and results of each step.
 const TRUTH: &str = include_str!("../../../tests/reference/hard_cases.csv");
 
-/// One step of a family: exact inputs, and what is right.
+/// One step of a family: exact inputs, and the true results.
 #[derive(Debug, Clone)]
 struct Step {
     nearness: f64,
     inputs: Vec<f64>,
-    /// Each number as the sum of two.
+    /// Each result as the sum of two doubles.
     results: Vec<[f64; 2]>,
 }
 
-/// A way of computing the results of a step from its inputs.
+/// Computes the results of a step from its inputs.
 pub type Formula = fn(&[f64]) -> Result<Vec<f64>>;
 
-/// Cases that come closer and closer to a place where a formula loses its digits.
+/// Cases that approach a place where a formula loses its digits.
 #[derive(Debug, Clone, Copy)]
 pub struct Family {
     /// The name by which [`named`] finds it.
@@ -53,24 +53,24 @@ pub struct Family {
     pub paragraph: &'static str,
     /// What is computed.
     pub quantity: &'static str,
-    /// Where the textbook's digits go.
+    /// Why the textbook's formula loses digits.
     pub lost: &'static str,
-    /// The part of the printed formula where it happens, in LaTeX for KaTeX.
+    /// The part of the printed formula that loses them, in LaTeX for KaTeX.
     pub printed: &'static str,
-    /// The expression that the library uses there, likewise.
+    /// The expression that the library uses there, also in LaTeX.
     pub cure: &'static str,
-    /// As printed, each operation rounded.
+    /// The formula as printed, each operation rounded.
     pub textbook: Formula,
-    /// The library's way.
+    /// The library's computation.
     pub ours: Formula,
 }
 
-/// Both ways at one step. An error is |found − true|/|true| of the vector of results.
+/// The errors of both at one step, as |found − true|/|true| of the vector of results.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Comparison {
-    /// The distance from the hard place, which is 0; its meaning depends on the family: see the [list](families).
+    /// The distance from the hard place, which is at 0; its meaning depends on the family: see the [list](families).
     pub nearness: f64,
-    /// The relative error of the textbook's formula; NaN where it has no answer.
+    /// The relative error of the textbook's formula; NaN where it has no result.
     pub textbook: f64,
     /// The relative error of the library.
     pub ours: f64,
@@ -93,10 +93,10 @@ impl Family {
         )
     }
 
-    /// Both ways at every step, the easiest first.
+    /// The errors of both at every step, the easiest first.
     ///
     /// # Errors
-    /// Those of the library, which has none on these cases, and those of the reference table, if a line of it were broken.
+    /// Those of the library, which has none on these cases, and those of the reference table, should a line be invalid.
     pub fn comparisons(&self) -> Result<Vec<Comparison>> {
         let compared = |step: &Step| {
             Ok(Comparison {
@@ -109,7 +109,7 @@ impl Family {
         self.steps()?.iter().map(compared).collect()
     }
 
-    /// The inputs of both ways at each step.
+    /// The inputs of each step.
     ///
     /// # Errors
     /// Those of the table.
@@ -119,7 +119,7 @@ impl Family {
 }
 
 impl Step {
-    /// |found − true|/|true|, with differences exact to 32 digits; NaN if the number of results differs.
+    /// |found − true|/|true|, with differences correct to 32 digits; NaN if the number of results differs.
     fn error(&self, found: &[f64]) -> f64 {
         if found.len() != self.results.len() {
             return f64::NAN;
@@ -162,7 +162,7 @@ pub fn families() -> [Family; 12] {
     ]
 }
 
-/// The family of this name, if there is one.
+/// The family with this name, if there is one.
 pub fn named(name: &str) -> Option<Family> {
     families().into_iter().find(|family| family.name == name)
 }

@@ -1,4 +1,4 @@
-//! A ball that keeps its energy, after many bounces: by the angle of one, and by a power in two words.
+//! A ball without loss, after many bounces: by the angle of one bounce, and by a power in two words.
 
 use super::{Family, numbers};
 use spinning_bodies::superball::{BounceRotation, Motion};

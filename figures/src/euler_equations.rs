@@ -37,7 +37,7 @@ struct Orbit {
 }
 
 impl Orbit {
-    /// From `start` both ways, until half of the way round `axis` is done, or for `most` ticks (s).
+    /// From `start` both ways, until half of the way round `axis` is done, up to a saddle on it, or for `most` ticks (s).
     fn new(
         moments: &AxisMoments,
         start: BodyVector,
@@ -55,7 +55,8 @@ impl Orbit {
                 swept += (now - last + PI).rem_euclid(2.0 * PI) - PI;
                 last = now;
                 path.push(Vector::from(point.components()));
-                if swept.abs() > PI {
+                // A thousandth from its axis it has come to a saddle; what rounding does from there on is no flow.
+                if swept.abs() > PI || point.components()[axis].abs() > 1.0 - 5e-7 {
                     break;
                 }
             }

@@ -65,7 +65,7 @@ impl MoserVeselov {
     /// let method = MoserVeselov::new([1.0, 2.0, 2.5], VeselovOrder::ALL[3])?;
     /// let mut run = method.start(&start, 0.02)?;
     /// run.advance(500)?;
-    /// |L| is conserved.
+    /// // |L| is conserved.
     /// assert!((run.phase()?.angular_momentum().norm() / start.angular_momentum().norm() - 1.0).abs() < 1e-14);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```

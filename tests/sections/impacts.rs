@@ -209,7 +209,7 @@ fn s4_2_brute_force_capture() {
     let before = MOMENT * V::new(0.0, 0.0, 1.0) + SMALL * x().cross(&v());
     assert!((l - before).norm() < 1e-12 * before.norm());
     // Sticking at once is the limit: a hundred times the stiffness, a tenth of the difference.
-    close!(error(4e6) / error(4e8), 10.0, 5e-6..=1e-3);
+    close!(error(4e6) / error(4e8), 10.0, 5e-6..=1e-4);
 }
 
 // The formula to first order, its frame and its error.

@@ -60,7 +60,7 @@ fn s5_2_the_matrix_is_the_sine_bracket() {
             back.advance(h).unwrap();
         }
         let off = (back.vorticity([1, 1]) - start.vorticity([1, 1])).norm();
-        observed!(off, 0.0..=1e-13);
+        observed!(off, 0.0..=9e-16);
     }
 }
 

@@ -40,7 +40,7 @@ fn s7_1_lagranges_top() {
         let up = attitude.to_body(UP);
         let torque = top.rate(&TopState { omega: still, up }).omega.norm();
         let sine = degrees.to_radians().sin();
-        near!(torque, sine, 0.0..=3e-16);
+        near!(torque, sine, 0.0..=3e-17);
         let state = at(&started([0.0; 3], attitude), 1e-3);
         within((state.omega.norm() - 1e-3 * sine).abs(), 4e-10 * sine);
         assert_eq!(state.omega.norm() == 0.0, degrees == 0.0);

@@ -39,13 +39,13 @@ fn s1_1_the_paper_cat_needs_air() -> Result<()> {
     // Upright is the only rest that lasts: it gets there and stays.
     let scene = shape::PaperCat::new(cat, 3.0)?.with(air)?.with(g)?;
     let motion = scene.simulate(&Request::at([30.0])?)?;
-    observed!(motion.rows[0].1.tilt.abs(), 0.0..=1e-8);
+    observed!(motion.rows[0].1.tilt.abs(), 0.0..=2e-14);
     // Speed and fall have a closed form, the tilt has no say in them.
     let speed = cat.terminal_speed(1.2, 9.81);
     let x: f64 = 9.81 * 30.0 / speed;
     let [velocity, fall] = [speed * x.tanh(), speed * speed / 9.81 * x.cosh().ln()];
     close!(motion.rows[0].1.velocity, velocity, 0.0..=1e-10);
-    close!(motion.rows[0].1.fall, fall, 0.0..=1e-10);
+    close!(motion.rows[0].1.fall, fall, 0.0..=3e-15);
     Ok(())
 }
 

@@ -30,7 +30,7 @@ fn s4_7_hoop_with_clay() {
     let start = Start::about_vertical(0.3, 0.0, SPIN).unwrap();
     let scene = on_a_table(bare, start, G, viscous(0.3));
     let end = last(&run(&scene, 1.0, 10, 1e-9));
-    near!(end.tilt(), 0.3, 0.0..=1e-10);
+    near!(end.tilt(), 0.3, 0.0..=2e-15);
     near!(end.spin(), SPIN, 5e-15..=6e-13);
 }
 
@@ -53,7 +53,7 @@ fn s4_7_slip_at_the_contact_and_torque_of_friction() {
         assert!(torque.z().abs() < 0.12 * torque.x().abs());
         // d(L·e)/dt = N·e = −R f sin θ, exactly.
         let e = SpaceVector::new(theta.sin(), 0.0, theta.cos());
-        observed!((torque.dot(&e) + r * f * theta.sin()).abs(), 0.0..=1e-16);
+        observed!((torque.dot(&e) + r * f * theta.sin()).abs(), 0.0..=3e-18);
         assert!(hoop.refined_rate(SPIN, 0.0, theta) > 0.0, "and θ grows");
     }
 }
@@ -87,7 +87,7 @@ fn s4_7_tilt_grows_at_about_the_estimated_rate() {
         let t = |level| passage(&rows, |s| s.tilt(), level).unwrap_or(0.0);
         // The start counts as the first passage, unless the transient dips below it.
         let time = t(PI - 0.3) - t(0.3).min(0.1);
-        observed!((time / simulated - 1.0).abs(), 1e-6..=0.01);
+        observed!((time / simulated - 1.0).abs(), 1e-6..=3e-5);
         observed!((time / formula - 1.0).abs(), 2e-3..=0.02);
     }
 }
@@ -111,7 +111,7 @@ fn s4_7_jellett_and_the_angular_momentum() {
     // claim: C4.7-7, C4.7-15
     let scene = rubbed(0.1, (0.3, SPIN), 10.0);
     let rows = run(&scene, 1.8, 900, 1e-9);
-    observed!(drift(&rows, |s| s.jellett), 0.0..=1e-9);
+    observed!(drift(&rows, |s| s.jellett), 0.0..=8e-15);
     // L, vertical up to a tremble, falls as Jellett's integral says.
     let until = passage(&rows, |s| s.tilt(), PI - 0.3).unwrap();
     let body = bodies::hoop_with_clay(0.02, 0.02, 0.1).unwrap();
@@ -126,7 +126,7 @@ fn s4_7_jellett_and_the_angular_momentum() {
     assert!(lean < 0.012);
     let expected = toy(0.1, 10.0).spin_ratio(0.3, PI - 0.3);
     close!(expected, 0.825_594_313_771_396_4, 0.0..=1e-14);
-    near!(ratio, expected, 1e-5..=2e-3);
+    near!(ratio, expected, 1e-5..=2e-4);
 }
 
 #[test]
@@ -159,7 +159,7 @@ fn s4_7_sluggish_spin_rises_part_of_the_way() -> Result<()> {
         near!(last(&rows).tilt(), tilt, 1e-3..=0.03);
         if spin == 40.0 {
             // cos θ = (R² + ε² − J √(R/(I M g)))/(2 R ε), J = I Ω (R − ε).
-            close!(tilt, 1.611_976_789_532_037_5, 0.0..=1e-13);
+            close!(tilt, 1.611_976_789_532_037_5, 0.0..=3e-15);
             let slip = |i: usize| rows[i].1.slip.norm();
             let greatest = most(&rows, |s| s.slip.norm());
             assert!(slip(300) < 0.02 * greatest && slip(300) < slip(240));

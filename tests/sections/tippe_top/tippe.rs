@@ -46,7 +46,7 @@ fn s4_7_thresholds_and_final_tilts() {
         let jellett = top.jellett_of_spin(spin, 0.1);
         // A stationary point of the effective potential, and the steady state there has this very λ.
         let steady = top.steady_jellett(top.final_tilt(jellett, 0.1).unwrap());
-        close!(steady.unwrap(), jellett, 0.0..=1e-12);
+        close!(steady.unwrap(), jellett, 0.0..=2e-15);
     }
 }
 
@@ -76,7 +76,7 @@ fn s4_7_where_the_motion_ends_is_where_the_closed_form_says() {
         let rows = run(&scene(spin), 60.0, 120, 1e-6);
         let closed = top.final_tilt(top.jellett_of_spin(spin, 0.1), 0.1).unwrap();
         let end = last(&rows);
-        near!(end.tilt(), closed, 2e-5..=0.02, "{spin}");
+        near!(end.tilt(), closed, 2e-5..=5e-4, "{spin}");
     }
 }
 
@@ -106,7 +106,7 @@ fn s4_7_steady_states_do_not_slip() {
         observed!(end.slip.norm(), 1e-14..=2e-12, "{tilt}");
         close!(end.jellett, jellett, 9e-16..=1e-13);
         let energy = top.effective_potential(tilt, end.jellett);
-        close!(end.energy, energy, 0.0..=1e-9);
+        close!(end.energy, energy, 0.0..=3e-15);
     }
 }
 
@@ -172,11 +172,11 @@ fn s4_7_pivoting_and_rolling_die_apart() {
     for t in [0.2, 1.0] {
         let spins = after(vector([0.0, 0.0, 30.0]), t);
         let pivots = 30.0 * (-pivoting * weight * t / moment).exp();
-        close!(spins.spin(), pivots, 0.0..=1e-9);
+        close!(spins.spin(), pivots, 0.0..=2e-15);
         let rolls = after(vector([0.0, 30.0, 0.0]), t);
         let whole = moment + mass * radius * radius;
         let rate = 30.0 * (-rolling * weight * t / whole).exp();
-        close!(rolls.omega.norm(), rate, 0.0..=1e-9);
+        close!(rolls.omega.norm(), rate, 0.0..=2e-14);
     }
 }
 

@@ -37,8 +37,8 @@ pub struct Saddle {
 pub fn lambda(moments: &PrincipalMoments, omega2: f64) -> Result<f64> {
     let [i1, i2, i3] = checked(moments)?;
     let omega2 = finite("the angular velocity", omega2)?;
-    // The quotients first: where one is zero, nothing has overflowed yet.
-    Ok((i2 - i1) / i1 * ((i3 - i2) / i3) * omega2 * omega2)
+    // Divided by the smallest moment last: what is zero has not met an overflow before.
+    Ok((i3 - i2) / i3 * (i2 - i1) / i1 * omega2 * omega2)
 }
 
 /// Rate and directions of growth and decay next to the rotation Ω₂ about x₂ (6.7).
@@ -62,7 +62,7 @@ pub fn lambda(moments: &PrincipalMoments, omega2: f64) -> Result<f64> {
 pub fn saddle(moments: &PrincipalMoments, omega2: f64) -> Result<Saddle> {
     let [i1, i2, i3] = checked(moments)?;
     let omega2 = finite("the angular velocity", omega2)?;
-    let rate = ((i2 - i1) / i1).sqrt() * ((i3 - i2) / i3).sqrt() * omega2.abs();
+    let rate = ((i3 - i2) / i3).sqrt() * (i2 - i1).sqrt() / i1.sqrt() * omega2.abs();
     // dΔΩ₁ = −(I₃−I₂)Ω₂ΔΩ₃/I₁, dΔΩ₃ = −(I₂−I₁)Ω₂ΔΩ₁/I₃.
     let along1 = i3.sqrt() * (i3 - i2).sqrt();
     let along3 = i1.sqrt() * (i2 - i1).sqrt();
@@ -100,7 +100,7 @@ pub fn oscillations(moments: &PrincipalMoments, omega: f64) -> Result<[f64; 2]> 
     let omega = finite("the angular velocity", omega)?.abs();
     Ok([
         ((i2 - i1) / i2).sqrt() * ((i3 - i1) / i3).sqrt() * omega,
-        ((i3 - i1) / i1).sqrt() * ((i3 - i2) / i2).sqrt() * omega,
+        ((i3 - i2) / i2).sqrt() * (i3 - i1).sqrt() / i1.sqrt() * omega,
     ])
 }
 

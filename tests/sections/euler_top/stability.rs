@@ -210,7 +210,10 @@ fn s6_7_growth_rate() {
         }
     }
     // No rate for equal moments, even of a body so thin that the other quotient's would overflow.
-    assert_eq!(lambda(&moments([1e-200, 1.0, 1.0]), 1e150).unwrap(), 0.0);
+    let plate = moments([1e-200, 1e150, 1e150]);
+    assert_eq!(lambda(&plate, 1e150).unwrap(), 0.0);
+    assert_eq!(saddle(&plate, 1e150).unwrap().rate, 0.0);
+    assert_eq!(oscillations(&plate, 1e150).unwrap(), [1e150, 0.0]);
 }
 
 // claim: C6.7-2

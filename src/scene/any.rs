@@ -1,9 +1,7 @@
 //! Scenes whose kind is known only at run time, and their motions as tables of numbers.
 
-use std::sync::Arc;
-
-use super::columns::{Column, Columns};
-use super::{Motion, Plan, Request, Scene, Tabulated};
+use super::columns::Column;
+use super::{Plan, Request, Scene, Tabulated};
 use crate::conservation::Ledger;
 use crate::error::Result;
 use crate::integrators::Cost;
@@ -73,7 +71,7 @@ impl AnyScene {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn scene<S: Tabulated + Send + 'static>(scene: Box<dyn Scene<State = S>>) -> Self {
-        let tellers = Arc::new(S::columns().usual().and(scene.further()));
+        let tellers = S::columns().usual().and(scene.further());
         let columns: Vec<Column> = tellers.columns().collect();
         let usual = (0..columns.len()).filter(|&place| columns[place].usual);
         Self {
@@ -81,7 +79,16 @@ impl AnyScene {
             columns,
             simulation: Box::new(move |request, told| {
                 let motion = scene.simulate(request)?;
-                Ok(Table::of(motion, Arc::clone(&tellers), told))
+                let columns: Vec<Column> = tellers.columns().collect();
+                let row = |state: &S| told.iter().map(|&k| tellers.number(k, state)).collect();
+                Ok(Table {
+                    plan: motion.plan,
+                    cost: motion.cost,
+                    error_estimate: motion.error_estimate,
+                    ledger: motion.ledger,
+                    columns: told.iter().map(|&place| columns[place]).collect(),
+                    rows: motion.rows.iter().map(|(t, s)| (*t, row(s))).collect(),
+                })
             }),
             #[cfg(feature = "scene-files")]
             look: None,
@@ -155,6 +162,7 @@ impl AnyScene {
 }
 
 /// A motion as a table of numbers.
+#[derive(Debug)]
 pub struct Table {
     /// The solver, and why.
     pub plan: Plan,
@@ -166,36 +174,10 @@ pub struct Table {
     pub ledger: Ledger,
     /// The columns of a row, after the time.
     pub columns: Vec<Column>,
-    count: usize,
-    /// Returns a row by its number. States are converted into numbers one at a time.
-    row: Box<dyn Fn(usize) -> (f64, Vec<f64>) + Send>,
-}
-
-impl core::fmt::Debug for Table {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(f, "{}: {} rows", self.plan, self.count)
-    }
+    rows: Vec<(f64, Vec<f64>)>,
 }
 
 impl Table {
-    fn of<S: Send + 'static>(motion: Motion<S>, tellers: Arc<Columns<S>>, told: &[usize]) -> Self {
-        let (rows, told) = (motion.rows, told.to_vec());
-        let all: Vec<Column> = tellers.columns().collect();
-        Self {
-            plan: motion.plan,
-            cost: motion.cost,
-            error_estimate: motion.error_estimate,
-            ledger: motion.ledger,
-            columns: told.iter().map(|&place| all[place]).collect(),
-            count: rows.len(),
-            row: Box::new(move |place| {
-                let (t, state) = &rows[place];
-                let numbers = told.iter().map(|&place| tellers.number(place, state));
-                (*t, numbers.collect())
-            }),
-        }
-    }
-
     /// The time (s) and the numbers of the row `place`, counted from 0.
     ///
     /// # Panics
@@ -210,7 +192,7 @@ impl Table {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn row(&self, place: usize) -> (f64, Vec<f64>) {
-        (self.row)(place)
+        self.rows[place].clone()
     }
 
     /// All rows, in the order of the requested times.
@@ -224,7 +206,7 @@ impl Table {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn rows(&self) -> impl Iterator<Item = (f64, Vec<f64>)> {
-        (0..self.count).map(|place| self.row(place))
+        self.rows.iter().cloned()
     }
 
     /// The numbers in the columns of these names, `t` being the time, row by row.

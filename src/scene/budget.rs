@@ -1,8 +1,7 @@
 //! The evaluations that a run may take, and how far it has come.
 
 use core::cell::Cell;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use crate::error::{Error, Result};
 
@@ -11,19 +10,10 @@ use crate::error::{Error, Result};
 /// The library has no clock: whoever wants to know how long a run will take reads twice. Most solvers follow a motion at least twice to estimate
 /// their error, and the time falls back to 0 whenever they begin again.
 #[derive(Debug, Clone, Default)]
-pub struct Progress(Arc<Numbers>);
-
-#[derive(Debug, Default)]
-struct Numbers {
-    evaluations: AtomicU64,
-    most: AtomicU64,
-    /// Times, s, as bits of doubles.
-    time: AtomicU64,
-    until: AtomicU64,
-}
+pub struct Progress(Arc<Mutex<Reached>>);
 
 /// The progress of a run at one moment.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Reached {
     /// Evaluations of the equations so far; each state given by a closed form counts as one.
     pub evaluations: u64,
@@ -51,13 +41,12 @@ impl Progress {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn reached(&self) -> Reached {
-        let number = |of: &AtomicU64| of.load(Ordering::Relaxed);
-        Reached {
-            evaluations: number(&self.0.evaluations),
-            most: number(&self.0.most),
-            time: f64::from_bits(number(&self.0.time)),
-            until: f64::from_bits(number(&self.0.until)),
-        }
+        *self.locked()
+    }
+
+    /// The numbers are valid at any moment, even where a thread has ended that wrote them.
+    fn locked(&self) -> MutexGuard<'_, Reached> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -78,9 +67,9 @@ const A_MOMENT: u64 = 500_000;
 impl Budget {
     /// A budget of `most` evaluations, none of them spent, for a first run to the time `until`.
     pub fn new(most: u64, until: f64, progress: Option<&Progress>) -> Self {
-        if let Some(Progress(numbers)) = progress {
-            numbers.until.store(until.to_bits(), Ordering::Relaxed);
-            numbers.most.store(most, Ordering::Relaxed);
+        if let Some(progress) = progress {
+            let mut reached = progress.locked();
+            (reached.most, reached.until) = (most, until);
         }
         Self {
             spent: Cell::new(0),
@@ -123,9 +112,9 @@ impl Budget {
     #[inline]
     pub fn reached(&self, time: f64) -> Result<()> {
         let evaluations = self.spent.get();
-        if let Some(Progress(numbers)) = &self.progress {
-            numbers.evaluations.store(evaluations, Ordering::Relaxed);
-            numbers.time.store(time.to_bits(), Ordering::Relaxed);
+        if let Some(progress) = &self.progress {
+            let mut reached = progress.locked();
+            (reached.evaluations, reached.time) = (evaluations, time);
         }
         let (begun, until) = self.run.get();
         let (spent, (before, then)) = (evaluations - begun, self.seen.get());

@@ -3,14 +3,14 @@
 use super::columns::{Columns, columns};
 use super::effects::{Effect, Impact};
 use super::motion::Books;
+use super::top::{Body, Start, State, Top};
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Error, Result};
-use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector, SpaceVector};
-use crate::impacts::{Planet, Strike, strike};
+use crate::impacts::{Planet, strike};
 use crate::inertia::MassProperties;
-use crate::integrators::Cost;
+use crate::integrators::{Cost, both_ways};
 
 /// A planet in free flight, whose axes point along those of space at time 0, when its centre is at the origin.
 ///
@@ -96,99 +96,76 @@ impl Tabulated for Flying {
 /// Momentum, and angular momentum about the origin: what is conserved.
 type Kept = [SpaceVector; 2];
 
-/// A rigid body in free flight: the motion of its centre of mass, and Euler's top about it.
+/// A rigid body in free flight: its centre of mass moves uniformly, and about it the body turns as a free top.
 struct Free {
-    mass: f64,
-    top: EulerTop,
-    /// The same top with moments and rates changed by about [`MOVED`].
-    twin: EulerTop,
-    /// The turn from the planet's axes to the principal ones.
-    turn: Attitude,
-    /// The common centre of mass at time 0, relative to the planet's centre, along the planet's axes.
-    common: BodyVector,
-    /// Its velocity, m/s.
+    /// The body, with its centre of mass at time 0 relative to the planet's centre, along the planet's axes.
+    body: MassProperties,
+    top: Top,
+    /// Velocity of the centre of mass, m/s.
     velocity: SpaceVector,
-    omega: BodyVector,
+    /// What else is in flight: its momentum and angular momentum, and its kinetic energy.
+    beside: (Kept, f64),
 }
-
-/// Relative change of a twin, which shows how the motion amplifies rounding.
-const MOVED: f64 = 1e-13;
-/// Relative rounding error of moments, axes and rates: four times the observed one.
-const ROUNDING: f64 = 1.2e-15;
-/// Number of times, up to the last, at which a top and its twin are compared.
-const CHECKS: u32 = 4;
 
 fn space(v: BodyVector) -> SpaceVector {
     SpaceVector::from_components(v.components())
 }
 
 impl Free {
-    /// This body in free flight; `body` has its centre of mass relative to the planet's centre, whose velocity is `velocity`.
-    fn new(body: &MassProperties, omega: BodyVector, velocity: BodyVector) -> Result<Self> {
-        let principal = body.inertia().principal_axes();
-        let [a, b, c] = principal.moments;
-        let (axes, attitude) = (principal.axes, Attitude::from(principal.turn()));
-        let along = BodyVector::from_components(axes.transpose() * omega.components());
-        // The triangle inequality must hold for the changed moments too: for the greatest, and for the middle one of a needle.
-        let (a_moved, c_moved) = (a * (1.0 + MOVED), c * (1.0 - 0.6 * MOVED));
-        let b_moved = (b * (1.0 + 0.7 * MOVED)).min(a_moved + c_moved);
-        let moved = [a_moved, b_moved, c_moved];
-        let aside = MOVED * omega.norm() * BodyVector::new(0.6, -0.5, 0.6);
+    /// This body with the planet's velocity and angular velocity.
+    fn new(
+        body: MassProperties,
+        omega: BodyVector,
+        velocity: BodyVector,
+        beside: (Kept, f64),
+    ) -> Result<Self> {
+        let start = Start::with_omega(omega, Attitude::identity());
         Ok(Self {
-            mass: body.mass(),
-            top: EulerTop::from_omega([a, b, c], along, attitude)?,
-            twin: EulerTop::from_omega(moved, along + aside, attitude)?,
-            turn: attitude,
-            common: body.center(),
+            top: Top::new(Body::along_own_axes(&body.inertia())?, start)?,
             velocity: space(velocity + omega.cross(&body.center())),
-            omega,
+            body,
+            beside,
         })
     }
 
-    fn at(&self, t: f64) -> Result<(Flying, Kept)> {
-        let state = self.top.at(t)?;
-        let attitude = state.attitude * self.turn.inverse();
-        let common = space(self.common) + t * self.velocity;
-        let spin = state.attitude.to_space(state.angular_momentum);
-        let momentum = self.mass * self.velocity;
-        let rotation = 0.5 * state.angular_momentum.dot(&state.omega);
-        let energy = 0.5 * momentum.dot(&self.velocity) + rotation;
+    /// The flight at a time, at which the body turns like this.
+    fn at(&self, t: f64, turning: &State) -> (Flying, Kept) {
+        let (attitude, omega) = (turning.attitude, turning.omega);
+        let common = space(self.body.center()) + t * self.velocity;
+        let spin = attitude.to_space(self.body.inertia().angular_momentum(omega));
+        let momentum = self.body.mass() * self.velocity;
+        let ([p, l], energy) = self.beside;
         let flying = Flying {
             attitude,
-            omega: BodyVector::from_components(self.turn.quaternion() * state.omega.components()),
-            center: common - attitude.to_space(self.common),
-            energy,
+            omega,
+            center: common - attitude.to_space(self.body.center()),
+            energy: 0.5 * momentum.dot(&self.velocity) + turning.energy + energy,
             angular_momentum: spin,
         };
-        Ok((flying, [momentum, spin + common.cross(&momentum)]))
-    }
-
-    /// The error that rounding may cause up to a time: in proportion to the distance from the twin, whose change is greater.
-    fn error(&self, until: f64) -> Result<f64> {
-        let fastest = self.omega.norm().max(f64::MIN_POSITIVE);
-        let mut apart: f64 = MOVED;
-        for n in 1..=CHECKS {
-            let t = until * f64::from(n) / f64::from(CHECKS);
-            let (a, b) = (self.top.at(t)?, self.twin.at(t)?);
-            let rates = (a.omega - b.omega).norm() / fastest;
-            apart = apart.max(a.attitude.angle_to(&b.attitude)).max(rates);
-        }
-        Ok(ROUNDING * (1.0 + apart / MOVED))
+        (flying, [momentum + p, spin + common.cross(&momentum) + l])
     }
 }
 
 impl StruckPlanet {
-    /// The body after the impact, and the momentum, angular momentum and energy that the meteorite brought.
-    fn struck(&self, hit: &Strike) -> Result<(Free, Kept, f64)> {
-        let (planet, meteorite) = (&self.planet, hit.meteorite);
+    /// The flights before and after time 0.
+    fn flights(&self) -> Result<[Free; 2]> {
+        let planet = &self.planet;
         let ball = MassProperties::new(planet.mass, BodyVector::zero(), planet.inertia)?;
-        let stone = MassProperties::particle(meteorite.mass, hit.at)?;
-        let body = MassProperties::compose(&[ball, stone])?;
-        let after = Free::new(&body, hit.omega_after, hit.velocity_after)?;
+        let before = |beside| Free::new(ball, planet.omega, planet.velocity, beside);
+        let nothing = ([SpaceVector::zero(); 2], 0.0);
+        let Some(Impact { meteorite, at }) = self.impact else {
+            return Ok([before(nothing)?, before(nothing)?]);
+        };
+        let hit = strike(planet, &meteorite, at)?;
         let velocity = space(meteorite.velocity);
         let momentum = meteorite.mass * velocity;
-        let brought = [momentum, space(hit.at).cross(&momentum)];
-        Ok((after, brought, 0.5 * momentum.dot(&velocity)))
+        let energy = 0.5 * momentum.dot(&velocity);
+        let stone = MassProperties::particle(meteorite.mass, at)?;
+        let both = MassProperties::compose(&[ball, stone])?;
+        Ok([
+            before(([momentum, space(at).cross(&momentum)], energy))?,
+            Free::new(both, hit.omega_after, hit.velocity_after, nothing)?,
+        ])
     }
 }
 
@@ -212,27 +189,18 @@ impl Scene for StruckPlanet {
 
     fn simulate(&self, request: &Request) -> Result<Motion<Flying>> {
         let plan = self.plan(request)?;
-        let (planet, times) = (&self.planet, request.times());
-        let ball = MassProperties::new(planet.mass, BodyVector::zero(), planet.inertia)?;
-        let before = Free::new(&ball, planet.omega, planet.velocity)?;
-        let hit = self.impact.map(|it| strike(planet, &it.meteorite, it.at));
-        let struck = hit.transpose()?.map(|hit| self.struck(&hit)).transpose()?;
-        let at = |t: f64| match &struck {
-            Some((after, ..)) if t >= 0.0 => after.at(t),
-            None => before.at(t),
-            Some((_, [p, l], energy)) => {
-                let (mut state, [p_before, l_before]) = before.at(t)?;
-                state.energy += energy;
-                Ok((state, [p_before + *p, l_before + *l]))
-            }
+        let ([before, after], mut error) = (self.flights()?, 0.0);
+        let mut flown = |times: &[f64]| {
+            let free = if times[0] < 0.0 { &before } else { &after };
+            let turning = free.top.simulate(&request.of_times(times)?)?;
+            error = turning.error_estimate.max(error);
+            let states = turning.rows.iter().map(|(t, state)| free.at(*t, state));
+            Ok(states.collect::<Vec<_>>())
         };
-        let rows: Vec<(Flying, Kept)> = times.iter().map(|&t| at(t)).collect::<Result<_>>()?;
-        let first = times.iter().copied().fold(0.0, f64::min);
-        let last = times.iter().copied().fold(0.0, f64::max);
-        let after = struck.as_ref().map_or(&before, |(after, ..)| after);
-        let error = before.error(first)?.max(after.error(last)?);
+        let rows = both_ways(request.times(), &mut flown)?;
         // The state just before the impact.
-        let (opening, [p, l]) = at(first.min(-f64::MIN_POSITIVE))?;
+        let first = request.times().iter().copied();
+        let (opening, [p, l]) = flown(&[first.fold(-f64::MIN_POSITIVE, f64::min)])?[0];
         let law = match self.impact {
             Some(_) => Law::NonIncreasing,
             None => Law::Conserved,

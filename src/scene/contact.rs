@@ -30,7 +30,7 @@ use nalgebra::Vector3;
 
 use super::columns::{Columns, columns};
 use super::effects::Effect;
-use super::engine::{self, Ahead, Answer, Flow, planned, solved, to_accuracy};
+use super::engine::{self, Ahead, Flow, Trace, planned, solved, to_accuracy};
 use super::{Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Error, Result, finite, positive};
@@ -115,7 +115,7 @@ impl TableTop {
     /// ```
     pub fn phases(&self, request: &Request) -> Result<Vec<Phase>> {
         let answer = self.answer(request, &self.plan(request)?)?;
-        let phases = answer.trace.phases.iter().map(|&(start, mode)| Phase {
+        let phases = answer.phases.iter().map(|&(start, mode)| Phase {
             start,
             support: mode.support(),
         });
@@ -124,7 +124,7 @@ impl TableTop {
         Ok(phases)
     }
 
-    fn answer(&self, request: &Request, plan: &Plan) -> Result<Answer<Mode, NUMBERS>> {
+    fn answer(&self, request: &Request, plan: &Plan) -> Result<Trace<Mode, NUMBERS>> {
         if plan.solver != Solver::Exact {
             return to_accuracy(request, plan.solver, |tolerance| {
                 self.on_the_table(tolerance)
@@ -264,10 +264,7 @@ impl State {
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn passage(rows: &[(f64, State)], quantity: impl Fn(&State) -> f64, level: f64) -> Option<f64> {
-    rows.windows(2).find_map(|pair| {
-        let [(t0, a), (t1, b)] = pair else {
-            return None;
-        };
+    rows.array_windows().find_map(|[(t0, a), (t1, b)]| {
         let (low, high) = (quantity(a), quantity(b));
         (low < level && high >= level).then(|| t0 + (t1 - t0) * (level - low) / (high - low))
     })

@@ -111,7 +111,7 @@ impl Effect {
 
 /// Declares the effects that are given by one number.
 macro_rules! numbers {
-    ($($(#[$doc:meta])* $effect:ident, $number:ident, $(#[$of:meta])* $check:ident($quantity:literal);)*) => {$(
+    ($($(#[$doc:meta])* $effect:ident, $(#[$of:meta])* $check:ident($quantity:literal);)*) => {$(
         $(#[$doc])*
         #[derive(Debug, Clone, Copy, PartialEq)]
         #[cfg_attr(
@@ -119,7 +119,7 @@ macro_rules! numbers {
             derive(serde::Serialize, serde::Deserialize),
             serde(try_from = "f64")
         )]
-        pub struct $effect($number);
+        pub struct $effect(f64);
 
         #[cfg(feature = "serde")]
         impl TryFrom<f64> for $effect {
@@ -149,7 +149,7 @@ macro_rules! numbers {
 
 numbers! {
     /// Uniform gravity, along the negative z axis of space.
-    Gravity, f64,
+    Gravity,
     /// Gravity of this strength, m/s². A top also takes zero, and negative values, which pull up; bodies that gravity must press on a floor do not.
     ///
     /// ```
@@ -158,7 +158,7 @@ numbers! {
     /// ```
     finite("gravity");
     /// Friction at the pivot in proportion to the angular velocity: torque −cΩ (7.5).
-    PivotFriction, f64,
+    PivotFriction,
     /// The coefficient c, N m s.
     ///
     /// ```
@@ -170,7 +170,7 @@ numbers! {
     ///
     /// For a sharp tip or the bearing of a top's axle, where tilting and precessing are braked and the spin about the third axis is not. Under a skater or a
     /// swivel even the smallest c decides in the end: L falls by exactly c times the angle turned (1.1).
-    BearingFriction, f64,
+    BearingFriction,
     /// The coefficient c, N m s.
     ///
     /// ```
@@ -179,7 +179,7 @@ numbers! {
     /// ```
     not_negative("bearing friction");
     /// Drag of the air in proportion to the square of the angular velocity: torque −k|Ω|Ω (4.9, 7.5).
-    AirDrag, f64,
+    AirDrag,
     /// The coefficient k, N m s², which is kg m².
     ///
     /// ```
@@ -191,7 +191,7 @@ numbers! {
     ///
     /// A dry tip of radius r under the weight Mg has N = ⅔μMgr. Only for symmetric tops with C on the third axis: once stopped, their spin stays
     /// at rest, which that of no other body would.
-    TipFriction, f64,
+    TipFriction,
     /// The torque N, N m.
     ///
     /// ```
@@ -200,7 +200,7 @@ numbers! {
     /// ```
     not_negative("tip friction");
     /// Air at rest, in which a cat of paper falls (1.1).
-    Air, f64,
+    Air,
     /// Its density, kg/m³.
     ///
     /// ```
@@ -209,7 +209,7 @@ numbers! {
     /// ```
     not_negative("the density of the air");
     /// Loss at every turn of a yo-yo, which keeps only a fraction of the spin (4.9).
-    TurnLoss, f64,
+    TurnLoss,
     /// Spin after over spin before, 0…1.
     ///
     /// ```
@@ -219,7 +219,7 @@ numbers! {
     part("the restitution of the turn");
     /// Work of the hand at every turn of a yo-yo: it is raised a little while the string pulls hardest (4.9). See
     /// [`Turn::work_of_lift`](crate::yo_yo::Turn::work_of_lift).
-    Hand, f64,
+    Hand,
     /// The work, J.
     ///
     /// ```
@@ -228,7 +228,7 @@ numbers! {
     /// ```
     not_negative("the work of the hand");
     /// A loop at the end of a yo-yo's string: the yo-yo falls asleep at the lowest point, and a jerk wakes it (4.9).
-    Sleep, f64,
+    Sleep,
     /// How long it is left asleep, s.
     ///
     /// ```
@@ -237,7 +237,7 @@ numbers! {
     /// ```
     not_negative("the duration of the sleep");
     /// Friction of the loop of a yo-yo's string on the axle (4.9).
-    AxleFriction, f64,
+    AxleFriction,
     /// A constant torque, N m.
     ///
     /// ```

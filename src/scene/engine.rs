@@ -144,17 +144,22 @@ pub(crate) struct Trace<P, const N: usize> {
     /// Those of the phases, in the order in which they were followed.
     halves: Vec<Half<P>>,
     pub cost: Cost,
-}
-
-/// A motion with the estimate of its error.
-#[derive(Debug, Clone)]
-pub(crate) struct Answer<P, const N: usize> {
-    pub trace: Trace<P, N>,
-    /// The greatest error of a sample, by [`Flow::distance`].
+    /// The greatest error of a sample, by [`Flow::distance`]; infinite where nothing vouches for the run.
     pub error: f64,
 }
 
-impl<P, const N: usize> Answer<P, N> {
+impl<P, const N: usize> Trace<P, N> {
+    /// A motion in one phase, without cost.
+    fn of(samples: Vec<(P, [f64; N])>) -> Self {
+        Self {
+            samples,
+            phases: Vec::new(),
+            halves: Vec::new(),
+            cost: Cost::default(),
+            error: f64::INFINITY,
+        }
+    }
+
     /// The motion, each sample converted into a state of the scene.
     pub fn told<S>(
         &self,
@@ -162,9 +167,9 @@ impl<P, const N: usize> Answer<P, N> {
         plan: Plan,
         state: impl Fn(f64, &P, &[f64; N]) -> S,
     ) -> Books<S> {
-        let samples = request.times().iter().zip(&self.trace.samples);
+        let samples = request.times().iter().zip(&self.samples);
         let states = samples.map(|(&t, (phase, y))| state(t, phase, y));
-        Books::of(request, plan, (self.trace.cost, self.error), states)
+        Books::of(request, plan, (self.cost, self.error), states)
     }
 }
 
@@ -191,7 +196,7 @@ pub(crate) enum Stepper<'a> {
     OrderEight,
     /// Another method, and whether its steps have one length.
     Other(&'a Follow<'a>, bool),
-    /// Closed forms from event to event: every phase must be known.
+    /// Closed forms from event to event, for a flow that knows every phase.
     Events,
 }
 
@@ -215,12 +220,8 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         let (mut phase, mut y) = start;
         let end = times.last().copied().unwrap_or(0.0);
         self.budget.begin(end);
-        let mut trace = Trace {
-            samples: Vec::with_capacity(times.len()),
-            phases: vec![(0.0, phase)],
-            halves: Vec::new(),
-            cost: Cost::default(),
-        };
+        let mut trace = Trace::of(Vec::with_capacity(times.len()));
+        trace.phases.push((0.0, phase));
         let (mut now, mut at_once) = (0.0, 0);
         loop {
             let left = &times[trace.samples.len()..];
@@ -325,7 +326,7 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
             end,
         };
         let passage = match self.stepper {
-            Stepper::OrderEight => {
+            Stepper::OrderEight | Stepper::Events => {
                 let leg = Leg {
                     system: &Watched(rate, reached, flow.growth_rate()) as &dyn System<N>,
                     kept: flow.kept(),
@@ -337,7 +338,6 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
                 return leg.follow(ends.then_some(&margin), effort);
             }
             Stepper::Other(follow, _) => follow(&any, effort)?,
-            Stepper::Events => return Err(NO_STEPS),
         };
         Ok(Passage {
             states: passage.states.iter().map(|y| sized(y)).collect(),
@@ -356,30 +356,18 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         times: &[f64],
         halves: &[Half<F::Phase>],
     ) -> Result<Trace<F::Phase, N>> {
-        let (mut phases, mut passed, mut cost) = (Vec::new(), Vec::new(), Cost::default());
-        let samples = both_ways(times, |times| {
-            let done = passed.len().min(halves.len());
+        let mut whole = Trace::of(Vec::new());
+        whole.samples = both_ways(times, |times| {
+            let done = whole.halves.len().min(halves.len());
             let trace = self.follow(start, times, &halves[done..])?;
-            passed.extend(trace.halves);
-            cost += trace.cost;
-            phases = trace.phases;
+            whole.halves.extend(trace.halves);
+            whole.cost += trace.cost;
+            whole.phases = trace.phases;
             Ok(trace.samples)
         })?;
-        Ok(Trace {
-            samples,
-            phases,
-            halves: passed,
-            cost,
-        })
+        Ok(whole)
     }
 }
-
-const NO_STEPS: Error = Error::Solver {
-    condition: "the solver events must be given a scene with closed forms between events",
-};
-const ONLY_FOR_TOPS: Error = Error::Solver {
-    condition: "the geometric solvers (rotations, moser-veselov, kick-drift, munthe-kaas, dormand-prince-8) are for tops",
-};
 
 /// The components of a slice of length N.
 fn sized<const N: usize>(slice: &[f64]) -> [f64; N] {
@@ -429,7 +417,7 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
     request: &Request,
     solver: Solver,
     flow: impl Fn(f64) -> Result<F>,
-) -> Result<Answer<F::Phase, N>> {
+) -> Result<Trace<F::Phase, N>> {
     match solver {
         Solver::General(method) => {
             let methods = request.methods()?;
@@ -440,9 +428,7 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
                 flow,
             )
         }
-        Solver::ORDER_EIGHT => vouched(request, Stepper::OrderEight, flow),
-        Solver::Events | Solver::Exact => vouched(request, Stepper::Events, flow),
-        Solver::Geometric(_) => Err(ONLY_FOR_TOPS),
+        _ => vouched(request, Stepper::OrderEight, flow),
     }
 }
 
@@ -454,14 +440,12 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
     request: &Request,
     stepper: Stepper<'_>,
     flow: impl Fn(f64) -> Result<F>,
-) -> Result<Answer<F::Phase, N>> {
+) -> Result<Trace<F::Phase, N>> {
     let budget = &request.budget();
     if let Some(effort) = request.effort {
         let flow = &flow(tolerance_of(effort, OF_STEPS))?;
         let run = Run::new(flow, stepper, effort, budget);
-        let trace = run.at(flow.start()?, request.times(), &[])?;
-        let error = f64::INFINITY;
-        return Ok(Answer { trace, error });
+        return run.at(flow.start()?, request.times(), &[]);
     }
     let (accuracy, count) = (request.accuracy, request.times().len());
     let first = flow(accuracy)?;
@@ -527,11 +511,10 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
         if !efforts.even {
             whole += better.cost.steps as f64 * of_a_step(&flow, efforts.better, seen);
         }
-        error = greater(error, whole.min(accuracy));
+        better.error = greater(error, whole.min(accuracy));
         better.samples.truncate(count);
         better.cost = cost;
-        let trace = better;
-        return Ok(Answer { trace, error });
+        return Ok(better);
     }
 }
 
@@ -550,22 +533,16 @@ pub(crate) fn solved<const N: usize, F: Flow<N> + Copy>(
     (flow, plan, request): (&F, &Plan, &Request),
     evaluations: u64,
     known: impl Fn(f64) -> Result<[f64; N]>,
-) -> Result<Answer<F::Phase, N>> {
+) -> Result<Trace<F::Phase, N>> {
     let (times, budget) = (request.times(), &request.budget());
-    let trace = match plan.solver {
+    let mut trace = match plan.solver {
         Solver::Exact => {
             let phase = flow.start()?.0;
-            let mut samples = Vec::with_capacity(times.len());
-            for &t in times {
+            let state = |&t: &f64| {
                 budget.spend(evaluations, t)?;
-                samples.push((phase, known(t)?));
-            }
-            Trace {
-                samples,
-                phases: Vec::new(),
-                halves: Vec::new(),
-                cost: Cost::default(),
-            }
+                Ok((phase, known(t)?))
+            };
+            Trace::of(times.iter().map(state).collect::<Result<_>>()?)
         }
         Solver::Events => {
             let (stepper, effort) = (Stepper::Events, Effort::Tolerance(OF_CLOSED_FORMS));
@@ -575,8 +552,8 @@ pub(crate) fn solved<const N: usize, F: Flow<N> + Copy>(
         _ => return to_accuracy(request, plan.solver, |_| Ok(*flow)),
     };
     let angle = flow.pace() * request.furthest.abs();
-    let error = flow.rounding(angle, &trace.phases);
-    Ok(Answer { trace, error })
+    trace.error = flow.rounding(angle, &trace.phases);
+    Ok(trace)
 }
 
 /// The tolerance that a single run with steps of one length passes to its flow: small against the error of any step.

@@ -255,9 +255,7 @@ pub struct Motion<S> {
 /// A motion with an open ledger, to which the conserved and monotone quantities are added one by one.
 pub(crate) struct Books<S> {
     motion: Motion<S>,
-    /// The greatest number of rows read for the ledger.
-    most: usize,
-    /// The places of these rows, in the order of time; empty before the first reading.
+    /// The places of the rows read for the ledger, in the order of time.
     order: Vec<usize>,
 }
 
@@ -269,36 +267,25 @@ impl<S> Books<S> {
         (cost, error_estimate): (Cost, f64),
         states: impl IntoIterator<Item = S>,
     ) -> Self {
+        let times = &request.times;
+        let mut order: Vec<usize> = (0..times.len()).collect();
+        order.sort_by(|&i, &j| times[i].total_cmp(&times[j]));
         let motion = Motion {
             plan,
             cost,
             error_estimate,
             ledger: Ledger::new(),
-            rows: request.times.iter().copied().zip(states).collect(),
+            rows: times.iter().copied().zip(states).collect(),
         };
-        Self {
-            motion,
-            most: usize::MAX,
-            order: Vec::new(),
-        }
+        Self { motion, order }
     }
 
     /// The same books, reading at most this many rows, evenly chosen, and the last.
     pub fn reading(mut self, most: usize) -> Self {
-        self.most = most;
+        let every = self.order.len().div_ceil(most);
+        let last = self.order.pop();
+        self.order = self.order.into_iter().step_by(every).chain(last).collect();
         self
-    }
-
-    fn order(&mut self) -> &[usize] {
-        if self.order.is_empty() {
-            let rows = &self.motion.rows;
-            let last = rows.len() - 1;
-            let chosen = (0..last).step_by(rows.len().div_ceil(self.most));
-            self.order.extend(chosen.chain([last]));
-            let times = |&i: &usize, &j: &usize| rows[i].0.total_cmp(&rows[j].0);
-            self.order.sort_by(times);
-        }
-        &self.order
     }
 
     /// The states of all rows.
@@ -307,9 +294,8 @@ impl<S> Books<S> {
     }
 
     /// The earliest state read for the ledger.
-    pub fn earliest(&mut self) -> &S {
-        let earliest = self.order()[0];
-        &self.motion.rows[earliest].1
+    pub fn earliest(&self) -> &S {
+        &self.motion.rows[self.order[0]].1
     }
 
     /// Adds a quantity: its name, its law and the scale of its drift (1 in place of 0), its value at the start, and its value for the row at a place.
@@ -319,7 +305,6 @@ impl<S> Books<S> {
         start: V,
         of: impl Fn(usize, &S) -> V,
     ) -> Result<()> {
-        self.order();
         let Motion { rows, ledger, .. } = &mut self.motion;
         let read = self.order.iter().map(|&place| of(place, &rows[place].1));
         ledger.keep(account, start, read)

@@ -2,8 +2,7 @@
 
 use super::columns::{Columns, columns};
 use super::effects::Effect;
-use super::engine::{Answer, Flow, OF_CLOSED_FORMS, apart, greater};
-use super::engine::{planned, to_accuracy};
+use super::engine::{Flow, OF_CLOSED_FORMS, apart, greater, planned, to_accuracy};
 use super::motion::Books;
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
@@ -263,9 +262,9 @@ impl OnTable<'_> {
     fn moments(&self, plan: &Plan, request: &Request) -> Result<(Vec<Moment>, (Cost, f64))> {
         let times = request.times();
         if !matches!(plan.solver, Solver::Exact | Solver::Events) {
-            let Answer { trace, error } = to_accuracy(request, plan.solver, |_| Ok(*self))?;
+            let trace = to_accuracy(request, plan.solver, |_| Ok(*self))?;
             let moments = trace.samples.iter().map(|(_, y)| Moment::of(y));
-            return Ok((moments.collect(), (trace.cost, error)));
+            return Ok((moments.collect(), (trace.cost, trace.error)));
         }
         let course = Course::under(&self.laws, self.start, self.span)?;
         let moments: Vec<Moment> = times.iter().map(|&t| course.at(t)).collect();

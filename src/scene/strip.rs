@@ -1,44 +1,33 @@
 //! The scene `strip` (tutorial 4.10): a strip that falls through a fluid, seen along its length.
 
-use super::columns::{Columns, columns};
+use super::columns::{Columns, columns, state};
 use super::effects::Effect;
 use super::engine::{Flow, OF_CLOSED_FORMS, ROUNDING, greater, planned, solved};
-use super::{Motion, Plan, Request, Scene, Tabulated};
+use super::{Motion, Plan, Request, Scene};
 use crate::conservation::Law;
 use crate::error::{Result, finite, not_negative};
 use crate::falling_strip::{Equations, Plate, RotationalDamping};
 use crate::integrators::Stop;
 
-/// The state of a strip.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct StripState {
-    /// Position of the axis: to the right and up, m.
-    pub position: [f64; 2],
-    /// Angle of the chord above the horizontal, rad.
-    pub angle: f64,
-    /// Velocity: to the right and up, m/s.
-    pub velocity: [f64; 2],
-    /// Angular velocity, rad/s.
-    pub omega: f64,
-    /// Kinetic energy, with that of the added mass of fluid, and potential energy, J per metre of length.
-    pub energy: f64,
-    /// Heat of drag and of the resistance to rotation so far, J per metre of length.
-    pub heat: f64,
-}
-
-impl Tabulated for StripState {
-    fn columns() -> Columns<Self> {
-        columns! { |state: &Self|
-            "x", "m", "place, to the right" => state.position[0];
-            "y", "m", "place, up" => state.position[1];
-            "angle", "rad", "angle of the chord above the horizontal" => state.angle;
-            "vx", "m/s", "velocity, to the right" => state.velocity[0];
-            "vy", "m/s", "velocity, up" => state.velocity[1];
-            "omega", "rad/s", "angular velocity" => state.omega;
-            "energy", "J/m", "kinetic energy, of the fluid taken along too, and potential energy" => state.energy;
-            "heat", "J/m", "what drag and damping have taken so far" => state.heat;
-        }
+state! {
+    /// The state of a strip; energies per metre of its length.
+    StripState {
+        /// place, to the right, m
+        x,
+        /// place, up, m
+        y,
+        /// angle of the chord above the horizontal, rad
+        angle,
+        /// velocity, to the right, m/s
+        vx,
+        /// velocity, up, m/s
+        vy,
+        /// angular velocity, rad/s
+        omega,
+        /// kinetic energy, of the fluid taken along too, and potential energy, J/m
+        energy,
+        /// what drag and damping have taken so far, J/m
+        heat,
     }
 }
 
@@ -97,7 +86,7 @@ impl Strip {
     /// // Without an effect it flies straight on.
     /// let start = StripStart { velocity: [1.0, 0.5], ..StripStart::default() };
     /// let motion = Strip::new(Sheet::of_paper(0.02)?.plate()?, start)?.simulate(&Request::at([2.0])?)?;
-    /// assert!((motion.rows[0].1.velocity[0] - 1.0).abs() < 1e-12);
+    /// assert!((motion.rows[0].1.vx - 1.0).abs() < 1e-12);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(plate: Plate, start: StripStart) -> Result<Self> {
@@ -121,7 +110,7 @@ impl Strip {
     /// use spinning_bodies::scene::{Request, Scene, Strip, StripStart, effects::Gravity};
     /// let strip = Strip::new(Sheet::of_paper(0.02)?.plate()?, StripStart::default())?.with(Gravity::new(10.0)?)?;
     /// let motion = strip.simulate(&Request::at([0.5])?)?;
-    /// assert!((motion.rows[0].1.velocity[1] + 5.0).abs() < 1e-9);
+    /// assert!((motion.rows[0].1.vy + 5.0).abs() < 1e-9);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
@@ -168,18 +157,15 @@ impl Strip {
     }
 
     fn state(&self, y: &[f64; 7]) -> StripState {
-        let (sine, cosine) = y[2].sin_cos();
+        let &[x, height, angle, u, w, omega, heat] = y;
+        let (sine, cosine) = angle.sin_cos();
+        let [vx, vy] = [u * cosine - w * sine, u * sine + w * cosine];
         let equations = &self.equations;
-        let kinetic = equations.kinetic_energy(y);
-        let weight = equations.gravity.map(|g| equations.plate.mass() * g);
-        StripState {
-            position: [y[0], y[1]],
-            angle: y[2],
-            velocity: [y[3] * cosine - y[4] * sine, y[3] * sine + y[4] * cosine],
-            omega: y[5],
-            energy: weight.map_or(kinetic, |weight| kinetic + weight * y[1]),
-            heat: y[6],
+        let mut energy = equations.kinetic_energy(y);
+        if let Some(g) = equations.gravity {
+            energy += equations.plate.mass() * g * height;
         }
+        StripState::of([x, height, angle, vx, vy, omega, energy, heat])
     }
 }
 
@@ -243,9 +229,9 @@ impl Flow<7> for Strip {
         let alone = |a: f64, b: f64, scale: f64| (a - b).abs() / scale.max(b.abs());
         // Three times the distance: a tumbling strip amplifies, and two runs may err together. Of 2000 motions in air, five are off by more than the estimate.
         3.0 * [
-            apart(a.position, b.position, length),
+            apart([a.x, a.y], [b.x, b.y], length),
             (a.angle - b.angle).abs(),
-            apart(a.velocity, b.velocity, speed),
+            apart([a.vx, a.vy], [b.vx, b.vy], speed),
             alone(a.omega, b.omega, rate),
             alone(a.energy, b.energy, energy),
             alone(a.heat, b.heat, energy),
@@ -280,7 +266,7 @@ impl Scene for Strip {
         let plan = self.plan(request)?;
         let known = |t| Ok(self.in_free_fall(t));
         let answer = solved((self, &plan, request), 1, known)?;
-        let rows: Vec<[f64; 7]> = answer.trace.samples.iter().map(|(_, y)| *y).collect();
+        let rows: Vec<[f64; 7]> = answer.samples.iter().map(|(_, y)| *y).collect();
         let (equations, times) = (&self.equations, request.times());
         let [.., speed, _, _, scale] = self.scales();
         let first = self.start()?.1;
@@ -312,9 +298,9 @@ impl Scene for Strip {
         let weight = equations.plate.mass() * equations.gravity.unwrap_or(0.0);
         let moment = equations.plate.moment();
         columns! { |state: &StripState|
-            "speed", "m/s", "size of the velocity" => state.velocity[0].hypot(state.velocity[1]);
-            "descent", "rad", "angle of the velocity below the horizontal" => (-state.velocity[1]).atan2(state.velocity[0]);
-            "potential", "J/m", "energy of the weight above the start" => weight * state.position[1];
+            "speed", "m/s", "size of the velocity" => state.vx.hypot(state.vy);
+            "descent", "rad", "angle of the velocity below the horizontal" => (-state.vy).atan2(state.vx);
+            "potential", "J/m", "energy of the weight above the start" => weight * state.y;
             "l", "kg m/s", "angular momentum of the strip alone about its axis, a metre of its length" => moment * state.omega;
         }
     }

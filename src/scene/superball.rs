@@ -2,8 +2,7 @@
 
 use super::columns::{Columns, columns};
 use super::effects::Effect;
-use super::engine::{Answer, Flow, OF_CLOSED_FORMS, apart, greater};
-use super::engine::{planned, to_accuracy};
+use super::engine::{Flow, OF_CLOSED_FORMS, apart, greater, planned, to_accuracy};
 use super::motion::Books;
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
@@ -178,9 +177,9 @@ impl Scene for Superball {
             _ => {
                 let span = request.furthest;
                 let thrown = Thrown { flight, span };
-                let Answer { trace, error } = to_accuracy(request, plan.solver, |_| Ok(thrown))?;
+                let trace = to_accuracy(request, plan.solver, |_| Ok(thrown))?;
                 let balls = trace.samples.iter().map(|(ball, y)| flying(ball, y));
-                (balls.collect(), (trace.cost, error))
+                (balls.collect(), (trace.cost, trace.error))
             }
         };
         let energy = |ball: &InFlight| self.mass * ball.energy(self.kappa, flight.gravity());

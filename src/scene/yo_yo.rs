@@ -166,11 +166,6 @@ const LATER: usize = 5;
 /// Relative error of the time of an event.
 const OF_A_TIME: f64 = 4e-16;
 
-/// Whether the yo-yo stays at rest in this phase.
-const fn rests(phase: Phase) -> bool {
-    matches!(phase, Phase::Hanging | Phase::Caught)
-}
-
 /// Enters the turn at the angle `from`, to end at `to`.
 fn turns(y: &mut Numbers, from: f64, to: f64) -> Stage {
     y[0] = from;
@@ -473,7 +468,8 @@ impl Flow<6> for Playing {
     }
 
     fn known(&self, stage: Stage, ahead: &Ahead<'_, 6>) -> Option<Result<Passage<Numbers>>> {
-        (!ahead.stepped || rests(stage.0)).then(|| self.passage(stage, ahead))
+        let rests = matches!(stage.0, Phase::Hanging | Phase::Caught);
+        (!ahead.stepped || rests).then(|| self.passage(stage, ahead))
     }
 
     /// Every phase has an error in proportion to its own duration.
@@ -524,7 +520,7 @@ impl Scene for Play {
         let start = playing.start()?.1;
         let mut answer = solved((&playing, &plan, request), 1, |_| Ok(start))?;
         let (scale, fastest) = playing.greatest();
-        let mut stages = answer.trace.samples.iter().map(|(stage, _)| stage);
+        let mut stages = answer.samples.iter().map(|(stage, _)| stage);
         if playing.closed && stages.any(|stage| stage.0 == Phase::Turn) {
             // In the turn the angle changes as fast as the spin, and the time itself is rounded.
             answer.error += fastest * OF_A_TIME * request.furthest;

@@ -12,7 +12,7 @@ use crate::phenomena::quadrature::integral;
 use crate::phenomena::{self, Bend, EqualHalves, ShapePlane};
 use crate::scene::columns::{Columns, columns};
 use crate::scene::effects::Effect;
-use crate::scene::engine::{AN_INTEGRAL, Answer, Flow, planned, solved};
+use crate::scene::engine::{AN_INTEGRAL, Flow, planned, solved};
 use crate::scene::motion::Books;
 use crate::scene::{Motion, Plan, Request, Scene, Solver, Tabulated};
 
@@ -256,7 +256,7 @@ impl Scene for Cat {
         let plan = self.plan(request)?;
         let (run, exact) = ((self, &plan, request), plan.solver == Solver::Exact);
         let equal = self.equal_halves();
-        let Answer { trace, error } = solved(run, AN_INTEGRAL, |t| match &equal {
+        let trace = solved(run, AN_INTEGRAL, |t| match &equal {
             Some(equal) => self.known(equal, t),
             None => self.start().map(|((), y)| y),
         })?;
@@ -270,7 +270,7 @@ impl Scene for Cat {
         let moments: f64 = self.body.halves.iter().map(|half| half.transverse).sum();
         let l = self.angular_momentum;
         let scale = (moments * fastest).max(l.norm());
-        let mut books = Books::of(request, plan, (trace.cost, error), states);
+        let mut books = Books::of(request, plan, (trace.cost, trace.error), states);
         books.conserved("angular momentum", scale, l, |_, s| s.angular_momentum)?;
         books.closed(request)
     }

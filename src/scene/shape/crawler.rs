@@ -245,7 +245,7 @@ impl Scene for Crawler {
         let [.., mass_speed, _, energy] = self.scales();
         let spent = books.states().map(|state| state.heat).fold(0.0, f64::max);
         let mass: f64 = body.masses().iter().sum();
-        let impulse = |place: usize| answer.trace.samples[place].1[2];
+        let impulse = |place: usize| answer.samples[place].1[2];
         let momentum = |place: usize, s: &CrawlerState| mass * s.velocity - impulse(place);
         let balance = |place: usize, s: &CrawlerState| {
             body.energy(s.velocity, gap(request.times()[place]).rate) + s.heat - s.work

@@ -8,7 +8,7 @@ use crate::euler_equations::{Integrability, classify};
 use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector};
 use crate::integrators::both_ways;
-use crate::kovalevskaya_top::KovalevskayaTop;
+use crate::kovalevskaya_top::{KovalevskayaTop, State as Turned};
 use crate::lagrange_top::{Exact, LagrangeTop};
 use crate::precise::{Extended, Number, sum_of_products};
 use crate::scene::Budget;
@@ -127,43 +127,26 @@ impl ClosedForm {
         }
     }
 
-    /// Calls `show` with attitude and Ω at each of these times (s), in their order. Kovalevskaya's solution continues each time from the one before.
-    #[inline]
-    pub(super) fn each(
-        &self,
-        times: &[f64],
-        budget: &Budget,
-        mut show: impl FnMut(f64, Attitude, BodyVector),
-    ) -> Result<()> {
-        // A loop for each solution, so that no state is copied.
+    /// Attitude and Ω at each of these times (s), in their order. Kovalevskaya's solution continues each time from the one before.
+    pub(super) fn at(&self, times: &[f64], budget: &Budget) -> Result<Vec<(Attitude, BodyVector)>> {
+        let spent = |&t: &f64| budget.spend(1, t).map(|()| t);
         match self {
             Self::Free(top) => {
-                for &t in times {
-                    budget.spend(1, t)?;
-                    let state = top.at(t)?;
-                    show(t, state.attitude, state.omega);
-                }
+                let state = |t| top.at(spent(t)?).map(|s| (s.attitude, s.omega));
+                times.iter().map(state).collect()
             }
             Self::Lagrange(top, axes) => {
-                for &t in times {
-                    budget.spend(1, t)?;
-                    let state = top.at(t)?;
-                    show(t, axes.attitude(&state.attitude), axes.outward(state.omega));
-                }
+                let state = |t| top.at(spent(t)?).map(|s| axes.outward(s.attitude, s.omega));
+                times.iter().map(state).collect()
             }
-            Self::Kovalevskaya(top, axes) => {
-                // Outward from the start: on its way back a continuation would lose more digits.
-                let states = both_ways(times, |times| {
-                    let states = top.states(times.iter().copied()).zip(times);
-                    let counted = |(state, &t)| budget.spend(1, t).and(state);
-                    states.map(counted).collect()
-                })?;
-                for (state, &t) in states.into_iter().zip(times) {
-                    show(t, axes.attitude(&state.attitude), axes.outward(state.omega));
-                }
-            }
+            // Outward from the start: on its way back a continuation would lose more digits.
+            Self::Kovalevskaya(top, axes) => both_ways(times, |times| {
+                let states = top.states(times.iter().copied()).zip(times);
+                let outward = |s: Turned| axes.outward(s.attitude, s.omega);
+                let counted = |(state, t)| spent(t).and(state).map(outward);
+                states.map(counted).collect()
+            }),
         }
-        Ok(())
     }
 }
 
@@ -213,21 +196,19 @@ impl Axes {
         }
     }
 
-    fn outward(&self, vector: BodyVector) -> BodyVector {
-        match self.shift {
-            Some(shift) => exchanged::<f64>(vector.into(), 3 - shift).into(),
-            None => BodyVector::from_components(self.onto.inverse() * vector.components()),
-        }
+    /// Attitude and Ω along the body's axes, from those along the axes of the solution.
+    fn outward(&self, attitude: Attitude, omega: BodyVector) -> (Attitude, BodyVector) {
+        let omega = match self.shift {
+            Some(shift) => exchanged::<f64>(omega.into(), 3 - shift).into(),
+            None => BodyVector::from_components(self.onto.inverse() * omega.components()),
+        };
+        ((attitude.quaternion() * self.onto).into(), omega)
     }
 
     fn start(&self, moments: [f64; 3], start: &Start) -> Result<(BodyVector, Attitude)> {
         let omega = self.inward(start.omega(moments)?);
         let attitude = start.attitude.quaternion() * self.onto.inverse();
         Ok((omega, attitude.into()))
-    }
-
-    fn attitude(&self, attitude: &Attitude) -> Attitude {
-        (attitude.quaternion() * self.onto).into()
     }
 }
 

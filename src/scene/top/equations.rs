@@ -16,20 +16,13 @@ use crate::scene::engine::{Flow, greater};
 /// depend on each other.
 #[derive(Clone)]
 pub(super) struct Turning {
-    moments: [f64; 3],
+    top: Top,
     inverse: [f64; 3],
     /// (I₂ − I₃)/(I₂I₃) and cyclic: L₁′ is this times L₂L₃, so that nearly equal moments lose no digits.
     difference: [f64; 3],
     lever: Option<[f64; 3]>,
-    pivot_friction: Option<f64>,
-    bearing_friction: Option<f64>,
-    air_drag: Option<f64>,
-    /// The torque of dry friction at the tip, with the sign of the initial spin.
-    tip_friction: Option<f64>,
     start: Phase,
     pace: f64,
-    /// The rate at which the weight makes a top at rest fall, rad/s.
-    falling: f64,
     energy: f64,
 }
 
@@ -50,25 +43,16 @@ impl Turning {
     pub fn new(top: &Top, energy: f64) -> Result<Self> {
         let moments = top.body.moments;
         top.body.has_every_moment()?;
-        let start = top.start.phase(&top.body)?;
-        let spin = start.l[2];
         Ok(Self {
-            moments,
+            top: *top,
             inverse: moments.map(|moment| 1.0 / moment),
             difference: core::array::from_fn(|k| {
                 let (a, b) = (moments[(k + 1) % 3], moments[(k + 2) % 3]);
                 (a - b) / a / b
             }),
             lever: top.gravity.is_some().then(|| top.lever()),
-            pivot_friction: top.pivot_friction.map(|friction| friction.value()),
-            bearing_friction: top.bearing_friction.map(|friction| friction.value()),
-            air_drag: top.air_drag.map(|drag| drag.value()),
-            tip_friction: top
-                .tip_friction
-                .map(|friction| friction.value().copysign(spin)),
-            start,
+            start: top.start.phase(&top.body)?,
             pace: top.pace()?,
-            falling: top.falling(),
             energy,
         })
     }
@@ -77,27 +61,27 @@ impl Turning {
     /// The torque of all resistances, N m.
     fn resistance(&self, spin: Spin, omega: [f64; 3]) -> [f64; 3] {
         let mut torque = [0.0; 3];
-        if let Some(c) = self.pivot_friction {
+        if let Some(friction) = self.top.pivot_friction {
             for k in 0..3 {
-                torque[k] -= c * omega[k];
+                torque[k] -= friction.value() * omega[k];
             }
         }
-        if let Some(c) = self.bearing_friction {
-            torque[0] -= c * omega[0];
-            torque[1] -= c * omega[1];
+        if let Some(friction) = self.top.bearing_friction {
+            torque[0] -= friction.value() * omega[0];
+            torque[1] -= friction.value() * omega[1];
         }
-        if let Some(k) = self.air_drag {
+        if let Some(drag) = self.top.air_drag {
             let [x, y, z] = omega;
             // Not `hypot`, which would take longer than all the rest.
-            let strength = k * (x * x + y * y + z * z).sqrt();
+            let strength = drag.value() * (x * x + y * y + z * z).sqrt();
             for k in 0..3 {
                 torque[k] -= strength * omega[k];
             }
         }
-        if let Some(dry) = self.tip_friction
+        if let Some(friction) = self.top.tip_friction
             && spin == Spin::Spinning
         {
-            torque[2] -= dry;
+            torque[2] -= friction.value().copysign(self.start.l[2]);
         }
         torque
     }
@@ -108,7 +92,7 @@ impl Turning {
         let Phase { l, q } = phase(numbers);
         let [w, x, y, z] = q;
         let quaternion = nalgebra::Quaternion::new(w, x, y, z);
-        let omega: [f64; 3] = core::array::from_fn(|k| l[k] / self.moments[k]);
+        let omega: [f64; 3] = core::array::from_fn(|k| l[k] / self.top.body.moments[k]);
         let attitude = Attitude::from_unit(quaternion / quaternion.norm());
         conserved.state(attitude, omega.into())
     }
@@ -117,7 +101,7 @@ impl Turning {
     pub fn acceleration(&self, attitude: &Attitude, omega: BodyVector) -> BodyVector {
         let (q, omega) = (attitude.quaternion(), omega.components());
         let y: [f64; 8] = core::array::from_fn(|n| match n {
-            0..3 => self.moments[n] * omega[n],
+            0..3 => self.top.body.moments[n] * omega[n],
             3 => q.w,
             4..7 => q.imag()[n - 4],
             _ => 0.0,
@@ -142,7 +126,7 @@ impl<const N: usize> Flow<N> for Turning {
     type Phase = Spin;
 
     fn start(&self) -> Result<(Spin, [f64; N])> {
-        let spin = if self.tip_friction.is_some() && self.start.l[2] == 0.0 {
+        let spin = if self.top.tip_friction.is_some() && self.start.l[2] == 0.0 {
             Spin::Stopped
         } else {
             Spin::Spinning
@@ -152,7 +136,7 @@ impl<const N: usize> Flow<N> for Turning {
 
     fn scales(&self) -> [f64; N] {
         core::array::from_fn(|n| match n {
-            0..3 => self.moments[n] * self.pace,
+            0..3 => self.top.body.moments[n] * self.pace,
             3..7 => 1.0,
             _ => self.energy,
         })
@@ -162,8 +146,8 @@ impl<const N: usize> Flow<N> for Turning {
         let rate = speed(self.start.l, self.inverse);
         core::array::from_fn(|n| match n {
             // A spin stopped by dry friction is exactly 0.
-            2 if self.tip_friction.is_some() && self.start.l[2] == 0.0 => 0.0,
-            0..3 => DOUBT[n] * self.moments[n] * rate,
+            2 if self.top.tip_friction.is_some() && self.start.l[2] == 0.0 => 0.0,
+            0..3 => DOUBT[n] * self.top.body.moments[n] * rate,
             3..7 => DOUBT[n],
             _ => 0.0,
         })
@@ -179,7 +163,7 @@ impl<const N: usize> Flow<N> for Turning {
 
     /// Near an equilibrium the motion is at first smaller than any tolerance.
     fn growth_rate(&self) -> f64 {
-        self.falling
+        self.top.falling()
     }
 
     /// L′ = L∧Ω + N, q′ = ½qΩ, and the power lost to resistance.
@@ -215,7 +199,7 @@ impl<const N: usize> Flow<N> for Turning {
     }
 
     fn margin(&self, spin: Spin, _: f64, y: &[f64; N]) -> Option<f64> {
-        let brakes = self.tip_friction.is_some() && spin == Spin::Spinning;
+        let brakes = self.top.tip_friction.is_some() && spin == Spin::Spinning;
         brakes.then(|| y[2] * self.start.l[2].signum())
     }
 

@@ -349,13 +349,14 @@ impl Top {
             false => Err(request.amplified(error, growth)),
         };
         within(told)?;
-        let mut states = Vec::with_capacity(request.times().len());
-        let mut fastest = self.start.omega(self.body.moments)?.norm();
-        closed.each(request.times(), &request.budget(), |_, attitude, omega| {
-            fastest = fastest.max(omega.norm());
-            states.push(conserved.state(attitude, omega));
-        })?;
+        let states = closed.at(request.times(), &request.budget())?;
+        let start = self.start.omega(self.body.moments)?.norm();
+        let rates = states.iter().map(|(_, omega)| omega.norm());
+        let fastest = rates.fold(start, f64::max);
         let error = within(told + closed.hardly_moving(self.pace()?, fastest))?;
+        let states = states
+            .into_iter()
+            .map(|(q, omega)| conserved.state(q, omega));
         let books = Books::of(request, plan, (Cost::default(), error), states);
         conserved.lossless(books)?.closed(request)
     }
@@ -372,25 +373,18 @@ impl Top {
         let others = times.iter().copied().step_by(every);
         let some: Vec<f64> = others.chain([request.furthest]).collect();
         let budget = Budget::new(u64::MAX, 0.0, None);
-        let mut here = Vec::with_capacity(some.len());
-        closed.each(&some, &budget, |_, attitude, omega| {
-            here.push((attitude, omega))
-        })?;
-        let mut most = 0.0_f64;
+        let (here, mut most) = (closed.at(&some, &budget)?, 0.0);
         // In one of the two directions the effects of the changes may cancel.
         for sense in [1.0, -1.0] {
             let start = self.start.beside(self.body.moments, sense)?;
             let Some(beside) = ClosedForm::find(&self.body, self.g(), &start)? else {
                 continue;
             };
-            let mut here = here.iter();
-            beside.each(&some, &budget, |_, other, moved| {
-                if let Some(&(attitude, omega)) = here.next() {
-                    let unit = fastest.max(omega.norm()).max(f64::MIN_POSITIVE);
-                    let faster = (omega - moved).norm() / unit;
-                    most = greater(greater(most, attitude.angle_to(&other)), faster);
-                }
-            })?;
+            for ((attitude, omega), (other, moved)) in here.iter().zip(beside.at(&some, &budget)?) {
+                let unit = fastest.max(omega.norm()).max(f64::MIN_POSITIVE);
+                let faster = (*omega - moved).norm() / unit;
+                most = greater(greater(most, attitude.angle_to(&other)), faster);
+            }
         }
         Ok(most)
     }
@@ -407,7 +401,7 @@ impl Top {
         if self.resisting().next().is_some() {
             let answer = to_accuracy::<8, _>(request, plan.solver, |_| turning())?;
             let books = answer.told(request, plan, |_, _, y| here.state(y, conserved));
-            let lost = |place: usize| answer.trace.samples[place].1[7];
+            let lost = |place: usize| answer.samples[place].1[7];
             return conserved.lossy(books, lost)?.closed(request);
         }
         let answer = match plan.solver {

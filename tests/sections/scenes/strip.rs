@@ -56,8 +56,8 @@ fn numbers(motion: &Motion<StripState>) -> Vec<Vec<f64>> {
 
 /// Distance of the last places, m.
 fn apart(a: &Motion<StripState>, b: &Motion<StripState>) -> f64 {
-    let [a, b] = [a, b].map(|m| m.rows[m.rows.len() - 1].1.position);
-    (a[0] - b[0]).hypot(a[1] - b[1])
+    let [a, b] = [a, b].map(|m| m.rows[m.rows.len() - 1].1);
+    (a.x - b.x).hypot(a.y - b.y)
 }
 
 /// The effects, each with this much of it.
@@ -103,7 +103,7 @@ fn in_a_vacuum_it_is_a_stone() {
     let motion = run(&stone);
     assert_eq!(motion.plan.solver, Solver::Exact);
     for (t, state) in &motion.rows {
-        assert_eq!(state.position, [0.1 * t, t * (0.0 - 0.5 * 9.81 * t)]);
+        assert_eq!([state.x, state.y], [0.1 * t, t * (0.0 - 0.5 * 9.81 * t)]);
         assert_eq!((state.omega, state.angle), (1.0, 0.2 + t));
     }
     // In a fluid of no density all the effects together do nothing. Observed: the same.
@@ -170,7 +170,7 @@ fn a_mirrored_start_gives_a_mirrored_fall() {
     };
     let [here, there] = [START, mirrored].map(|start| run(&in_air(&sheet, start).unwrap()));
     for ((_, a), (_, b)) in here.rows.iter().zip(&there.rows) {
-        let ([x, y], [across, down]) = (a.position, b.position);
+        let [x, y, across, down] = [a.x, a.y, b.x, b.y];
         assert_eq!([x, y, a.angle], [-across, down, -b.angle]);
     }
 }
@@ -190,7 +190,7 @@ fn the_frame_does_not_matter() -> Result<()> {
     let a = small.simulate(&asking([0.5], 1e-9))?.rows[0].1;
     let b = big.simulate(&asking([1.0], 1e-9))?.rows[0].1;
     // Observed: 1e-14 relative.
-    near!(a.position.map(|x| 4.0 * x)[..], b.position[..], 1e-11);
+    near!([4.0 * a.x, 4.0 * a.y][..], [b.x, b.y][..], 1e-11);
     Ok(())
 }
 
@@ -228,7 +228,7 @@ fn turning_back_costs_no_digit() {
             let motion = scene.simulate(&request).unwrap();
             let state = motion.rows[motion.rows.len() - 1].1;
             let told = motion.error_estimate;
-            let [a, b] = state.position;
+            let [a, b] = [state.x, state.y];
             // Observed: half of what is told.
             assert!((a - x).hypot(b - y) < told * 0.01, "{a}, {b}: {x}, {y}");
             assert!((state.angle - angle).abs() < told);

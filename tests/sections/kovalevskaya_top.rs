@@ -382,7 +382,7 @@ fn s8_2_without_gravity_it_is_eulers_top() -> Result<()> {
         // W turns at Ω₃(½ − 1), Ω₃ stays.
         let (s, c) = (-0.15 * t).sin_cos();
         let expected = vector([c - 0.5 * s, s + 0.5 * c, 0.3]);
-        observed!((state.omega - expected).norm(), 0.0..=4e-15);
+        observed!((state.omega - expected).norm(), 0.0..=9e-16);
         let off = state.attitude.angle_to(&free.at(t)?.attitude);
         observed!(off, 1e-16..=2e-15);
     }

@@ -177,7 +177,7 @@ fn s5_2_tops_in_more_dimensions() {
             m += (k1 + (k2 + k3) * 2.0 + k4) * (h / 6.0);
         }
         for (a, b) in traces(&m).into_iter().zip(before) {
-            close!(a, b, 2e-13..=1e-11);
+            close!(a, b, 2e-13..=5e-12);
         }
     }
 }

@@ -177,7 +177,7 @@ fn s6_3_the_picture_does_not_tell_the_pace() {
                 let velocity = way * (wide.pace(parameter) / (2.0 * h));
                 let law = vector(euler(moments, wide.polhode(parameter).components().into()));
                 let off = (velocity - law).norm() / wide.polhode(parameter).norm();
-                observed!(off / wide.pace(0.0), 1e-12..=1e-9);
+                observed!(off / wide.pace(0.0), 1e-12..=3e-10);
             }
         }
     }

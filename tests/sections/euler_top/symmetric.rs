@@ -89,13 +89,12 @@ fn s6_5_precession_seen_from_space() {
     for i in 1..8 {
         let t = 0.9 * f64::from(i);
         let (_, attitude) = integrated(1.0, 1.5, OMEGA0, t, 20_000);
-        let turned = Attitude::about_axis(l, rate * t).unwrap();
-        // Observed 2e-14 for the axis, 3e-14 rad for the attitude.
+        // Observed 4e-15 for the axis, 1e-14 rad for the attitude.
         let off = (attitude.to_space(axis) - turned.to_space(axis)).norm();
-        observed!(off, 1e-15..=1e-13, "t = {t}");
+        observed!(off, 1e-15..=3e-14, "t = {t}");
         let closed = top.attitude_at(OMEGA0, t).unwrap();
         let off = closed.angle_to(&attitude);
-        observed!(off, 3e-15..=1e-13);
+        observed!(off, 3e-15..=6e-14);
     }
     // Nearly round, small tilt: the axis circles once while the body turns once.
     let round = SymmetricTop::new(1.0, 301.0 / 300.0).unwrap();

@@ -201,7 +201,7 @@ fn s1_1_no_angular_momentum_at_any_shape() {
                 sum += attitude.to_space(l);
             }
             // The step's own error, h² times third derivatives. Observed: 4e-9 of terms of 0.03.
-            observed!(sum.norm(), 2e-10..=2e-8, "{k}: {:e}", sum.norm());
+            observed!(sum.norm(), 2e-10..=5e-9, "{k}: {:e}", sum.norm());
         }
     }
 }

@@ -96,7 +96,9 @@ pub(crate) fn numbers(start: &Start) -> Numbers {
 }
 
 /// The point in contact: its arm from C, its velocity, and the terms of its acceleration without any force.
-struct Touch {
+struct Touch<'a> {
+    table: &'a Table,
+    pose: &'a Pose,
     arm: Vector3<f64>,
     slip: Vector3<f64>,
     /// Ω∧ρ̇, ρ̇ in space.
@@ -106,14 +108,66 @@ struct Touch {
     couple: Option<Vector3<f64>>,
 }
 
+impl Touch<'_> {
+    /// The contact under this level force per normal force, `None` without friction, and this reaction N, if it is known.
+    ///
+    /// Otherwise N is linear in the accelerations it causes, since friction and couple are N times functions of the velocities:
+    /// the vertical acceleration of the point in contact is zero, one linear equation for N.
+    #[inline]
+    fn pushed(&self, traction: Option<Vector3<f64>>, reaction: Option<f64>) -> Contact {
+        let Table { body, gravity, .. } = self.table;
+        let Pose { up, omega, .. } = self.pose;
+        let mut push = *up;
+        let mut power = 0.0;
+        if let Some(traction) = &traction {
+            push += traction;
+            power += traction.dot(&self.slip);
+        }
+        let mut torque = self.arm.cross(&push);
+        if let Some(couple) = &self.couple {
+            torque += couple;
+            power += couple.dot(omega);
+        }
+        let lever = self.arm.cross(up);
+        let pushed = body.inverse * torque;
+        let reaction = reaction.unwrap_or_else(|| {
+            (gravity + lever.dot(&self.free) - up.dot(&self.whirl))
+                / (1.0 / body.mass + lever.dot(&pushed))
+        });
+        Contact {
+            slip: self.slip,
+            reaction,
+            traction: traction.unwrap_or_else(Vector3::zeros),
+            omega_rate: pushed * reaction - self.free,
+            power,
+        }
+    }
+
+    /// The response of the point in contact to a force.
+    fn yielding(&self) -> Yielding {
+        let (body, up) = (&self.table.body, self.pose.up);
+        let mut matrix = body.yielding(&self.arm);
+        if let Some(couple) = &self.couple {
+            matrix += (body.inverse * couple).cross(&self.arm) * up.transpose();
+        }
+        Yielding {
+            matrix,
+            free: self.whirl - self.free.cross(&self.arm) - up * self.table.gravity,
+            up,
+        }
+    }
+}
+
 impl Table {
     #[inline]
-    fn touch(&self, pose: &Pose) -> Touch {
+    fn touch<'a>(&'a self, pose: &'a Pose) -> Touch<'a> {
         let (body, up, omega) = (&self.body, &pose.up, &pose.omega);
         let (support, rate) = body.surface.support_and_rate(up, &up.cross(omega));
         let arm = body.center - support;
         let swing = omega.cross(&arm);
         Touch {
+            table: self,
+            pose,
             arm,
             // C moves up or down as the contact requires, which cancels the vertical part of the swing.
             slip: pose.level + swing - up * up.dot(&swing),
@@ -127,61 +181,16 @@ impl Table {
     #[inline]
     pub(crate) fn slides(&self, pose: &Pose) -> Contact {
         let touch = self.touch(pose);
-        let traction = self.friction.map(|law| law.traction(&touch.slip));
-        self.pushed(pose, &touch, traction)
-    }
-
-    /// The contact under this level force per normal force; `None` is no friction.
-    ///
-    /// The reaction N is linear in the accelerations it causes, since friction and couple are N times functions of the velocities:
-    /// the vertical acceleration of the point in contact is zero, one linear equation for N.
-    #[inline]
-    fn pushed(&self, pose: &Pose, touch: &Touch, traction: Option<Vector3<f64>>) -> Contact {
-        let (up, omega) = (&pose.up, &pose.omega);
-        let (arm, body) = (&touch.arm, &self.body);
-        let mut push = *up;
-        let mut power = 0.0;
-        if let Some(traction) = &traction {
-            push += traction;
-            power += traction.dot(&touch.slip);
-        }
-        let mut torque = arm.cross(&push);
-        if let Some(couple) = &touch.couple {
-            torque += couple;
-            power += couple.dot(omega);
-        }
-        let lever = arm.cross(up);
-        let pushed = body.inverse * torque;
-        let reaction = (self.gravity + lever.dot(&touch.free) - up.dot(&touch.whirl))
-            / (1.0 / body.mass + lever.dot(&pushed));
-        Contact {
-            slip: touch.slip,
-            reaction,
-            traction: traction.unwrap_or_else(Vector3::zeros),
-            omega_rate: pushed * reaction - touch.free,
-            power,
-        }
+        touch.pushed(self.friction.map(|law| law.traction(&touch.slip)), None)
     }
 
     /// The contact in pure rolling: V = −Ω∧ρ at all times, and the force that this takes.
     pub(crate) fn rolls(&self, pose: &Pose) -> Contact {
-        let (body, up, omega) = (&self.body, &pose.up, &pose.omega);
-        let touch = self.touch(pose);
-        let push = self.yielding(up, &touch).holding();
-        let reaction = up.dot(&push);
-        let mut torque = touch.arm.cross(&push);
-        let mut power = 0.0;
-        if let Some(couple) = &touch.couple {
-            torque += couple * reaction;
-            power = couple.dot(omega);
-        }
-        Contact {
-            slip: Vector3::zeros(),
-            reaction,
-            traction: push / reaction - up,
-            omega_rate: body.inverse * torque - touch.free,
-            power,
-        }
+        let mut touch = self.touch(pose);
+        touch.slip = Vector3::zeros();
+        let push = touch.yielding().holding();
+        let reaction = pose.up.dot(&push);
+        touch.pushed(Some(push / reaction - pose.up), Some(reaction))
     }
 
     /// The contact of a body that begins to slide out of rolling by Coulomb's law, with coefficient `mu` while it slides.
@@ -190,42 +199,38 @@ impl Table {
     /// explicit steps cannot follow. To first order in s the direction e is the one that the slip keeps while e itself turns,
     /// ẇ⊥(e) = s φ̇, where ẇ is the acceleration of the point in contact and φ̇ the rate at which the direction for s = 0 turns.
     pub(crate) fn leaving(&self, pose: &Pose, mu: f64) -> Contact {
-        let body = &self.body;
-        let Pose {
-            up, omega, level, ..
-        } = pose;
+        let Pose { up, omega, .. } = pose;
         let touch = self.touch(pose);
-        let yielding = self.yielding(up, &touch);
+        let yielding = touch.yielding();
         let along = yielding.gives_way(mu);
-        let contact = self.pushed(pose, &touch, Some(along * -mu));
+        let [tilting, turning, drift] = self.drift(pose, &touch.pushed(Some(along * -mu), None));
         // The direction a short time later.
-        let moment = MOMENT / (omega.norm() + body.speed_scale(self.gravity) / body.surface.size());
-        let push = contact.traction * (contact.reaction / body.mass);
+        let size = self.body.surface.size();
+        let moment = MOMENT / (omega.norm() + self.body.speed_scale(self.gravity) / size);
         let later = Pose::seen(
-            (up + up.cross(omega) * moment).normalize(),
-            omega + contact.omega_rate * moment,
-            level + (push - omega.cross(level)) * moment,
+            (up + tilting * moment).normalize(),
+            omega + turning * moment,
+            pose.level + drift * moment,
         );
-        let along_later = self.yielding(&later.up, &self.touch(&later)).gives_way(mu);
+        let along_later = self.touch(&later).yielding().gives_way(mu);
         let turned = (along_later - along) / moment + omega.cross(&along);
         let turning = turned.dot(&up.cross(&along));
         let slip = touch.slip.dot(&along);
         let along = yielding.direction(mu, &along, slip * turning);
-        self.pushed(pose, &touch, Some(along * -mu))
+        touch.pushed(Some(along * -mu), None)
     }
 
-    /// The response of the point in contact to a force.
-    fn yielding(&self, up: &Vector3<f64>, touch: &Touch) -> Yielding {
-        let (body, arm) = (&self.body, &touch.arm);
-        let mut matrix = body.yielding(arm);
-        if let Some(couple) = &touch.couple {
-            matrix += (body.inverse * couple).cross(arm) * up.transpose();
-        }
-        Yielding {
-            matrix,
-            free: touch.whirl - touch.free.cross(arm) - up * self.gravity,
-            up: *up,
-        }
+    /// The rates of the vertical, of Ω and of the level velocity of C with this contact, as seen from the body.
+    pub(super) fn drift(&self, pose: &Pose, contact: &Contact) -> [Vector3<f64>; 3] {
+        let Pose {
+            up, omega, level, ..
+        } = pose;
+        let push = contact.traction * (contact.reaction / self.body.mass);
+        [
+            up.cross(omega),
+            contact.omega_rate,
+            push - omega.cross(level),
+        ]
     }
 
     /// The rates of a state with this contact.

@@ -168,8 +168,16 @@ impl Table {
         let pose = Pose::of(y);
         let arm = self.body.arm(&pose.up);
         let contact = pose.level + pose.up * climb + pose.omega.cross(&arm);
-        let after = self.blow(&pose.up, &contact, self.body.yielding(&arm), spent)?;
-        Ok(self.body.struck(y, &pose, climb, after))
+        let impact = Impact {
+            friction: self.friction,
+            yielding: Yielding {
+                matrix: self.body.yielding(&arm),
+                free: -pose.up,
+                up: pose.up,
+            },
+            spent,
+        };
+        Ok(self.body.struck(y, &pose, climb, impact.after(&contact)?))
     }
 
     /// The state after an impulse that brings the point in contact to rest.
@@ -178,47 +186,45 @@ impl Table {
         let (_, climb) = self.body.height(&pose);
         self.body.struck(y, &pose, climb, Vector3::zeros())
     }
+}
 
-    /// The velocity of the point in contact after an impact.
-    fn blow(
-        &self,
-        up: &Vector3<f64>,
-        contact: &Vector3<f64>,
-        matrix: Matrix3<f64>,
-        spent: Spent<'_>,
-    ) -> Result<Vector3<f64>> {
+/// An impact of the point in contact on the table.
+struct Impact<'a> {
+    friction: Option<Friction>,
+    yielding: Yielding,
+    spent: Spent<'a>,
+}
+
+impl Impact<'_> {
+    /// The velocity of the point in contact after the impact; before it, it is `contact`.
+    fn after(&self, contact: &Vector3<f64>) -> Result<Vector3<f64>> {
+        let Yielding { matrix, up, .. } = &self.yielding;
         let fall = -up.dot(contact);
-        if fall <= 0.0 {
-            return Ok(contact - up * up.dot(contact));
-        }
-        let yielding = Yielding {
-            matrix,
-            free: -up,
-            up: *up,
-        };
         let slip = contact + up * fall;
+        if fall <= 0.0 {
+            return Ok(slip);
+        }
         match self.friction {
             None => {
                 let push = matrix * up;
                 Ok(slip + (push / up.dot(&push) - up) * fall)
             }
             Some(Friction::NoSlip) => Ok(Vector3::zeros()),
-            Some(Friction::Coulomb(law)) => {
-                let push = yielding.holding();
-                let normal = up.dot(&push);
-                let holds = |grip: f64| (push - up * normal).norm() <= grip * normal;
-                let (slip, left) = self.slowed(&yielding, &slip, fall, spent)?;
+            Some(friction @ Friction::Coulomb(law)) => {
+                let (slip, left) = self.slowed(friction, &slip, fall)?;
                 if left <= 0.0 {
                     return Ok(slip);
                 }
-                if holds(law.grip()) {
+                let push = self.yielding.holding();
+                let normal = up.dot(&push);
+                if (push - up * normal).norm() <= law.grip() * normal {
                     return Ok(Vector3::zeros());
                 }
-                let along = yielding.gives_way(law.kinetic());
+                let along = self.yielding.gives_way(law.kinetic());
                 let push = matrix * (up - along * law.kinetic());
                 Ok(along * (push.dot(&along) / up.dot(&push) * left))
             }
-            Some(_) => Ok(self.slowed(&yielding, &slip, fall, spent)?.0),
+            Some(friction) => Ok(self.slowed(friction, &slip, fall)?.0),
         }
     }
 
@@ -230,27 +236,26 @@ impl Table {
     /// short enough for a sharp law would take minutes there.
     fn slowed(
         &self,
-        yielding: &Yielding,
+        friction: Friction,
         slip: &Vector3<f64>,
         fall: f64,
-        spent: Spent<'_>,
     ) -> Result<(Vector3<f64>, f64)> {
-        let (up, size) = (yielding.up, slip.norm());
-        let sudden = matches!(self.friction, Some(Friction::Coulomb(_)));
+        let (Yielding { matrix, up, .. }, size) = (&self.yielding, slip.norm());
+        let sudden = matches!(friction, Friction::Coulomb(_));
         if sudden && size <= NO_SLIP * fall {
             return Ok((Vector3::zeros(), fall));
         }
         let across = up.cross(slip).try_normalize(0.0);
         let second = across.unwrap_or_else(|| up.cross(&Vector3::ith(up.iamin(), 1.0)).normalize());
-        let first = second.cross(&up);
-        let unit = up.dot(&(yielding.matrix * up));
+        let first = second.cross(up);
+        let unit = up.dot(&(matrix * up));
         // The remaining slip along two level directions, and the remaining approach.
         let level = |y: &[f64; 3]| first * y[0] + second * y[1];
         let rate = |_: f64, y: &[f64; 3]| {
             let slip = level(y);
             let pace = if sudden { slip.norm() } else { 1.0 } / unit;
-            let pushed = yielding.matrix * (up + self.traction(&slip)) * pace;
-            [pushed.dot(&first), pushed.dot(&second), -pushed.dot(&up)]
+            let pushed = matrix * (up + friction.traction(&slip)) * pace;
+            [pushed.dot(&first), pushed.dot(&second), -pushed.dot(up)]
         };
         let margin = |_: f64, y: &[f64; 3]| {
             let slips = if sudden {
@@ -267,7 +272,7 @@ impl Table {
         }
         let least = NO_SLIP * (size + fall);
         let leg = Leg {
-            system: &Watched(&rate, |_| spent(A_STEP), 0.0) as &dyn System<3>,
+            system: &Watched(&rate, |_| (self.spent)(A_STEP), 0.0) as &dyn System<3>,
             kept: Kept::Nothing,
             start: (0.0, &start),
             scales: &[least, least, fall],
@@ -278,11 +283,6 @@ impl Table {
         let slip = level(&end);
         let over = !sudden || slip.norm() > 2.0 * NO_SLIP * size;
         Ok((slip, if over { 0.0 } else { end[2] }))
-    }
-
-    fn traction(&self, slip: &Vector3<f64>) -> Vector3<f64> {
-        self.friction
-            .map_or_else(Vector3::zeros, |law| law.traction(slip))
     }
 }
 
@@ -323,27 +323,23 @@ impl ConvexBody {
 mod tests {
     use nalgebra::{Matrix3, Vector3};
 
-    use super::{Friction, Table};
-    use crate::frame::BodyVector;
-    use crate::inertia::InertiaMatrix;
+    use super::{Friction, Impact, Yielding};
     use crate::rolling::Coulomb;
-    use crate::tippe_top::{ConvexBody, Regularised, Surface, Viscous};
+    use crate::tippe_top::{Regularised, Viscous};
 
     /// The velocity of the contact after a plane impact with this slip and approach: of a mass of 1 with the moment 1/20 about C, the contact 1 below C and 0.8 to the side.
     fn after(law: impl Into<Friction>, slip: f64, approach: f64) -> [f64; 3] {
-        let inertia = InertiaMatrix::diagonal(1.0, 1.0, 1.0).unwrap();
-        let sphere = Surface::sphere(1.0).unwrap();
-        let center = BodyVector::new(0.0, 0.0, 0.0);
-        let table = Table {
-            body: ConvexBody::new(1.0, inertia, sphere, center).unwrap(),
-            gravity: 1.0,
+        let impact = Impact {
             friction: Some(law.into()),
-            resistance: None,
+            yielding: Yielding {
+                matrix: Matrix3::new(A, 0.0, B, 0.0, 30.0, 0.0, B, 0.0, C),
+                free: -Vector3::z(),
+                up: Vector3::z(),
+            },
+            spent: &|_| Ok(()),
         };
-        let matrix = Matrix3::new(A, 0.0, B, 0.0, 30.0, 0.0, B, 0.0, C);
         let contact = Vector3::new(slip, 0.0, -approach);
-        let after = table.blow(&Vector3::z(), &contact, matrix, &|_| Ok(()));
-        after.unwrap().into()
+        impact.after(&contact).unwrap().into()
     }
 
     /// Entries of the inverse effective mass: along the table, mixed, and vertical.

@@ -99,21 +99,14 @@ impl Friction {
         }
     }
 
-    /// The law with its coefficient multiplied by `part`.
-    pub(crate) fn weakened(self, part: f64) -> Result<Self> {
-        Ok(match self {
-            Self::Coulomb(law) => {
-                Self::Coulomb(Coulomb::with_grip(part * law.kinetic(), part * law.grip())?)
-            }
-            Self::Regularised(law) => Self::Regularised(Regularised {
-                mu: part * law.mu,
-                ..law
-            }),
-            Self::Viscous(law) => Self::Viscous(Viscous {
-                coefficient: part * law.coefficient,
-            }),
-            Self::NoSlip => Self::NoSlip,
-        })
+    /// A smooth law with its coefficient multiplied by `part`.
+    pub(crate) fn weakened(mut self, part: f64) -> Self {
+        match &mut self {
+            Self::Regularised(law) => law.mu *= part,
+            Self::Viscous(law) => law.coefficient *= part,
+            Self::Coulomb(_) | Self::NoSlip => {}
+        }
+        self
     }
 
     /// The slip scale over which the law is nonlinear, m/s; infinite for a linear law.

@@ -5,7 +5,7 @@ use nalgebra::{Complex, SMatrix, SVector, Vector3, Vector4};
 use super::body::ConvexBody;
 use super::equations::{Pose, Table};
 use super::friction::Friction;
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result, finite, positive, refused};
 
 /// An eigenvalue (1/s): the perturbation grows with `growth` and turns with `frequency` in the body's axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,20 +77,19 @@ pub fn quasi_steady(
     let spin = finite("the spin", spin)?;
     let mut x = Vector4::zeros();
     for part in 0..=8 {
-        table.friction = Some(friction.weakened(f64::from(part) / 8.0)?);
+        table.friction = Some(friction.weakened(f64::from(part) / 8.0));
         x = newton(&table, spin, x)?;
     }
     let (up, level) = steady(&table, &x);
-    let contact = table.slides(&Pose::seen(up, up * spin, level));
+    let [_, turning, _] = sliding(&table, &Pose::seen(up, up * spin, level));
     let growth_rates = growth_rates(&table, up, [level.x, level.y], spin)?;
-    let [slow_swing, ..] = sorted(growth_rates, |a, b| {
-        a.frequency.abs().total_cmp(&b.frequency.abs())
-    });
+    let mut slowest = growth_rates;
+    slowest.sort_by(|a, b| a.frequency.abs().total_cmp(&b.frequency.abs()));
     Ok(QuasiSteady {
         tilt: up.x.hypot(up.y).atan2(up.z),
-        spin_rate: up.dot(&contact.omega_rate),
+        spin_rate: up.dot(&turning),
         growth_rates,
-        slow_swing,
+        slow_swing: slowest[0],
     })
 }
 
@@ -99,6 +98,11 @@ fn steady(table: &Table, x: &Vector4<f64>) -> (Vector3<f64>, Vector3<f64>) {
     let speed = table.body.speed_scale(table.gravity);
     let up = upright(x[0], x[1]);
     (up, tangent(&up, [x[2] * speed, x[3] * speed]))
+}
+
+/// The rates of the vertical, of Ω and of the level velocity of a sliding body, as seen from it.
+fn sliding(table: &Table, pose: &Pose) -> [Vector3<f64>; 3] {
+    table.drift(pose, &table.slides(pose))
 }
 
 /// The slip over which friction bends, m/s.
@@ -112,11 +116,8 @@ fn newton(table: &Table, spin: f64, start: Vector4<f64>) -> Result<Vector4<f64>>
     let rate = speed / size;
     let residual = |x: &Vector4<f64>| {
         let (up, level) = steady(table, x);
-        let omega = up * spin;
-        let contact = table.slides(&Pose::seen(up, omega, level));
-        let push = contact.traction * (contact.reaction / table.body.mass);
-        let drift = (push - omega.cross(&level)) / size;
-        let turn = contact.omega_rate - up * up.dot(&contact.omega_rate);
+        let [_, turning, drift] = sliding(table, &Pose::seen(up, up * spin, level));
+        let (turn, drift) = (turning - up * up.dot(&turning), drift / size);
         Vector4::new(turn.x, turn.y, drift.x, drift.y) / (rate * rate)
     };
     let sharp = (sharpness(table) / speed).min(1.0);
@@ -124,11 +125,7 @@ fn newton(table: &Table, spin: f64, start: Vector4<f64>) -> Result<Vector4<f64>>
     let mut x = start;
     let mut value = residual(&x);
     for _ in 0..60 {
-        let jacobian = SMatrix::<f64, 4, 4>::from_columns(&core::array::from_fn::<_, 4, _>(|i| {
-            let mut shift = Vector4::zeros();
-            shift[i] = stride;
-            (residual(&(x + shift)) - residual(&(x - shift))) / (2.0 * stride)
-        }));
+        let jacobian = jacobian(residual, x, [stride; 4], [1.0; 4])?;
         let Some(step) = jacobian.lu().solve(&value) else {
             break;
         };
@@ -147,10 +144,9 @@ fn newton(table: &Table, spin: f64, start: Vector4<f64>) -> Result<Vector4<f64>>
             part *= 0.5;
         }
     }
-    Err(Error::Condition {
-        condition: "a quasi-steady state with the third axis nearly upright must exist at this spin",
-        value: spin,
-    })
+    let condition =
+        "a quasi-steady state with the third axis nearly upright must exist at this spin";
+    refused(condition, spin)
 }
 
 /// The unit vector with these components that points upward.
@@ -172,11 +168,7 @@ fn growth_rates(table: &Table, up: Vector3<f64>, [a, b]: [f64; 2], spin: f64) ->
         let up = upright(x[0], x[1]);
         let omega = Vector3::new(x[2], x[3], x[4]);
         let level = tangent(&up, [x[5], x[6]]);
-        let contact = table.slides(&Pose::seen(up, omega, level));
-        let turn = up.cross(&omega);
-        // The rate of the level velocity of C, seen from the body.
-        let drift = contact.traction * (contact.reaction / body.mass) - omega.cross(&level);
-        let r = contact.omega_rate;
+        let [turn, r, drift] = sliding(table, &Pose::seen(up, omega, level));
         SVector::from([turn.x, turn.y, r.x, r.y, r.z, drift.x, drift.y])
     };
     let sharp = sharpness(table).min(speed);
@@ -188,26 +180,19 @@ fn growth_rates(table: &Table, up: Vector3<f64>, [a, b]: [f64; 2], spin: f64) ->
     let turn = spin.abs();
     let scales = [1.0, 1.0, turn, turn, turn, swing, swing];
     let jacobian = jacobian(rate, x, [n, n, w, w, w, v, v], scales)?;
-    let values: [Complex<f64>; 7] = jacobian.complex_eigenvalues().into();
-    let [_, rest @ ..] = sorted(values, |a, b| a.norm().total_cmp(&b.norm()));
-    Ok(sorted(rest, |a, b| b.re.total_cmp(&a.re)).map(Rate::from))
+    let mut values: [Complex<f64>; 7] = jacobian.complex_eigenvalues().into();
+    values.sort_by(|a, b| a.norm().total_cmp(&b.norm()));
+    let [_, rest @ ..] = values;
+    Ok(fastest_first(rest))
 }
 
-impl From<Complex<f64>> for Rate {
-    fn from(value: Complex<f64>) -> Self {
-        Self {
-            growth: value.re,
-            frequency: value.im,
-        }
-    }
-}
-
-fn sorted<T, const N: usize>(
-    mut values: [T; N],
-    order: impl Fn(&T, &T) -> core::cmp::Ordering,
-) -> [T; N] {
-    values.sort_by(order);
-    values
+/// These eigenvalues, the fastest growing first.
+fn fastest_first<const N: usize>(mut values: [Complex<f64>; N]) -> [Rate; N] {
+    values.sort_by(|a, b| b.re.total_cmp(&a.re));
+    values.map(|Complex { re, im }| Rate {
+        growth: re,
+        frequency: im,
+    })
 }
 
 /// The Jacobian by differences of fourth order, each coordinate divided by its scale, so that the eigenvalue solver gets numbers of similar magnitude.
@@ -230,10 +215,7 @@ fn jacobian<const N: usize>(
     if matrix.iter().all(|x| x.is_finite()) {
         Ok(matrix)
     } else {
-        Err(Error::Condition {
-            condition: "the linearised equations must be finite",
-            value: matrix.sum(),
-        })
+        refused("the linearised equations must be finite", matrix.sum())
     }
 }
 
@@ -264,22 +246,19 @@ pub fn rolling_growth_rates(body: &ConvexBody, gravity: f64, spin: f64) -> Resul
     let rate = |x: &Vector4<f64>| {
         let up = upright(x[0], x[1]);
         let omega = Vector3::new(x[2], x[3], spin);
-        let contact = table.rolls(&Pose::seen(up, omega, Vector3::zeros()));
-        let turn = up.cross(&omega);
-        Vector4::new(turn.x, turn.y, contact.omega_rate.x, contact.omega_rate.y)
+        let pose = Pose::seen(up, omega, Vector3::zeros());
+        let [turn, r, _] = table.drift(&pose, &table.rolls(&pose));
+        Vector4::new(turn.x, turn.y, r.x, r.y)
     };
     let natural = body.speed_scale(gravity) / body.surface.size();
     let drift = rate(&Vector4::zeros()).amax();
     let rounding = 1e-12 * (natural * natural + spin * spin);
     if drift.is_nan() || drift > rounding {
-        return Err(Error::Condition {
-            condition: "spin about the third axis must be steady in pure rolling",
-            value: drift,
-        });
+        let condition = "spin about the third axis must be steady in pure rolling";
+        return refused(condition, drift);
     }
     let turn = natural.max(spin.abs());
     let strides = [1e-3, 1e-3, 1e-3 * turn, 1e-3 * turn];
     let jacobian = jacobian(rate, Vector4::zeros(), strides, [1.0, 1.0, turn, turn])?;
-    let values: [Complex<f64>; 4] = jacobian.complex_eigenvalues().into();
-    Ok(sorted(values, |a, b| b.re.total_cmp(&a.re)).map(Rate::from))
+    Ok(fastest_first(jacobian.complex_eigenvalues().into()))
 }

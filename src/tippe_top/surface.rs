@@ -7,12 +7,11 @@ use crate::frame::Attitude;
 
 /// The surface on which a body stands: a sphere, or an ellipsoid whose axes may be skew to those of inertia.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Surface(Shape);
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Shape {
-    Sphere { radius: f64 },
-    Ellipsoid { squares: Matrix3<f64> },
+pub struct Surface {
+    /// A typical length, m: of a sphere the radius.
+    size: f64,
+    /// The matrix with the squares of the semi-axes as eigenvalues; `None` for a sphere.
+    squares: Option<Matrix3<f64>>,
 }
 
 impl Surface {
@@ -26,8 +25,10 @@ impl Surface {
     /// assert!(Surface::sphere(0.02).is_ok() && Surface::sphere(0.0).is_err());
     /// ```
     pub fn sphere(radius: f64) -> Result<Self> {
-        let radius = positive("the radius of the surface", radius)?;
-        Ok(Self(Shape::Sphere { radius }))
+        Ok(Self {
+            size: positive("the radius of the surface", radius)?,
+            squares: None,
+        })
     }
 
     /// The ellipsoid with these semi-axes (m) along the body's axes.
@@ -44,57 +45,45 @@ impl Surface {
             positive("a semi-axis of the surface", axis)?;
         }
         let squares = Vector3::from(semi_axes).map(|axis| axis * axis);
-        Ok(Self(Shape::Ellipsoid {
-            squares: Matrix3::from_diagonal(&squares),
-        }))
+        Ok(Self {
+            size: (squares.sum() / 3.0).sqrt(),
+            squares: Some(Matrix3::from_diagonal(&squares)),
+        })
     }
 
     /// The same surface turned within the body: `turn` takes directions of the old surface to those of the new one.
     #[must_use]
     pub(crate) fn turned(&self, turn: &Attitude) -> Self {
-        match self.0 {
-            Shape::Sphere { .. } => *self,
-            Shape::Ellipsoid { squares } => {
-                let rotation = turn.quaternion().to_rotation_matrix();
-                Self(Shape::Ellipsoid {
-                    squares: rotation * squares * rotation.transpose(),
-                })
-            }
+        let rotation = turn.quaternion().to_rotation_matrix();
+        let turned = |squares| rotation * squares * rotation.transpose();
+        Self {
+            squares: self.squares.map(turned),
+            ..*self
         }
     }
 
     /// The mirror image in the plane through the first and the third axis.
     pub(crate) fn mirrored(&self) -> Self {
-        match self.0 {
-            Shape::Sphere { .. } => *self,
-            Shape::Ellipsoid { squares } => Self(Shape::Ellipsoid {
-                squares: mirrored(&squares),
-            }),
+        Self {
+            squares: self.squares.as_ref().map(mirrored),
+            ..*self
         }
     }
 
     /// Radius (m), if the surface is a sphere.
-    pub(crate) const fn radius(&self) -> Option<f64> {
-        match self.0 {
-            Shape::Sphere { radius } => Some(radius),
-            Shape::Ellipsoid { .. } => None,
-        }
+    pub(crate) fn radius(&self) -> Option<f64> {
+        self.squares.is_none().then_some(self.size)
     }
 
     /// A typical length of the surface, m.
-    pub(crate) fn size(&self) -> f64 {
-        match self.0 {
-            Shape::Sphere { radius } => radius,
-            Shape::Ellipsoid { squares } => (squares.trace() / 3.0).sqrt(),
-        }
+    pub(crate) const fn size(&self) -> f64 {
+        self.size
     }
 
     /// The greatest distance of a point of the surface from its centre, m.
     pub(crate) fn greatest(&self) -> f64 {
-        match self.0 {
-            Shape::Sphere { radius } => radius,
-            Shape::Ellipsoid { squares } => squares.trace().sqrt(),
-        }
+        let squares = self.squares.as_ref();
+        squares.map_or(self.size, |squares| squares.trace().sqrt())
     }
 
     /// The support map S(n): from the centre to the point whose outward normal is the unit vector n (models of tutorial 4.7).
@@ -108,17 +97,15 @@ impl Surface {
         n: &Vector3<f64>,
         rate: &Vector3<f64>,
     ) -> (Vector3<f64>, Vector3<f64>) {
-        match self.0 {
-            Shape::Sphere { radius } => (n * radius, rate * radius),
-            Shape::Ellipsoid { squares } => {
-                let image = squares * n;
-                let size = n.dot(&image).sqrt();
-                let support = image / size;
-                let moved = squares * rate;
-                let shift = support * (support.dot(rate) / size);
-                (support, moved / size - shift)
-            }
-        }
+        let Some(squares) = &self.squares else {
+            return (n * self.size, rate * self.size);
+        };
+        let image = squares * n;
+        let size = n.dot(&image).sqrt();
+        let support = image / size;
+        let moved = squares * rate;
+        let shift = support * (support.dot(rate) / size);
+        (support, moved / size - shift)
     }
 }
 

@@ -137,7 +137,8 @@ impl LongRun {
     }
 }
 
-/// Indices of w and ω in the state.
+/// Indices of u, w and ω in the state.
+const U: usize = 3;
 const W: usize = 4;
 const OMEGA: usize = 5;
 
@@ -147,13 +148,12 @@ const SAMPLE: f64 = 0.1;
 /// The longest run, units a/U.
 const LONGEST: f64 = 2e5;
 
+/// A time and the state then.
+type Sample = (f64, [f64; 7]);
+
 /// A passage through the edge-on position, w = 0; or, for a plate that is never edge on, an end of a swing, ω = 0.
 struct Passage {
-    time: f64,
-    /// θ, with its turns counted.
-    theta: f64,
-    /// θ, u, w and ω, with the plate turned by π if it moved the other way, since its two sides are alike.
-    section: [f64; 4],
+    at: Sample,
     /// Whether the quantity falls through zero there.
     falling: bool,
 }
@@ -246,78 +246,62 @@ impl Fall {
             .map(|k| run_up + step * k as f64)
             .collect();
         let path = self.path(start, &times)?;
-        let edge_on = self.crossings(&times, &path, W)?;
-        let ends = self.crossings(&times, &path, OMEGA)?;
+        let samples: Vec<Sample> = times.into_iter().zip(path).collect();
+        let edge_on = self.crossings(&samples, W)?;
+        let ends = self.crossings(&samples, OMEGA)?;
         // Half the range of the angles at which it turns back.
-        let swing = 0.5 * range(ends.iter().map(|end| end.theta));
+        let swing = 0.5 * range(ends.iter().map(|end| end.at.1[2]));
         // All edge-on passages, or all left ends of swings.
         let passages: Vec<Passage> = if edge_on.len() > 2 {
             edge_on
         } else {
             ends.into_iter().filter(|end| end.falling).collect()
         };
-        let regime = regime(&path);
+        let (regime, begin) = (regime(&samples), samples[0]);
         let (first, last, period) = match repeats(&passages) {
             // Whole periods only: from the first passage to the last equivalent one.
             Some(every) if passages.len() > every => {
-                let last = (passages.len() - 1) / every * every;
-                let period = (passages[last].time - passages[0].time) * every as f64 / last as f64;
-                (passages[0].time, passages[last].time, Some(period))
+                let count = (passages.len() - 1) / every * every;
+                let (first, last) = (passages[0].at, passages[count].at);
+                let period = (last.0 - first.0) * every as f64 / count as f64;
+                (first, last, Some(period))
             }
-            _ => (times[0], times[times.len() - 1], None),
+            _ => (begin, samples[samples.len() - 1], None),
         };
-        let ends = [first, last].map(|t| self.between(&times, &path, t));
-        let mean = |i: usize| (ends[1][i] - ends[0][i]) / (last - first);
-        let from = path[0][0];
+        let mean = |i: usize| (last.1[i] - first.1[i]) / (last.0 - first.0);
+        let aside = samples.iter().map(|(_, y)| (y[0] - begin.1[0]).abs());
         Ok(LongRun {
             regime,
             rotation: mean(2),
             drift: mean(0),
             descent: -mean(1),
-            reach: path.iter().map(|s| (s[0] - from).abs()).fold(0.0, f64::max),
+            reach: aside.fold(0.0, f64::max),
             swing: (regime == Regime::Flutter && swing >= 0.0).then_some(swing),
             period,
         })
     }
 
     /// All times at which a component of the state changes sign, and whether it was falling.
-    fn crossings(
-        &self,
-        times: &[f64],
-        path: &[[f64; 7]],
-        component: usize,
-    ) -> Result<Vec<Passage>> {
+    fn crossings(&self, samples: &[Sample], component: usize) -> Result<Vec<Passage>> {
         let mut crossings = Vec::new();
-        for k in 1..path.len() {
-            let falling = path[k - 1][component] > 0.0;
-            if falling == (path[k][component] > 0.0) {
+        for [from, to] in samples.array_windows() {
+            let falling = from.1[component] > 0.0;
+            if falling == (to.1[component] > 0.0) {
                 continue;
             }
             // By bisection on the cubic through values and rates.
-            let still = |t| Ok((self.hermite(times, path, k, t)[component] > 0.0) == falling);
-            let width = 1e-12 * (times[k] - times[k - 1]);
-            let [low, _] = halved([times[k - 1], times[k]], width, still)?;
-            let [_, _, theta, u, w, omega, _] = self.hermite(times, path, k, low);
-            let section = if component == OMEGA || falling {
-                [theta.rem_euclid(TAU), u, w, omega]
-            } else {
-                [(theta + PI).rem_euclid(TAU), -u, -w, omega]
-            };
-            crossings.push(Passage {
-                time: low,
-                theta,
-                section,
-                falling,
-            });
+            let still = |t| Ok((self.between(from, to, t)[component] > 0.0) == falling);
+            let [time, _] = halved([from.0, to.0], 1e-12 * (to.0 - from.0), still)?;
+            let at = (time, self.between(from, to, time));
+            crossings.push(Passage { at, falling });
         }
         Ok(crossings)
     }
 
-    /// The state between samples k − 1 and k, by the cubic through their values and rates.
-    fn hermite(&self, times: &[f64], path: &[[f64; 7]], k: usize, time: f64) -> [f64; 7] {
-        let step = times[k] - times[k - 1];
-        let s = (time - times[k - 1]) / step;
-        let (from, to) = (&path[k - 1], &path[k]);
+    /// The state between two samples, by the cubic through their values and rates.
+    fn between(&self, (begin, from): &Sample, (end, to): &Sample, time: f64) -> [f64; 7] {
+        let step = end - begin;
+        let s = (time - begin) / step;
         let rates = [from, to].map(|state| self.equations.rate(0.0, state));
         core::array::from_fn(|i| {
             let rise = to[i] - from[i];
@@ -325,18 +309,13 @@ impl Fall {
             from[i] + s * rise + s * (1.0 - s) * ((1.0 - s) * bend[0] + s * bend[1])
         })
     }
-
-    fn between(&self, times: &[f64], path: &[[f64; 7]], time: f64) -> [f64; 7] {
-        let k = times.partition_point(|&t| t < time);
-        self.hermite(times, path, k.clamp(1, times.len() - 1), time)
-    }
 }
 
 /// The regime of a sampled path.
-fn regime(path: &[[f64; 7]]) -> Regime {
-    let angles = || path.iter().map(|state| state[2]);
+fn regime(path: &[Sample]) -> Regime {
+    let angles = || path.iter().map(|(_, state)| state[2]);
     let range = range(angles());
-    let net = path[path.len() - 1][2] - path[0][2];
+    let net = path[path.len() - 1].1[2] - path[0].1[2];
     if range < 1e-3 {
         Regime::Steady
     } else if range < TAU {
@@ -367,9 +346,14 @@ fn turned_back(angles: impl Iterator<Item = f64>) -> f64 {
 /// The number of passages after which the motion repeats itself, if it does so throughout.
 fn repeats(passages: &[Passage]) -> Option<usize> {
     let alike = |a: &Passage, b: &Passage| {
-        let turn = (a.section[0] - b.section[0] + PI).rem_euclid(TAU) - PI;
-        let apart = (1..4).map(|i| (a.section[i] - b.section[i]).abs());
-        turn.abs() + apart.sum::<f64>() < 1e-3
+        // The two sides of the plate are alike: one that moves the other way is turned by π.
+        let (turned, sense) = match a.falling == b.falling {
+            true => (0.0, 1.0),
+            false => (PI, -1.0),
+        };
+        let turn = (a.at.1[2] - b.at.1[2] + turned + PI).rem_euclid(TAU) - PI;
+        let apart = |i: usize, sense: f64| (a.at.1[i] - sense * b.at.1[i]).abs();
+        turn.abs() + apart(U, sense) + apart(W, sense) + apart(OMEGA, 1.0) < 1e-3
     };
     (1..=passages.len() / 2).find(|&every| {
         passages[every..]

@@ -137,8 +137,8 @@ struct Masses {
     along: f64,
     across: f64,
     moment: f64,
-    /// Broadside added mass less the edgewise one, if there is added mass.
-    difference: Option<f64>,
+    /// Broadside added mass less the edgewise one.
+    difference: f64,
 }
 
 /// Force along the chord and across it (N/m), torque about the long axis (N), and the power turned into heat (W/m).
@@ -190,22 +190,14 @@ impl Equations {
             thickness_ratio: beta,
             ..
         } = self.plate;
-        let moment = self.plate.moment();
-        let Some(AddedMass { factor }) = self.added_mass else {
-            return Masses {
-                along: mass,
-                across: mass,
-                moment,
-                difference: None,
-            };
-        };
-        let fluid = factor * self.plate.displaced_mass();
+        let carried = |added: AddedMass| added.factor * self.plate.displaced_mass();
+        let fluid = self.added_mass.map_or(0.0, carried);
         let flat = (1.0 - beta) * (1.0 + beta);
         Masses {
             along: mass + beta * beta * fluid,
             across: mass + fluid,
-            moment: moment + fluid * a * a * flat * flat / 8.0,
-            difference: Some(fluid * flat),
+            moment: self.plate.moment() + fluid * a * a * flat * flat / 8.0,
+            difference: fluid * flat,
         }
     }
 
@@ -246,9 +238,7 @@ impl Equations {
             load.heating += torque * omega;
         }
         // The difference of the two added masses turns a plate broadside to its motion.
-        if let Some(difference) = masses.difference {
-            load.torque -= difference * u * w;
-        }
+        load.torque -= masses.difference * u * w;
         load
     }
 

@@ -203,29 +203,28 @@ impl Crawler {
     /// needed for that is no more than `holding` times its mass, and otherwise starts to slip against that force.
     pub(crate) fn leg(&self, feet: [Foot; 2], gap: &Gap, sliding: f64, holding: f64) -> Leg {
         let (masses, alpha) = (self.masses, gap.acceleration);
-        // The acceleration of the other foot as seen from each foot.
-        let parting = [alpha, -alpha];
         let held = |feet: &[Foot; 2]| feet.iter().position(|&foot| foot == Foot::Holds);
+        // The force that holds a foot, from the acceleration of the other one as seen from it and the friction on that.
+        let needed = |foot: usize, feet: &[Foot; 2]| {
+            let (parting, other) = ([alpha, -alpha][foot], 1 - foot);
+            masses[other] * (parting + sliding * feet[other].sign())
+        };
+        let holds = |foot, feet: &[Foot; 2]| needed(foot, feet).abs() <= masses[foot] * holding;
         let mut feet = feet;
         if feet == [Foot::Holds; 2] {
             // One holds and the other starts to slip, or both slip: outward when the gap accelerates outward.
-            let strength = alpha.abs() + sliding;
-            let holds = |&foot: &usize| masses[1 - foot] * strength <= masses[foot] * holding;
             feet = [Foot::toward(-alpha), Foot::toward(alpha)];
-            if let Some(foot) = [0, 1].into_iter().find(holds) {
+            if let Some(foot) = [0, 1].into_iter().find(|&foot| holds(foot, &feet)) {
                 feet[foot] = Foot::Holds;
             }
-        } else if let Some(foot) = held(&feet) {
-            let other = 1 - foot;
-            let needed = masses[other] * (parting[foot] + sliding * feet[other].sign());
-            if needed.abs() > masses[foot] * holding {
-                feet[foot] = Foot::toward(-needed);
-            }
+        } else if let Some(foot) = held(&feet)
+            && !holds(foot, &feet)
+        {
+            feet[foot] = Foot::toward(-needed(foot, &feet));
         }
         let mut ground = [0, 1].map(|foot| -sliding * masses[foot] * feet[foot].sign());
         let center = if let Some(foot) = held(&feet) {
-            let other = 1 - foot;
-            ground[foot] = masses[other] * parting[foot] - ground[other];
+            ground[foot] = needed(foot, &feet);
             self.holding(foot, alpha)
         } else {
             (ground[0] + ground[1]) / self.mass()
@@ -246,14 +245,10 @@ impl Crawler {
 
     /// Heat, W, at these velocities of the feet.
     pub(crate) fn heating(&self, leg: &Leg, velocities: [f64; 2]) -> f64 {
-        let foot = |k: usize| {
-            if leg.feet[k] == Foot::Holds {
-                0.0
-            } else {
-                -leg.ground[k] * velocities[k]
-            }
-        };
-        foot(0) + foot(1)
+        let slipping = (0..2).filter(|&foot| leg.feet[foot] != Foot::Holds);
+        slipping
+            .map(|foot| -leg.ground[foot] * velocities[foot])
+            .sum()
     }
 
     /// Speed (m/s) and acceleration (m/s²) of a slipping foot in its direction, if it slows down while neither foot holds: only then can it come to rest.

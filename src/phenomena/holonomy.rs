@@ -90,19 +90,19 @@ pub fn turn_within(plane: &impl ShapePlane, path: impl Fn(f64) -> Step, hub: Hub
     finite("the turn along a path", path(0.0).shape[0])?;
     let ray = |s: f64| {
         let Step { shape, rate } = path(s);
-        match hub {
+        let (swept, density) = match hub {
             Hub::Point([x, psi]) => {
                 let (out, across) = (shape[0] - x, shape[1] - psi);
                 // dx dψ = ρ (out ψ′ − across x′) dρ ds.
-                let swept = out * rate[1] - across * rate[0];
                 let density = integral(|rho| rho * plane.curvature(x + rho * out), 0.0, 1.0, 0.0);
-                -swept * density.unwrap_or(f64::NAN)
+                (out * rate[1] - across * rate[0], density)
             }
             Hub::Pole => {
                 let along = integral(|x| plane.curvature(x), 0.0, shape[0], 0.0);
-                -rate[1] * along.unwrap_or(f64::NAN)
+                (rate[1], along)
             }
-        }
+        };
+        -swept * density.unwrap_or(f64::NAN)
     };
     periodic(ray)
 }

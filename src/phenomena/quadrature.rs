@@ -22,13 +22,40 @@ pub(crate) fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64, accuracy: f64
     }
     let (whole, size, greatest) = sums(&f, from, to);
     finite("an integral", whole)?;
-    let mut halving = Halving {
-        f,
-        ends: [from, to],
-        variable: 4.0 * f64::EPSILON * from.abs().max(to.abs()) * greatest,
-        panels: MOST_PANELS,
-    };
-    halving.settled([from, to], whole, size * accuracy.max(1e-14), 40)
+    // The change of the integral by the rounding of the variable.
+    let variable = 4.0 * f64::EPSILON * from.abs().max(to.abs()) * greatest;
+    let (mut settled, mut halvings) = (DoubleDouble::from(0.0), 0);
+    // What is left, the first interval last: ends, estimate, what it may be off, and how often it may be halved.
+    let mut left = vec![([from, to], whole, size * accuracy.max(1e-14), 40)];
+    while let Some(([begin, end], whole, allowed, deeper)) = left.pop() {
+        if halvings == MOST_HALVINGS {
+            return Err(Error::OutOfRange {
+                quantity: "the end of what a million evaluations integrate",
+                value: to,
+                least: from.min(begin),
+                greatest: from.max(begin),
+            });
+        }
+        halvings += 1;
+        let middle = 0.5 * (begin + end);
+        let (first, a, _) = sums(&f, begin, middle);
+        let (second, b, _) = sums(&f, middle, end);
+        let off = (finite("an integral", first + second)? - whole).abs();
+        // Nothing can be gained below the rounding of the sum itself or of the variable.
+        let noise = variable.max(4.0 * f64::EPSILON * (a + b));
+        if off <= allowed.max(noise) {
+            settled = settled + DoubleDouble::sum(first, second);
+        } else if deeper > 0 {
+            left.push(([middle, end], second, 0.5 * allowed, deeper - 1));
+            left.push(([begin, middle], first, 0.5 * allowed, deeper - 1));
+        } else {
+            return Err(Error::Accuracy {
+                asked: allowed,
+                reached: off,
+            });
+        }
+    }
+    Ok(settled.value())
 }
 
 /// ∮ f(s) ds over one turn, for a smooth function of period 2π.
@@ -86,58 +113,8 @@ fn sums(f: impl Fn(f64) -> f64, from: f64, to: f64) -> (f64, f64, f64) {
     (half * sum, half.abs() * size, greatest)
 }
 
-/// Panels of 20 evaluations, a million in all.
-const MOST_PANELS: u32 = 50_000;
-
-/// An integral while its intervals are halved.
-struct Halving<F> {
-    f: F,
-    ends: [f64; 2],
-    /// The change of the integral by the rounding of the variable.
-    variable: f64,
-    /// Panels still allowed.
-    panels: u32,
-}
-
-impl<F: Fn(f64) -> f64> Halving<F> {
-    /// The integral over one interval, by at most this many halvings; `whole` is the first estimate.
-    fn settled(
-        &mut self,
-        [from, to]: [f64; 2],
-        whole: f64,
-        allowed: f64,
-        left: u32,
-    ) -> Result<f64> {
-        if self.panels < 2 {
-            let [beginning, end] = self.ends;
-            return Err(Error::OutOfRange {
-                quantity: "the end of what a million evaluations integrate",
-                value: end,
-                least: beginning.min(from),
-                greatest: beginning.max(from),
-            });
-        }
-        self.panels -= 2;
-        let middle = 0.5 * (from + to);
-        let (first, a, _) = sums(&self.f, from, middle);
-        let (second, b, _) = sums(&self.f, middle, to);
-        let sum = first + second;
-        finite("an integral", sum)?;
-        // Nothing can be gained below the rounding of the sum itself or of the variable.
-        let noise = self.variable.max(4.0 * f64::EPSILON * (a + b));
-        if (sum - whole).abs() <= allowed.max(noise) {
-            return Ok(sum);
-        }
-        if left == 0 {
-            return Err(Error::Accuracy {
-                asked: allowed,
-                reached: (sum - whole).abs(),
-            });
-        }
-        let first = self.settled([from, middle], first, 0.5 * allowed, left - 1)?;
-        Ok(first + self.settled([middle, to], second, 0.5 * allowed, left - 1)?)
-    }
-}
+/// Halvings of 40 evaluations, a million in all.
+const MOST_HALVINGS: u32 = 25_000;
 
 /// Nodes and weights on −1…1, the positive half.
 const GAUSS: [[f64; 2]; 10] = [

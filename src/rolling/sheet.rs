@@ -1,7 +1,7 @@
 //! A ball on a sheet that is withdrawn from under it (tutorial 4.5): it stops dead.
 
 use super::friction::Coulomb;
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result, finite, positive, refused};
 
 /// The speed of the sheet from time 0 on: linear between the points given, constant after the last one.
 ///
@@ -31,20 +31,15 @@ impl SheetSpeeds {
             });
         };
         if first != 0.0 {
-            return Err(Error::Condition {
-                condition: "the sheet's speeds must begin at time 0",
-                value: first,
-            });
+            return refused("the sheet's speeds must begin at time 0", first);
         }
         for &(time, speed) in &points {
             finite("the time of a speed of the sheet", time)?;
             finite("the speed of the sheet", speed)?;
         }
         if let Some(pair) = points.windows(2).find(|pair| pair[1].0 < pair[0].0) {
-            return Err(Error::Condition {
-                condition: "the times of the sheet's speeds must not decrease",
-                value: pair[1].0,
-            });
+            let condition = "the times of the sheet's speeds must not decrease";
+            return refused(condition, pair[1].0);
         }
         Ok(Self { points })
     }
@@ -64,7 +59,7 @@ impl SheetSpeeds {
         Self::through([(0.0, 0.0), (time, speed)])
     }
 
-    /// The speed at a time, m/s; at a jump the one after it.
+    /// The speed at a time, m/s; at a jump the one after it, and before time 0 that at 0.
     ///
     /// ```
     /// use spinning_bodies::rolling::SheetSpeeds;
@@ -72,15 +67,17 @@ impl SheetSpeeds {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn at(&self, t: f64) -> f64 {
-        let after = self.points.partition_point(|point| point.0 <= t);
-        match (
-            after.checked_sub(1).map(|i| self.points[i]),
-            self.points.get(after),
-        ) {
-            (Some(from), Some(to)) => from.1 + (t - from.0) * (to.1 - from.1) / (to.0 - from.0),
-            (Some(from), None) => from.1,
-            (None, _) => self.points[0].1,
-        }
+        let t = t.clamp(0.0, f64::MAX);
+        let begun = self.points.partition_point(|point| point.0 <= t);
+        let (from, to) = self.leg(begun.saturating_sub(1));
+        from.1 + (t - from.0) * (to.1 - from.1) / (to.0 - from.0)
+    }
+
+    /// Leg number `index` of the motion: times (s) and speeds (m/s) of its two ends, the last one open.
+    pub(super) fn leg(&self, index: usize) -> ((f64, f64), (f64, f64)) {
+        let from = self.points[index.min(self.points.len() - 1)];
+        let to = self.points.get(index + 1).copied();
+        (from, to.unwrap_or((f64::INFINITY, from.1)))
     }
 
     /// The points.
@@ -143,13 +140,5 @@ impl Sheet {
     /// From its edge to the point of contact at time 0, m.
     pub(crate) fn margin(&self) -> f64 {
         self.margin
-    }
-
-    /// Leg number `index` of its motion: times (s) and speeds (m/s) of its two ends, the last one open.
-    pub(crate) fn leg(&self, index: usize) -> ((f64, f64), (f64, f64)) {
-        let points = &self.speeds.points;
-        let from = points[index.min(points.len() - 1)];
-        let to = points.get(index + 1).copied();
-        (from, to.unwrap_or((f64::INFINITY, from.1)))
     }
 }

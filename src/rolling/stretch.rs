@@ -157,20 +157,16 @@ impl<'a> Laws<'a> {
         let (mut law, mut ground) = (self.friction, 0.0);
         if let Some(sheet) = self.sheet {
             let on_sheet = on_sheet == Some(true);
-            let (mut from, mut to) = sheet.leg(leg);
+            let (mut from, mut to) = sheet.speeds().leg(leg);
             while to.0 <= start {
                 if on_sheet && to.0 <= from.0 {
                     // A jump in the sheet's speed.
                     state[3] -= to.1 - from.1;
                 }
                 leg += 1;
-                (from, to) = sheet.leg(leg);
+                (from, to) = sheet.speeds().leg(leg);
             }
-            let slope = if to.0.is_finite() {
-                (to.1 - from.1) / (to.0 - from.0)
-            } else {
-                0.0
-            };
+            let slope = (to.1 - from.1) / (to.0 - from.0);
             (leg_ends, moves) = (to.0, [from.1 + (start - from.0) * slope, slope]);
             if on_sheet {
                 (law, ground) = (Some(sheet.friction()), slope);
@@ -271,8 +267,13 @@ impl Stretch {
     /// The state `t` seconds after the start: quadratics in time.
     pub fn at(&self, t: f64) -> State {
         let rates = self.rates(0.0, &self.state);
-        let bends = self.flow(self.pace.rates, [0.0; 3], self.sheet[1]);
+        let bends = self.bends();
         core::array::from_fn(|n| self.state[n] + t * (rates[n] + 0.5 * t * bends[n]))
+    }
+
+    /// The second derivatives of the state, which are constant.
+    fn bends(&self) -> State {
+        self.flow(self.pace.rates, [0.0; 3], self.sheet[1])
     }
 
     /// The rates of the state `t` seconds after the start.
@@ -315,8 +316,7 @@ impl Stretch {
 
     /// The first event that ends the stretch before `longest`, and the time until it.
     pub fn next(&self, longest: f64) -> Option<(f64, Happening)> {
-        let (rates, mut bends) = (self.rates(0.0, &self.state), [0.0; 8]);
-        bends[7] = self.pace.rates[0] - self.sheet[1];
+        let (rates, bends) = (self.rates(0.0, &self.state), self.bends());
         let motions = self.ends(&self.state).zip(self.ends(&rates));
         let motions = motions.zip(self.ends(&bends));
         let mut soonest = None;

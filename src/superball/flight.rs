@@ -1,7 +1,7 @@
 //! A superball in flight (tutorial 4.6): from the hand to the floor, to the underside of a table, and so on, with the times of the bounces.
 
 use super::{BounceRotation, Motion, Restitution, Surface, bounce_with, gripping_bounce};
-use crate::error::{Error, Result, finite, not_negative, positive, within};
+use crate::error::{Error, Result, finite, not_negative, positive, refused, within};
 use crate::precise::{DoubleDouble, Number};
 use crate::rolling::{Coulomb, Course, Load, Moment};
 
@@ -264,10 +264,8 @@ impl Flight {
 
     fn after_flights(&self, t: f64) -> Result<InFlight> {
         if !self.is_elastic() {
-            return Err(Error::Condition {
-                condition: "for the closed form the ball must have no losses and must not slip",
-                value: self.kappa,
-            });
+            let condition = "for the closed form the ball must have no losses and must not slip";
+            return refused(condition, self.kappa);
         }
         let start = &self.start;
         let Some((first_time, first, speed)) = self.contact(start) else {
@@ -518,10 +516,8 @@ impl Flight {
         } else if tangential == -1.0 {
             (t * motion.velocity, [motion.velocity, motion.rim_speed])
         } else {
-            return Err(Error::Condition {
-                condition: "tangential restitution must be below 1 for a motion after infinitely many bounces, each of which reverses the contact speed",
-                value: tangential,
-            });
+            let condition = "tangential restitution must be below 1 for a motion after infinitely many bounces, each of which reverses the contact speed";
+            return refused(condition, tangential);
         };
         Ok(InFlight {
             position: landed + way,

@@ -1,9 +1,11 @@
 //! Imperfect superballs: restitution along and across the surface, and a contact that slips.
 
+use core::ops::{Add, Mul, Sub};
+
 use num_traits::Num;
 
 use super::{Motion, Surface};
-use crate::error::{Error, Result, not_negative, positive, within};
+use crate::error::{Result, not_negative, positive, refused, within};
 use crate::integrators::halved;
 use crate::rolling::Coulomb;
 
@@ -20,7 +22,7 @@ impl Restitution {
     /// Along the surface, 1 is the superball, 0 a ball that leaves the surface rolling, −1 a frictionless ball.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`], [`Error::NotFinite`].
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange), [`Error::NotFinite`](crate::Error::NotFinite).
     ///
     /// ```
     /// use spinning_bodies::superball::Restitution;
@@ -48,7 +50,7 @@ impl Restitution {
     /// Infinite for e_n = 1. Error: 2 ε, next to e_n = 1 as well, where 1 − e_n is exact. [`Flight::last_contact`](super::Flight::last_contact) gives the time at which the bounces end.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::Negative`] for the height.
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Negative`](crate::Error::Negative) for the height.
     ///
     /// ```
     /// let path = spinning_bodies::superball::Restitution::new(0.5, 1.0)?.path_of_a_drop(3.0)?;
@@ -69,7 +71,7 @@ impl Restitution {
     /// `None` if it never does: for e_n = 1, or `least` = 0 with e_n > 0. If e_nⁿ equals the ratio of the speeds to within 4 units in the last place of n, that n is taken.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::Negative`] for a speed.
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Negative`](crate::Error::Negative) for a speed.
     ///
     /// ```
     /// let ball = spinning_bodies::superball::Restitution::new(0.5, 1.0)?;
@@ -155,7 +157,11 @@ pub fn gripping_bounce(
     kicked(before, surface, kappa, turned)
 }
 
-fn kicked<T: Num + Copy>(before: Motion<T>, surface: Surface, kappa: T, turned: T) -> Motion<T> {
+/// The motion after a bounce that adds `turned` to the rim speed along the surface; V + κRΩ there does not change.
+pub(super) fn kicked<T>(before: Motion<T>, surface: Surface, kappa: T, turned: T) -> Motion<T>
+where
+    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>,
+{
     Motion {
         velocity: before.velocity - kappa * turned,
         rim_speed: match surface {
@@ -170,8 +176,8 @@ fn kicked<T: Num + Copy>(before: Motion<T>, surface: Surface, kappa: T, turned: 
 /// With a = (1+e_t)/(1+κ), V₃/V = 1 − κa(3 + (1−3κ)a + (1−κ)²a²), which falls with a; its root is found by bisection, to rounding. 0.13809 for κ = 2/5.
 ///
 /// # Errors
-/// [`Error::NotPositive`], [`Error::NotFinite`] for κ; [`Error::OutOfRange`] above 2/3, the thin shell's, where V₃ is no longer monotone;
-/// [`Error::Condition`] below 0.0718, where the superball itself does not come back.
+/// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite) for κ; [`Error::OutOfRange`](crate::Error::OutOfRange) above 2/3, the thin shell's, where V₃ is no longer monotone;
+/// [`Error::Condition`](crate::Error::Condition) below 0.0718, where the superball itself does not come back.
 ///
 /// ```
 /// use spinning_bodies::superball::{Motion, Surface, bounce_with, return_threshold};
@@ -191,10 +197,8 @@ pub fn return_threshold(kappa: f64) -> Result<f64> {
     // The slope 3 + 2ba + 3ca² has the discriminant 4b² − 36c, which is negative for κ < 2/3.
     let value = |a: f64| kappa * a * (3.0 + a * (b + a * c)) - 1.0;
     if value(most) < 0.0 {
-        return Err(Error::Condition {
-            condition: "the inertia factor must be large enough for a superball to come back after three bounces",
-            value: kappa,
-        });
+        let condition = "the inertia factor must be large enough for a superball to come back after three bounces";
+        return refused(condition, kappa);
     }
     let [_, root] = halved([0.0, most], 0.0, |a| Ok(value(a) < 0.0))?;
     Ok(root * (1.0 + kappa) - 1.0)

@@ -19,12 +19,14 @@ pub use flight::{Flight, InFlight};
 pub use losses::{Restitution, bounce_with, gripping_bounce, return_threshold};
 
 use core::f64::consts::PI;
+use core::ops::{Add, Mul, Sub};
 
 use num_rational::Ratio;
 use num_traits::{CheckedAdd, CheckedDiv, CheckedMul, CheckedSub, Num};
 
 use crate::error::{Result, finite, not_negative, positive, within};
-use crate::precise::{DoubleDouble, Number};
+use crate::precise::DoubleDouble;
+use losses::kicked;
 
 /// Velocity and rim speed, which a bounce changes, in the same unit of speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,7 +62,10 @@ impl Surface {
     }
 }
 
-impl<T: Num + Copy> Motion<T> {
+impl<T> Motion<T>
+where
+    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>,
+{
     /// Velocity of the contact point: V − RΩ at the floor, V + RΩ at the ceiling (4.6).
     ///
     /// ```
@@ -238,24 +243,17 @@ impl Iterator for UnderTable<f64> {
     type Item = Motion<f64>;
 
     fn next(&mut self) -> Option<Motion<f64>> {
-        let velocity = DoubleDouble::new(self.motion.velocity, self.rest.velocity);
-        let rim_speed = DoubleDouble::new(self.motion.rim_speed, self.rest.rim_speed);
-        let towards = match self.next {
-            Surface::Floor => rim_speed,
-            Surface::Ceiling => -rim_speed,
+        let before = Motion {
+            velocity: DoubleDouble::new(self.motion.velocity, self.rest.velocity),
+            rim_speed: DoubleDouble::new(self.motion.rim_speed, self.rest.rim_speed),
         };
-        // As in [`bounce`], the rim speed counted along the surface.
-        let slip = velocity - towards;
+        // As in [`bounce`].
+        let slip = before.contact_speed(self.next);
         let turned = (slip + slip) / DoubleDouble::sum(1.0, self.kappa);
-        let towards = towards + turned;
-        let velocity = velocity - turned.times(self.kappa);
-        let rim_speed = match self.next {
-            Surface::Floor => towards,
-            Surface::Ceiling => -towards,
-        };
+        let after = kicked(before, self.next, DoubleDouble::from(self.kappa), turned);
         let part = |of: fn(DoubleDouble) -> f64| Motion {
-            velocity: of(velocity),
-            rim_speed: of(rim_speed),
+            velocity: of(after.velocity),
+            rim_speed: of(after.rim_speed),
         };
         (self.motion, self.rest) = (part(DoubleDouble::high), part(DoubleDouble::low));
         self.next = self.next.opposite();
@@ -465,15 +463,12 @@ pub fn spring_bounce(
     let (sin, cos) = half_phase.sin_cos();
     // 1 − cos of the whole phase, over 2: the part of the full bounce that takes place.
     let part = sin * sin;
-    let full = bounce(before, surface, kappa);
-    let blend = |before: f64, after: f64| (1.0 - part) * before + part * after;
-    let velocity = blend(before.velocity, full.velocity);
-    let rim_speed = blend(before.rim_speed, full.rim_speed);
+    let slip = before.contact_speed(surface);
+    let motion = kicked(before, surface, kappa, part * (slip + slip) / (1.0 + kappa));
+    finite("the velocity after the bounce", motion.velocity)?;
+    finite("the rim speed after the bounce", motion.rim_speed)?;
     Ok(SpringBounce {
-        motion: Motion {
-            velocity: finite("the velocity after the bounce", velocity)?,
-            rim_speed: finite("the rim speed after the bounce", rim_speed)?,
-        },
+        motion,
         kept_by_spring: (2.0 * sin * cos).powi(2),
     })
 }

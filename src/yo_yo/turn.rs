@@ -4,7 +4,7 @@ use core::f64::consts::{FRAC_2_PI, FRAC_PI_4};
 
 use super::YoYo;
 use crate::elliptic::{Modulus, Parameter, incomplete_first};
-use crate::error::{Error, Result, finite, not_negative, positive};
+use crate::error::{Result, finite, not_negative, positive, refused};
 
 /// The turn at the end of the string: the string is all out, and the yo-yo swings half a turn about the string's end.
 ///
@@ -51,7 +51,7 @@ impl Turn {
     /// The turn that begins with this spin (rad/s) under `gravity` (m/s²).
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::Negative`]; [`Error::Condition`] if the spin is less than after
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive), [`Error::Negative`](crate::Error::Negative); [`Error::Condition`](crate::Error::Condition) if the spin is less than after
     /// a fall of one radius of the axle: then the yo-yo swings rather than turns.
     ///
     /// ```
@@ -72,10 +72,8 @@ impl Turn {
         let pull = gravity * r / (r * r + toy.gyration_squared());
         let (slack, fastest) = (omega * omega - 2.0 * pull, omega * omega + 2.0 * pull);
         if slack <= 0.0 {
-            return Err(Error::Condition {
-                condition: "the spin at the end of the string must carry the axle round it, omega² > 2 m g r/(I + m r²)",
-                value: omega,
-            });
+            let condition = "the spin at the end of the string must carry the axle round it, omega² > 2 m g r/(I + m r²)";
+            return refused(condition, omega);
         }
         let parameter = Parameter::new(4.0 * pull / fastest, slack / fastest)?;
         let fastest = fastest.sqrt();
@@ -103,7 +101,7 @@ impl Turn {
     /// The state at a time after the beginning of the turn (s; clamped to the turn).
     ///
     /// # Errors
-    /// [`Error::NotFinite`].
+    /// [`Error::NotFinite`](crate::Error::NotFinite).
     ///
     /// ```
     /// use spinning_bodies::yo_yo::{Turn, YoYo};

@@ -2,7 +2,7 @@
 
 use super::YoYo;
 use crate::elliptic::{rd, rf};
-use crate::error::{Error, Result, finite, not_negative, positive, within};
+use crate::error::{Result, finite, not_negative, positive, refused, within};
 
 /// A motion down the string, or, run backwards, up it: from its upper end to the end of the string.
 ///
@@ -29,7 +29,7 @@ impl Unwinding {
     /// The motion of this yo-yo under `gravity` (m/s², not negative) with the energy `energy` (J, zero for rest at the hand).
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::Condition`] if its energy is too small for it to be anywhere above the end of the
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Negative`](crate::Error::Negative); [`Error::Condition`](crate::Error::Condition) if its energy is too small for it to be anywhere above the end of the
     /// string, or, without gravity, zero.
     ///
     /// ```
@@ -45,10 +45,8 @@ impl Unwinding {
         let e = energy / toy.mass;
         let top = if e < 0.0 { -e / gravity } else { 0.0 };
         if (gravity == 0.0 && energy <= 0.0) || top >= toy.length {
-            return Err(Error::Condition {
-                condition: "the yo-yo must have enough energy to leave the end of the string",
-                value: energy,
-            });
+            let condition = "the yo-yo must have enough energy to leave the end of the string";
+            return refused(condition, energy);
         }
         let factor = 1.0 + toy.gyration_squared() / toy.radius_squared(top);
         Ok(Self {
@@ -103,7 +101,7 @@ impl Unwinding {
     /// Time from the upper end to this depth, s. Observed error: 1e-14.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a depth outside the motion.
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) for a depth outside the motion.
     ///
     /// ```
     /// use spinning_bodies::yo_yo::{Unwinding, YoYo};
@@ -160,7 +158,7 @@ impl Unwinding {
     /// Time from the upper end to the end of the string, s.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] where the time overflows.
+    /// [`Error::NotFinite`](crate::Error::NotFinite) where the time overflows.
     ///
     /// ```
     /// use spinning_bodies::yo_yo::{Unwinding, YoYo};
@@ -178,7 +176,7 @@ impl Unwinding {
     /// Thin string: a formula. Thick string: Newton's method on the time, some microseconds.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a time outside the motion.
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) for a time outside the motion.
     ///
     /// ```
     /// use spinning_bodies::yo_yo::{Unwinding, YoYo};
@@ -227,7 +225,7 @@ impl Unwinding {
     /// The energy, J, of a yo-yo at this depth (m) with this speed (m/s, up or down) under `gravity`.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::OutOfRange`](crate::Error::OutOfRange) for a depth outside 0 … the length of the string.
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Negative`](crate::Error::Negative); [`Error::OutOfRange`](crate::Error::OutOfRange) for a depth outside 0 … the length of the string.
     ///
     /// ```
     /// use spinning_bodies::yo_yo::{Unwinding, YoYo};

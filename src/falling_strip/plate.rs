@@ -8,8 +8,10 @@ use crate::integrators::System;
 /// A long plate, per metre of its length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plate {
-    half_chord: f64,
-    mass: f64,
+    /// Half its width, m.
+    pub(crate) half_chord: f64,
+    /// Its mass, kg per metre of length.
+    pub(crate) mass: f64,
     fluid_density: f64,
     thickness_ratio: f64,
     inertia_factor: f64,
@@ -45,16 +47,6 @@ impl Plate {
             thickness_ratio: within("the thickness ratio", thickness_ratio, 0.0, 1.0)?,
             inertia_factor: positive("the inertia factor of the plate", inertia_factor)?,
         })
-    }
-
-    /// Half its width, m.
-    pub(crate) const fn half_chord(&self) -> f64 {
-        self.half_chord
-    }
-
-    /// Its mass, kg per metre of length.
-    pub(crate) const fn mass(&self) -> f64 {
-        self.mass
     }
 
     /// Its moment of inertia j m a²(1 + β²) about the long axis, kg m² per metre of length.

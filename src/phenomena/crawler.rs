@@ -5,8 +5,10 @@ use crate::error::{Result, positive};
 /// Two feet, rear and front.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Crawler {
-    masses: [f64; 2],
-    strokes: Strokes,
+    /// Masses of rear and front foot, kg.
+    pub(crate) masses: [f64; 2],
+    /// The strokes of the muscle.
+    pub(crate) strokes: Strokes,
 }
 
 /// The muscle's strokes: it pushes the feet apart by `length` in the time `push`, pulls them together in the time `pull`, and repeats this.
@@ -165,16 +167,6 @@ impl Crawler {
         positive("the acceleration of the push", strokes.acceleration(0))?;
         positive("the acceleration of the pull", strokes.acceleration(3))?;
         Ok(Self { masses, strokes })
-    }
-
-    /// Masses of rear and front foot, kg.
-    pub(crate) const fn masses(&self) -> [f64; 2] {
-        self.masses
-    }
-
-    /// The strokes of the muscle.
-    pub(crate) const fn strokes(&self) -> &Strokes {
-        &self.strokes
     }
 
     fn mass(&self) -> f64 {

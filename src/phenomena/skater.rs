@@ -6,7 +6,8 @@ use crate::error::{Result, finite, not_negative, positive};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Skater {
     core: f64,
-    hand: f64,
+    /// Mass of one hand, kg.
+    pub(crate) hand: f64,
 }
 
 impl Skater {
@@ -25,11 +26,6 @@ impl Skater {
             core: positive("the moment of inertia of the core", core)?,
             hand: not_negative("the mass of a hand", hand)?,
         })
-    }
-
-    /// Mass of one hand, kg.
-    pub(crate) const fn hand(&self) -> f64 {
-        self.hand
     }
 
     /// Moment of inertia with the hands at this distance (m) from the axis, kg m²: I = I_core + 2mr².

@@ -7,8 +7,10 @@ use crate::error::{Error, Result, not_negative, positive, within};
 /// Coulomb's law: friction is μ times the reaction, against the slip; while the contact sticks it is up to `grip` times the reaction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Coulomb {
-    kinetic: f64,
-    grip: f64,
+    /// Coefficient while the contact slips.
+    pub(crate) kinetic: f64,
+    /// Greatest ratio of friction to reaction while it sticks.
+    pub(crate) grip: f64,
 }
 
 impl Coulomb {
@@ -49,16 +51,6 @@ impl Coulomb {
         Ok(Self { kinetic, grip })
     }
 
-    /// Coefficient while the contact slips.
-    pub(crate) const fn kinetic(&self) -> f64 {
-        self.kinetic
-    }
-
-    /// Greatest ratio of friction to reaction while it sticks.
-    pub(crate) const fn grip(&self) -> f64 {
-        self.grip
-    }
-
     /// Whether it can do anything.
     pub(crate) const fn acts(&self) -> bool {
         self.grip > 0.0
@@ -71,7 +63,8 @@ impl Coulomb {
 /// its weight. On billiard cloth arm is 0.005 to 0.015.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RollingResistance {
-    arm: f64,
+    /// Lever arm of the reaction over the radius.
+    pub(crate) arm: f64,
 }
 
 impl RollingResistance {
@@ -87,11 +80,6 @@ impl RollingResistance {
     pub fn new(arm: f64) -> Result<Self> {
         let arm = not_negative("the coefficient of rolling resistance", arm)?;
         Ok(Self { arm })
-    }
-
-    /// Lever arm of the reaction over the radius.
-    pub(crate) const fn arm(&self) -> f64 {
-        self.arm
     }
 }
 

@@ -70,7 +70,7 @@ impl RoundBody {
         } else {
             [-strength * (x / size), -strength * (y / size)]
         };
-        let kappa = self.inertia_factor();
+        let kappa = self.inertia_factor;
         let rolling = [0, 1].map(|i| {
             (start.velocity[i] + kappa * start.rim_velocity[i]) / self.pure_rolling_height()
         });

@@ -8,7 +8,8 @@ use crate::error::{Error, Result, finite, positive, refused};
 /// Two points at one time make a jump in speed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SheetSpeeds {
-    points: Vec<(f64, f64)>,
+    /// The points.
+    pub(crate) points: Vec<(f64, f64)>,
 }
 
 impl SheetSpeeds {
@@ -79,11 +80,6 @@ impl SheetSpeeds {
         let to = self.points.get(index + 1).copied();
         (from, to.unwrap_or((f64::INFINITY, from.1)))
     }
-
-    /// The points.
-    pub(crate) fn points(&self) -> &[(f64, f64)] {
-        &self.points
-    }
 }
 
 /// A sheet under the ball, its edge behind the ball.
@@ -92,9 +88,12 @@ impl SheetSpeeds {
 /// Once it rolls, V = RΩ, so both are zero.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sheet {
-    friction: Coulomb,
-    speeds: SheetSpeeds,
-    margin: f64,
+    /// Friction on it.
+    pub(crate) friction: Coulomb,
+    /// The speeds of the sheet.
+    pub(crate) speeds: SheetSpeeds,
+    /// From its edge to the point of contact at time 0, m.
+    pub(crate) margin: f64,
 }
 
 impl Sheet {
@@ -125,20 +124,5 @@ impl Sheet {
         }
         moved.margin *= 1.0 - 0.8 * by;
         moved
-    }
-
-    /// The speeds of the sheet.
-    pub(crate) fn speeds(&self) -> &SheetSpeeds {
-        &self.speeds
-    }
-
-    /// Friction on it.
-    pub(crate) fn friction(&self) -> Coulomb {
-        self.friction
-    }
-
-    /// From its edge to the point of contact at time 0, m.
-    pub(crate) fn margin(&self) -> f64 {
-        self.margin
     }
 }

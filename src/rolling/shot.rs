@@ -5,9 +5,12 @@ use crate::error::{Result, finite, not_negative, positive, within};
 /// A body that rolls on a circle about its centre of mass.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RoundBody {
-    mass: f64,
-    radius: f64,
-    inertia_factor: f64,
+    /// Mass, kg.
+    pub(crate) mass: f64,
+    /// Radius of the rolling circle, m.
+    pub(crate) radius: f64,
+    /// κ = I/(MR²), dimensionless.
+    pub(crate) inertia_factor: f64,
 }
 
 /// How the body leaves the cue, compared with rolling (4.3).
@@ -27,7 +30,8 @@ pub enum Regime {
 /// A body just after a level stroke of the cue.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shot {
-    body: RoundBody,
+    /// The body that was struck.
+    pub(crate) body: RoundBody,
     height_over_radius: f64,
     /// Velocity of the centre V', m/s.
     pub velocity: f64,
@@ -71,21 +75,6 @@ impl RoundBody {
             radius: positive("the radius", radius)?,
             inertia_factor,
         })
-    }
-
-    /// Mass, kg.
-    pub(crate) fn mass(&self) -> f64 {
-        self.mass
-    }
-
-    /// Radius of the rolling circle, m.
-    pub(crate) fn radius(&self) -> f64 {
-        self.radius
-    }
-
-    /// κ = I/(MR²), dimensionless.
-    pub(crate) fn inertia_factor(&self) -> f64 {
-        self.inertia_factor
     }
 
     /// Height of the stroke that gives pure rolling, in radii: H/R = 1 + κ (4.3). Error: half a unit in the last place.
@@ -261,11 +250,6 @@ impl RoundBody {
 }
 
 impl Shot {
-    /// The body that was struck.
-    pub(crate) fn body(&self) -> RoundBody {
-        self.body
-    }
-
     /// The sliding that follows, as [`RoundBody::slide_to_roll`], but with the slip from the height of the stroke: nothing cancels however
     /// near the stroke is to pure rolling.
     ///

@@ -10,7 +10,8 @@ use crate::error::{Result, finite, not_negative, positive, within};
 /// the centre is −rT at every angle, about the point of contact T(R cos θ − r), whose sign decides which way the spool rolls.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spool {
-    body: RoundBody,
+    /// The body that rolls on the table.
+    pub(crate) body: RoundBody,
     ratio: f64,
 }
 
@@ -82,13 +83,8 @@ impl Spool {
         let axle = positive("the radius of the axle", axle)?;
         Ok(Self {
             body,
-            ratio: positive("the ratio of the radii", axle / body.radius())?,
+            ratio: positive("the ratio of the radii", axle / body.radius)?,
         })
-    }
-
-    /// The body that rolls on the table.
-    pub(crate) fn body(&self) -> RoundBody {
-        self.body
     }
 
     /// The tug's moment about the centre, −rT, N m, the same at every angle; positive in the sense of rolling forward (4.4).
@@ -101,7 +97,7 @@ impl Spool {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn moment_about_centre(&self, tug: Tug) -> f64 {
-        -self.ratio * self.body.radius() * tug.tension
+        -self.ratio * self.body.radius * tug.tension
     }
 
     /// The tug's moment about the point of contact, T(R cos θ − r), N m (4.4); friction has no moment there.
@@ -114,7 +110,7 @@ impl Spool {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn moment_about_contact(&self, tug: Tug) -> f64 {
-        self.body.radius() * tug.tension * (tug.angle.cos() - self.ratio)
+        self.body.radius * tug.tension * (tug.angle.cos() - self.ratio)
     }
 
     /// The angle at which the line of force goes through the point of contact, cos θ = r/R, rad; `None` if r > R (4.4).
@@ -160,7 +156,7 @@ impl Spool {
     /// ```
     // ANCHOR: rolling-acceleration
     pub fn rolling_acceleration(&self, tug: Tug) -> f64 {
-        let whole = self.body.mass() * self.body.pure_rolling_height();
+        let whole = self.body.mass * self.body.pure_rolling_height();
         tug.tension * (tug.angle.cos() - self.ratio) / whole
     }
     // ANCHOR_END: rolling-acceleration
@@ -181,7 +177,7 @@ impl Spool {
 
     /// −f/T while it rolls: the friction needed.
     fn needed(&self, angle: f64) -> f64 {
-        (self.ratio + self.body.inertia_factor() * angle.cos()) / self.body.pure_rolling_height()
+        (self.ratio + self.body.inertia_factor * angle.cos()) / self.body.pure_rolling_height()
     }
 
     /// Reaction of the table, Mg − T sin θ, N; if negative, the spool lifts off.
@@ -195,7 +191,7 @@ impl Spool {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn reaction(&self, tug: Tug, gravity: f64) -> f64 {
-        self.body.mass() * gravity - tug.tension * tug.angle.sin()
+        self.body.mass * gravity - tug.tension * tug.angle.sin()
     }
 
     /// The largest tension (N) at which the spool rolls without slipping, with friction μ (dimensionless), at this angle (rad), under gravity g (m/s²): what "gently"
@@ -241,7 +237,7 @@ impl Spool {
 
     fn weight(&self, gravity: f64) -> Result<f64> {
         let gravity = positive("the acceleration of gravity", gravity)?;
-        finite("the weight", self.body.mass() * gravity)
+        finite("the weight", self.body.mass * gravity)
     }
 
     /// Distance in front of the point of contact (+x), m, at which the line of force meets the table; infinite for a level tug, but 0 if R = r, when the line
@@ -264,7 +260,7 @@ impl Spool {
         if self.ratio == cos {
             return Ok(0.0);
         }
-        Ok(self.body.radius() * (self.ratio - cos) / sin)
+        Ok(self.body.radius * (self.ratio - cos) / sin)
     }
 
     /// The load that the tug puts on the spool, per mass.
@@ -273,7 +269,7 @@ impl Spool {
     /// [`Error::NotPositive`](crate::Error::NotPositive) for the reaction: the tug lifts the spool.
     pub(crate) fn load(&self, tug: Tug, gravity: f64) -> Result<Load> {
         let gravity = positive("the acceleration of gravity", gravity)?;
-        let pull = tug.tension / self.body.mass();
+        let pull = tug.tension / self.body.mass;
         let (sin, cos) = tug.angle.sin_cos();
         Ok(Load {
             push: pull * cos,
@@ -309,7 +305,7 @@ impl Spool {
     ) -> Result<Course> {
         let load = self.load(tug, gravity)?;
         let effects = (friction, resistance, None);
-        let kappa = self.body.inertia_factor();
+        let kappa = self.body.inertia_factor;
         Course::new(kappa, load, effects, Moment::default(), until)
     }
 

@@ -99,9 +99,9 @@ impl<'a> Laws<'a> {
     ) -> (Pace, bool) {
         let (kappa, load) = (self.kappa, self.load);
         let (push, twist) = (load.push, load.twist);
-        let slides = law.map_or(0.0, |law| law.kinetic()) * load.reaction;
-        let grips = law.map_or(0.0, |law| law.grip()) * load.reaction;
-        let resists = self.resistance.map_or(0.0, |law| law.arm()) * load.reaction;
+        let slides = law.map_or(0.0, |law| law.kinetic) * load.reaction;
+        let grips = law.map_or(0.0, |law| law.grip) * load.reaction;
+        let resists = self.resistance.map_or(0.0, |law| law.arm) * load.reaction;
         let couple = match turning {
             Hold::Goes(sign) => Some(-sign * resists),
             Hold::Free => Some(0.0),
@@ -140,7 +140,7 @@ impl<'a> Laws<'a> {
     /// The first stretch; the slip of `start` is relative to the ground as it moves then.
     pub fn first(&self, start: Moment) -> Stretch {
         let mut state = start.state();
-        state[7] = self.sheet.map_or(0.0, Sheet::margin);
+        state[7] = self.sheet.map_or(0.0, |sheet| sheet.margin);
         let on_sheet = self.sheet.map(|_| true);
         self.begins((0.0, state), start.about_the_table(self.kappa), 0, on_sheet)
     }
@@ -157,19 +157,19 @@ impl<'a> Laws<'a> {
         let (mut law, mut ground) = (self.friction, 0.0);
         if let Some(sheet) = self.sheet {
             let on_sheet = on_sheet == Some(true);
-            let (mut from, mut to) = sheet.speeds().leg(leg);
+            let (mut from, mut to) = sheet.speeds.leg(leg);
             while to.0 <= start {
                 if on_sheet && to.0 <= from.0 {
                     // A jump in the sheet's speed.
                     state[3] -= to.1 - from.1;
                 }
                 leg += 1;
-                (from, to) = sheet.speeds().leg(leg);
+                (from, to) = sheet.speeds.leg(leg);
             }
             let slope = (to.1 - from.1) / (to.0 - from.0);
             (leg_ends, moves) = (to.0, [from.1 + (start - from.0) * slope, slope]);
             if on_sheet {
-                (law, ground) = (Some(sheet.friction()), slope);
+                (law, ground) = (Some(sheet.friction), slope);
             }
         }
         Stretch {

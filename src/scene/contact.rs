@@ -142,7 +142,7 @@ impl TableTop {
             finite("the start of a body on a table", number)?;
         }
         let table = self.table;
-        let size = table.body.surface().size();
+        let size = table.body.surface.size;
         let turning = self.start.omega.norm() + (table.gravity / size).sqrt();
         Ok(OnTheTable {
             table,
@@ -369,7 +369,7 @@ impl OnTheTable {
 
     /// μg/ω: a slip of this speed stops within a radian.
     fn stopping_speed(&self, law: Coulomb) -> f64 {
-        law.grip() * self.table.gravity / self.turning
+        law.grip * self.table.gravity / self.turning
     }
 
     /// The slip at which the mode of leaving rest ends.
@@ -388,7 +388,7 @@ impl OnTheTable {
         match (mode, self.coulomb()) {
             (Mode::Airborne(_), _) => Contact::none(&table.body, &pose.omega),
             (Mode::Rolling, _) => table.rolls(pose),
-            (Mode::Leaving, Some(law)) => table.leaving(pose, law.kinetic()),
+            (Mode::Leaving, Some(law)) => table.leaving(pose, law.kinetic),
             _ => table.slides(pose),
         }
     }
@@ -454,7 +454,7 @@ impl OnTheTable {
     /// Whether the force that rolling needs lies within the cone.
     fn holds(&self, law: Coulomb, y: &Numbers) -> bool {
         let contact = self.table.rolls(&Pose::of(y));
-        contact.reaction * (law.grip() - contact.traction.norm()) > 0.0
+        contact.reaction * (law.grip - contact.traction.norm()) > 0.0
     }
 
     /// Lets the body take off, if it can: under the constraint of rolling, the horizontal force may be what holds it up.
@@ -562,7 +562,7 @@ impl Flow<NUMBERS> for OnTheTable {
         let near = NEAR * self.stopping_speed(law);
         let slip = contact.slip.norm();
         Some(match mode {
-            Mode::Rolling => pressed.min(pressed * (law.grip() - contact.traction.norm())),
+            Mode::Rolling => pressed.min(pressed * (law.grip - contact.traction.norm())),
             Mode::Stopping => pressed
                 .min((slip / self.still()).ln())
                 .min(2.0 - slip / near),
@@ -658,7 +658,7 @@ impl OnTheTable {
             let y = parted(z);
             let pose = Pose::of(&y);
             let contact = self.table.slides(&pose);
-            let pace = contact.slip.norm() / (law.grip() * self.table.gravity);
+            let pace = contact.slip.norm() / (law.grip * self.table.gravity);
             let rates = self.table.rates(&y, &pose, &contact);
             core::array::from_fn(|n| pace * rates.get(n).unwrap_or(&1.0))
         };
@@ -750,7 +750,7 @@ impl Scene for TableTop {
         books.conserved(both, first, first, |_, s| s.energy + s.dissipated)?;
         let no_couple = self.table.resistance.is_none();
         if self.table.gravity > 0.0 && no_couple && body.has_jellett_integral() {
-            let scale = spin * body.surface().size();
+            let scale = spin * body.surface.size;
             books.conserved("Jellett's integral", scale, start.jellett, |_, s| s.jellett)?;
         }
         if self.table.friction.is_none() && no_couple {

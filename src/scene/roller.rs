@@ -90,7 +90,7 @@ impl Roller {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn after(shot: &Shot, gravity: f64) -> Result<Self> {
-        let mut roller = Self::new(shot.body(), gravity, shot.velocity, shot.rim_speed)?;
+        let mut roller = Self::new(shot.body, gravity, shot.velocity, shot.rim_speed)?;
         roller.start.slip = shot.slip;
         Ok(roller)
     }
@@ -121,10 +121,10 @@ impl Roller {
 
     pub(super) fn table(&self, span: f64) -> Result<OnTable<'_>> {
         let effects = (self.friction, self.resistance, self.sheet.as_ref());
-        let laws = Laws::new(self.body.inertia_factor(), self.load, effects)?;
+        let laws = Laws::new(self.body.inertia_factor, self.load, effects)?;
         let mut start = self.start;
         if let Some(sheet) = &self.sheet {
-            start.slip -= sheet.speeds().points()[0].1;
+            start.slip -= sheet.speeds.points[0].1;
         }
         Ok(OnTable {
             body: self.body,
@@ -182,7 +182,7 @@ impl Scene for Roller {
     fn simulate(&self, request: &Request) -> Result<Motion<Rolling>> {
         let plan = self.plan(request)?;
         let table = self.table(request.furthest)?;
-        let (mass, kappa) = (self.body.mass(), self.body.inertia_factor());
+        let (mass, kappa) = (self.body.mass, self.body.inertia_factor);
         table.motion(request, plan, |moment| Rolling {
             moment,
             energy: mass * moment.energy(kappa),
@@ -197,7 +197,7 @@ impl Scene for Roller {
 
 /// Further columns for the position and motion of a round body.
 pub(super) fn moments<S: 'static>(body: RoundBody, of: fn(&S) -> Moment) -> Columns<S> {
-    let (mass, kappa, radius) = (body.mass(), body.inertia_factor(), body.radius());
+    let (mass, kappa, radius) = (body.mass, body.inertia_factor, body.radius);
     columns! { |state: &S|
         "turned", "rad", "angle turned" => of(state).turned / radius;
         "omega", "rad/s", "angular velocity" => of(state).rim_speed / radius;
@@ -312,7 +312,7 @@ impl OnTable<'_> {
             let all = moments.iter().chain([&self.start]).map(kind);
             all.fold(least.max(f64::MIN_POSITIVE), greater)
         };
-        let length = greatest(|m| m.position.abs().max(m.turned.abs()), self.body.radius());
+        let length = greatest(|m| m.position.abs().max(m.turned.abs()), self.body.radius);
         let all = |m: &Moment| m.velocity.abs().max(m.rim_speed.abs()).max(m.slip.abs());
         let speed = greatest(all, self.speed());
         let energy = greatest(|m| m.heat.max(m.work.abs()), 0.5 * speed * speed);
@@ -322,7 +322,7 @@ impl OnTable<'_> {
     /// The greatest speed that the start, the sheet, or pull and twist alone could give: where the two balance, what remains is rounding.
     fn speed(&self) -> f64 {
         let Laws { load, sheet, .. } = &self.laws;
-        let points = sheet.map_or(&[][..], |sheet| sheet.speeds().points());
+        let points = sheet.map_or(&[][..], |sheet| &sheet.speeds.points);
         let speeds = points.iter().map(|point| point.1.abs());
         let own = self.start.velocity.abs().max(self.start.rim_speed.abs());
         let pulled = (load.push.abs() + load.twist.abs()) * self.span;
@@ -332,7 +332,7 @@ impl OnTable<'_> {
     /// Adds to the books what is conserved, or may only decrease.
     fn keep<S>(&self, books: &mut Books<S>, request: &Request, moments: &[Moment]) -> Result<()> {
         let Laws { kappa, load, .. } = self.laws;
-        let (mass, drive) = (self.body.mass(), load.push + load.twist);
+        let (mass, drive) = (self.body.mass, load.push + load.twist);
         let scale = |size: &dyn Fn(&Moment) -> f64| {
             let all = moments.iter().chain([&self.start]).map(size);
             mass * all.fold(0.0, f64::max)
@@ -382,7 +382,7 @@ impl Flow<8> for OnTable<'_> {
     }
 
     fn scales(&self) -> State {
-        let (radius, reaction) = (self.body.radius(), self.laws.load.reaction);
+        let (radius, reaction) = (self.body.radius, self.laws.load.reaction);
         let speed = self.speed().max((reaction * radius).sqrt());
         let energy = speed * speed;
         [radius, speed, speed, speed, radius, energy, energy, radius]

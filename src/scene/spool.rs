@@ -47,7 +47,7 @@ impl TuggedSpool {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(spool: Spool, gravity: f64) -> Result<Self> {
-        let roller = Roller::new(spool.body(), gravity, 0.0, 0.0)?;
+        let roller = Roller::new(spool.body, gravity, 0.0, 0.0)?;
         Ok(Self {
             spool,
             gravity,
@@ -140,7 +140,7 @@ impl Scene for TuggedSpool {
     fn simulate(&self, request: &Request) -> Result<Motion<Spooling>> {
         let plan = self.plan(request)?;
         let table = self.roller.table(request.furthest)?;
-        let (mass, kappa) = (table.body.mass(), table.body.inertia_factor());
+        let (mass, kappa) = (table.body.mass, table.body.inertia_factor);
         table.motion(request, plan, |moment| Spooling {
             moment,
             wound: self.spool.wound(&moment),
@@ -151,6 +151,6 @@ impl Scene for TuggedSpool {
     }
 
     fn further(&self) -> Columns<Spooling> {
-        moments(self.spool.body(), |state: &Spooling| state.moment)
+        moments(self.spool.body, |state: &Spooling| state.moment)
     }
 }

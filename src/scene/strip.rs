@@ -163,7 +163,7 @@ impl Strip {
         let equations = &self.equations;
         let mut energy = equations.kinetic_energy(y);
         if let Some(g) = equations.gravity {
-            energy += equations.plate.mass() * g * height;
+            energy += equations.plate.mass * g * height;
         }
         StripState::of([x, height, angle, vx, vy, omega, energy, heat])
     }
@@ -187,13 +187,13 @@ impl Flow<7> for Strip {
 
     /// Half chord a, 1 rad, a speed, a rate, an energy.
     fn scales(&self) -> [f64; 7] {
-        let a = self.equations.plate.half_chord();
+        let a = self.equations.plate.half_chord;
         let g = self.equations.gravity.unwrap_or(0.0).abs();
         let [vx, vy] = self.start.velocity;
         let speed = (g * a).sqrt() + vx.hypot(vy) + a * self.start.omega.abs();
         // A strip that nothing moves has no speed; any scale will do.
         let speed = if speed > 0.0 { speed } else { 1.0 };
-        let energy = self.equations.plate.mass() * speed * speed;
+        let energy = self.equations.plate.mass * speed * speed;
         [a, a, 1.0, speed, speed, speed / a, energy]
     }
 
@@ -271,7 +271,7 @@ impl Scene for Strip {
         let [.., speed, _, _, scale] = self.scales();
         let first = self.start()?.1;
         let [px, py] = equations.impulse(&first);
-        let weight = equations.plate.mass() * equations.gravity.unwrap_or(0.0);
+        let weight = equations.plate.mass * equations.gravity.unwrap_or(0.0);
         let kinetic = rows.iter().map(|y| equations.kinetic_energy(y) + y[6]);
         let energy = kinetic.fold(scale, f64::max);
         let pulls = times.iter().map(|t| (weight * t).abs());
@@ -295,7 +295,7 @@ impl Scene for Strip {
 
     fn further(&self) -> Columns<StripState> {
         let equations = &self.equations;
-        let weight = equations.plate.mass() * equations.gravity.unwrap_or(0.0);
+        let weight = equations.plate.mass * equations.gravity.unwrap_or(0.0);
         let moment = equations.plate.moment();
         columns! { |state: &StripState|
             "speed", "m/s", "size of the velocity" => state.vx.hypot(state.vy);

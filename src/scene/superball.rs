@@ -320,9 +320,9 @@ impl Thrown {
 
     /// The speed at the floor, and the height to which it carries the ball.
     fn sizes(&self) -> [f64; 2] {
-        let (g, ball) = (self.flight.gravity(), self.flight.start());
+        let (g, ball) = (self.flight.gravity(), self.flight.start);
         let speed = ball.climb.hypot((2.0 * g * ball.height).sqrt());
-        [speed, self.flight.room().min(0.5 * speed * speed / g)]
+        [speed, self.flight.room.min(0.5 * speed * speed / g)]
     }
 }
 
@@ -330,9 +330,9 @@ impl Flow<3> for Thrown {
     type Phase = InFlight;
 
     fn start(&self) -> Result<(InFlight, [f64; 3])> {
-        let mut ball = *self.flight.start();
+        let mut ball = self.flight.start;
         let [down, up] = [ball.climb < 0.0, ball.climb > 0.0];
-        if ball.height == 0.0 && down || ball.height == self.flight.room() && up {
+        if ball.height == 0.0 && down || ball.height == self.flight.room && up {
             ball = self.bounced(&ball);
         }
         self.leaves_the_floor(&ball)?;
@@ -342,7 +342,7 @@ impl Flow<3> for Thrown {
     fn scales(&self) -> [f64; 3] {
         let [speed, height] = self.sizes();
         let length = if height.is_finite() { height } else { 0.0 };
-        let (length, ball) = (length.max(f64::MIN_POSITIVE), self.flight.start());
+        let (length, ball) = (length.max(f64::MIN_POSITIVE), self.flight.start);
         let motion = ball.motion;
         let speed = speed.max(motion.velocity.abs()).max(motion.rim_speed.abs());
         [length, length, speed.max(f64::MIN_POSITIVE)]
@@ -364,7 +364,7 @@ impl Flow<3> for Thrown {
     }
 
     fn margin(&self, flight: InFlight, _: f64, y: &[f64; 3]) -> Option<f64> {
-        let room = self.flight.room();
+        let room = self.flight.room;
         match flight.climb > 0.0 {
             true => room.is_finite().then_some(room - y[1]),
             false => Some(y[1]),

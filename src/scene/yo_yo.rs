@@ -212,20 +212,20 @@ impl Playing {
     /// I + m r² about the end of the string, with r the axle's radius, kg m².
     fn inertia(&self) -> f64 {
         let toy = &self.play.toy;
-        toy.inertia() + toy.mass() * toy.axle() * toy.axle()
+        toy.inertia + toy.mass * toy.axle * toy.axle
     }
 
     /// n = m g r/(I + m r²), s⁻²: half the increase of ω² in a fall by the axle's radius.
     fn pull(&self) -> f64 {
         let toy = &self.play.toy;
-        let r = toy.axle();
+        let r = toy.axle;
         self.gravity * r / (r * r + toy.gyration_squared())
     }
 
     /// The greatest energy above that of rest at the end of the string, J, and the spin that has this energy there.
     fn greatest(&self) -> (f64, f64) {
         let toy = &self.play.toy;
-        let fall = toy.mass() * self.gravity * toy.length();
+        let fall = toy.mass * self.gravity * toy.length;
         let energy = fall + self.energy + self.play.hand.unwrap_or(0.0);
         let energy = energy.max(f64::MIN_POSITIVE);
         (energy, (2.0 * energy / self.inertia()).sqrt())
@@ -234,7 +234,7 @@ impl Playing {
     /// Ends the motion at rest at the lowest point, with m g (l + r) lost.
     fn hangs(&self, y: &mut Numbers) -> Stage {
         let toy = &self.play.toy;
-        let bottom = -toy.mass() * self.gravity * (toy.length() + toy.axle());
+        let bottom = -toy.mass * self.gravity * (toy.length + toy.axle);
         lose(y, y[ENERGY] - bottom);
         y[1] = 0.0;
         (Phase::Hanging, 0.0)
@@ -244,7 +244,7 @@ impl Playing {
     fn turned(&self, y: &mut Numbers) -> Stage {
         let toy = &self.play.toy;
         if let Some(left) = self.play.turn_loss {
-            let kinetic = toy.kinetic_energy(toy.length(), y[1]);
+            let kinetic = toy.kinetic_energy(toy.length, y[1]);
             lose(y, (1.0 - left) * (1.0 + left) * kinetic);
             y[1] *= left;
         }
@@ -254,7 +254,7 @@ impl Playing {
             y[1] = (y[1] * y[1] + 2.0 * work / self.inertia()).sqrt();
         }
         // The condition of `Unwinding::new`: energy enough to leave the end of the string.
-        if y[1] > 0.0 && y[ENERGY] > -toy.mass() * self.gravity * toy.length() {
+        if y[1] > 0.0 && y[ENERGY] > -toy.mass * self.gravity * toy.length {
             y[0] = 1.0;
             (Phase::Up, 0.0)
         } else {
@@ -278,7 +278,7 @@ impl Playing {
                 lasting(duration, ahead, |t| {
                     let t = if phase == Phase::Up { duration - t } else { t };
                     let [depth, omega] = way.at(t)?;
-                    Ok(now(depth / toy.length(), omega))
+                    Ok(now(depth / toy.length, omega))
                 })
             }
             Phase::Turn => {
@@ -300,7 +300,7 @@ impl Playing {
             }
             Phase::Asleep => {
                 let torque = self.play.axle_friction;
-                let stops = torque.map_or(f64::INFINITY, |torque| toy.inertia() * omega / torque);
+                let stops = torque.map_or(f64::INFINITY, |torque| toy.inertia * omega / torque);
                 let duration = self.play.sleep.unwrap_or(0.0).min(stops);
                 lasting(duration, ahead, |t| {
                     let left = torque.map(|torque| sleeping_spin(&toy, omega, t, torque));
@@ -308,7 +308,7 @@ impl Playing {
                     let mut now = now(0.0, left);
                     lose(
                         &mut now,
-                        0.5 * toy.inertia() * ((omega - left) * (omega + left)),
+                        0.5 * toy.inertia * ((omega - left) * (omega + left)),
                     );
                     Ok(now)
                 })
@@ -319,7 +319,7 @@ impl Playing {
 
     fn state(&self, stage: Stage, y: &Numbers) -> YoYoState {
         let toy = &self.play.toy;
-        let (m, g, l, r) = (toy.mass(), self.gravity, toy.length(), toy.axle());
+        let (m, g, l, r) = (toy.mass, self.gravity, toy.length, toy.axle);
         let ([place, omega, _, heat, work, _], [_, spin_up, ..]) = (*y, self.rate(stage, 0.0, y));
         let (depth, velocity, tension) = match stage.0 {
             Phase::Down | Phase::Up => {
@@ -329,7 +329,7 @@ impl Playing {
                 let mut tension = toy.tension(depth, omega, g);
                 if let Some(air) = self.play.air_drag {
                     // The drag on the spin also slows the centre, by the string: this is the centre's share of it.
-                    let share = m * radius / (toy.inertia() + m * radius * radius);
+                    let share = m * radius / (toy.inertia + m * radius * radius);
                     tension += sense * air * omega * omega * share;
                 }
                 (depth, sense * radius * omega, tension)
@@ -343,7 +343,7 @@ impl Playing {
             Phase::Caught => (0.0, 0.0, 0.0),
         };
         let kinetic = match stage.0 {
-            Phase::Asleep => 0.5 * toy.inertia() * omega * omega,
+            Phase::Asleep => 0.5 * toy.inertia * omega * omega,
             _ => toy.kinetic_energy(depth, omega),
         };
         let energy = kinetic - m * g * depth;
@@ -371,24 +371,24 @@ impl Flow<6> for Playing {
     /// The pace at which the way down, at half the greatest speed, counts as an angle of π; the spin is faster but steady.
     fn pace(&self) -> f64 {
         let toy = &self.play.toy;
-        FRAC_PI_2 * self.greatest().1 * toy.radius(0.0) / toy.length()
+        FRAC_PI_2 * self.greatest().1 * toy.radius(0.0) / toy.length
     }
 
     fn rate(&self, (phase, _): Stage, _: f64, y: &Numbers) -> Numbers {
         let toy = &self.play.toy;
-        let ([place, omega, ..], m, r) = (*y, toy.mass(), toy.axle());
+        let ([place, omega, ..], m, r) = (*y, toy.mass, toy.axle);
         let (along, torque, inertia) = match phase {
             Phase::Down | Phase::Up => {
                 let sense = if phase == Phase::Up { -1.0 } else { 1.0 };
-                let square = toy.radius_squared(place * toy.length());
+                let square = toy.radius_squared(place * toy.length);
                 let radius = square.sqrt();
-                let pull = self.gravity + 0.5 * toy.thinning() * omega * omega;
-                let along = sense * radius * omega / toy.length();
-                let inertia = toy.inertia() + m * square;
+                let pull = self.gravity + 0.5 * toy.slope * omega * omega;
+                let along = sense * radius * omega / toy.length;
+                let inertia = toy.inertia + m * square;
                 (along, sense * m * radius * pull, inertia)
             }
             Phase::Turn => (omega, m * self.gravity * r * place.cos(), self.inertia()),
-            Phase::Asleep => (0.0, 0.0, toy.inertia()),
+            Phase::Asleep => (0.0, 0.0, toy.inertia),
             Phase::Hanging | Phase::Caught => return [0.0; 6],
         };
         // ω is not negative. Its sign is not taken, for a kink at zero, where phases end, would spoil the steps that try beyond.
@@ -435,8 +435,8 @@ impl Flow<6> for Playing {
             Phase::Down => turns(y, 0.0, PI),
             Phase::Turn if end < PI => {
                 // The loop slips on the axle, and the string takes the kinetic energy of the centre.
-                let velocity = toy.axle() * y[1];
-                lose(y, 0.5 * toy.mass() * velocity * velocity);
+                let velocity = toy.axle * y[1];
+                lose(y, 0.5 * toy.mass * velocity * velocity);
                 y[0] = 0.0;
                 (Phase::Asleep, 0.0)
             }
@@ -444,7 +444,7 @@ impl Flow<6> for Playing {
             Phase::Asleep => {
                 let awake = spin_after_waking(toy, y[1]);
                 if awake * awake - twice > twice {
-                    let before = 0.5 * toy.inertia() * y[1] * y[1];
+                    let before = 0.5 * toy.inertia * y[1] * y[1];
                     lose(y, before - 0.5 * self.inertia() * awake * awake);
                     y[1] = awake;
                     turns(y, FRAC_PI_2, PI)
@@ -459,8 +459,8 @@ impl Flow<6> for Playing {
             }
             Phase::Up => {
                 // At rest at the depth that its energy allows.
-                let depth = -y[ENERGY] / (toy.mass() * self.gravity);
-                (y[0], y[1]) = (depth / toy.length(), 0.0);
+                let depth = -y[ENERGY] / (toy.mass * self.gravity);
+                (y[0], y[1]) = (depth / toy.length, 0.0);
                 (Phase::Down, 0.0)
             }
             Phase::Hanging | Phase::Caught => (phase, 0.0),
@@ -480,9 +480,9 @@ impl Flow<6> for Playing {
     fn distance(&self, a: &(Stage, Numbers), b: &(Stage, Numbers)) -> f64 {
         let (energy, fastest) = self.greatest();
         let toy = &self.play.toy;
-        let speed = toy.axle() * fastest;
-        let force = toy.mass() * (self.gravity + speed * fastest);
-        let scales = [toy.length(), speed, fastest, force, energy, energy, energy];
+        let speed = toy.axle * fastest;
+        let force = toy.mass * (self.gravity + speed * fastest);
+        let scales = [toy.length, speed, fastest, force, energy, energy, energy];
         let [a, b] = [a, b].map(|(stage, y)| self.state(*stage, y).row());
         let apart = a.iter().zip(&b).zip(scales);
         apart
@@ -534,8 +534,8 @@ impl Scene for Play {
     }
 
     fn further(&self) -> Columns<YoYoState> {
-        let (toy, weight) = (self.toy, self.toy.mass() * self.gravity.unwrap_or(0.0));
-        let inertia = toy.inertia();
+        let (toy, weight) = (self.toy, self.toy.mass * self.gravity.unwrap_or(0.0));
+        let inertia = toy.inertia;
         columns! { |state: &YoYoState|
             "potential", "J", "energy of the weight below the hand" => -weight * state.depth;
             "rotation", "J", "kinetic energy about the axle" => 0.5 * inertia * state.omega.powi(2);

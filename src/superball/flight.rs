@@ -45,12 +45,13 @@ impl InFlight {
 pub struct Flight {
     kappa: f64,
     /// Height from floor to ceiling less the ball's diameter; infinite without a ceiling.
-    room: f64,
+    pub(crate) room: f64,
     /// Positive, if there is any.
     gravity: Option<f64>,
     losses: Option<Restitution>,
     grip: Option<Coulomb>,
-    start: InFlight,
+    /// The start.
+    pub(crate) start: InFlight,
 }
 
 /// Receives the time of a bounce, and may end the run there.
@@ -114,16 +115,6 @@ impl Flight {
     /// Acceleration of gravity, m/s², 0 if there is none.
     pub(crate) fn gravity(&self) -> f64 {
         self.gravity.unwrap_or(0.0)
-    }
-
-    /// Height from floor to ceiling less the ball's diameter, m; infinite without a ceiling.
-    pub(crate) fn room(&self) -> f64 {
-        self.room
-    }
-
-    /// The start.
-    pub(crate) fn start(&self) -> &InFlight {
-        &self.start
     }
 
     /// Whether energy is conserved and the bounces are reflections, so that [`Self::exact`] applies.
@@ -392,7 +383,7 @@ impl Flight {
     }
 
     fn restitution(&self) -> [f64; 2] {
-        let kept = |losses: Restitution| [losses.normal(), losses.tangential()];
+        let kept = |losses: Restitution| [losses.normal, losses.tangential];
         self.losses.map_or([1.0; 2], kept)
     }
 

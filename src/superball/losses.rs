@@ -12,8 +12,10 @@ use crate::rolling::Coulomb;
 /// Coefficients of restitution for the two velocities of the contact point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Restitution {
-    normal: f64,
-    tangential: f64,
+    /// e_n.
+    pub(crate) normal: f64,
+    /// e_t.
+    pub(crate) tangential: f64,
 }
 
 impl Restitution {
@@ -33,16 +35,6 @@ impl Restitution {
             normal: within("the coefficient of restitution", normal, 0.0, 1.0)?,
             tangential: within("the tangential restitution", tangential, -1.0, 1.0)?,
         })
-    }
-
-    /// e_n.
-    pub(crate) fn normal(&self) -> f64 {
-        self.normal
-    }
-
-    /// e_t.
-    pub(crate) fn tangential(&self) -> f64 {
-        self.tangential
     }
 
     /// Total path, up and down, of a ball in all its bounces after a drop from `height`, in the unit of the height: h(1+e_n²)/(1−e_n²), Zeno's sum.
@@ -149,8 +141,8 @@ pub fn gripping_bounce(
 ) -> Motion<f64> {
     let slip = before.contact_speed(surface);
     let turned = (slip + restitution * slip) / (1.0 + kappa);
-    let turned = if kappa * turned.abs() > law.grip() * pressed {
-        (law.kinetic() * pressed / kappa).copysign(slip)
+    let turned = if kappa * turned.abs() > law.grip * pressed {
+        (law.kinetic * pressed / kappa).copysign(slip)
     } else {
         turned
     };

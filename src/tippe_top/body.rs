@@ -14,7 +14,8 @@ pub struct ConvexBody {
     pub(super) mass: f64,
     pub(super) inertia: InertiaMatrix,
     pub(super) inverse: Matrix3<f64>,
-    pub(super) surface: Surface,
+    /// The surface.
+    pub(crate) surface: Surface,
     pub(super) center: Vector3<f64>,
 }
 
@@ -82,11 +83,6 @@ impl ConvexBody {
     /// ```
     pub const fn inertia(&self) -> &InertiaMatrix {
         &self.inertia
-    }
-
-    /// The surface.
-    pub(crate) const fn surface(&self) -> &Surface {
-        &self.surface
     }
 
     /// CK, from the centre of mass to the centre of the surface, m.
@@ -171,7 +167,7 @@ impl ConvexBody {
 
     /// √(gR), the speed with which slips are compared, m/s.
     pub(crate) fn speed_scale(&self, gravity: f64) -> f64 {
-        (gravity * self.surface.size()).sqrt()
+        (gravity * self.surface.size).sqrt()
     }
 
     /// Kinetic energy (J) at this angular velocity and velocity of C.

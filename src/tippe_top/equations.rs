@@ -205,7 +205,7 @@ impl Table {
         let along = yielding.gives_way(mu);
         let [tilting, turning, drift] = self.drift(pose, &touch.pushed(Some(along * -mu), None));
         // The direction a short time later.
-        let size = self.body.surface.size();
+        let size = self.body.surface.size;
         let moment = MOMENT / (omega.norm() + self.body.speed_scale(self.gravity) / size);
         let later = Pose::seen(
             (up + tilting * moment).normalize(),

@@ -217,11 +217,11 @@ impl Impact<'_> {
                 }
                 let push = self.yielding.holding();
                 let normal = up.dot(&push);
-                if (push - up * normal).norm() <= law.grip() * normal {
+                if (push - up * normal).norm() <= law.grip * normal {
                     return Ok(Vector3::zeros());
                 }
-                let along = self.yielding.gives_way(law.kinetic());
-                let push = matrix * (up - along * law.kinetic());
+                let along = self.yielding.gives_way(law.kinetic);
+                let push = matrix * (up - along * law.kinetic);
                 Ok(along * (push.dot(&along) / up.dot(&push) * left))
             }
             Some(friction) => Ok(self.slowed(friction, &slip, fall)?.0),

@@ -89,7 +89,7 @@ impl Friction {
         match *self {
             Self::Coulomb(law) => match slip.norm() {
                 0.0 => Vector3::zeros(),
-                size => slip * (-law.kinetic() / size),
+                size => slip * (-law.kinetic / size),
             },
             Self::Regularised(Regularised { mu, epsilon }) => {
                 slip * (-mu / (slip.norm_squared() + epsilon * epsilon).sqrt())

@@ -111,7 +111,7 @@ fn sharpness(table: &Table) -> f64 {
 }
 
 fn newton(table: &Table, spin: f64, start: Vector4<f64>) -> Result<Vector4<f64>> {
-    let size = table.body.surface.size();
+    let size = table.body.surface.size;
     let speed = table.body.speed_scale(table.gravity);
     let rate = speed / size;
     let residual = |x: &Vector4<f64>| {
@@ -163,7 +163,7 @@ fn tangent(up: &Vector3<f64>, [a, b]: [f64; 2]) -> Vector3<f64> {
 fn growth_rates(table: &Table, up: Vector3<f64>, [a, b]: [f64; 2], spin: f64) -> Result<[Rate; 6]> {
     let body = &table.body;
     let speed = body.speed_scale(table.gravity);
-    let size = body.surface.size();
+    let size = body.surface.size;
     let rate = |x: &SVector<f64, 7>| {
         let up = upright(x[0], x[1]);
         let omega = Vector3::new(x[2], x[3], x[4]);
@@ -250,7 +250,7 @@ pub fn rolling_growth_rates(body: &ConvexBody, gravity: f64, spin: f64) -> Resul
         let [turn, r, _] = table.drift(&pose, &table.rolls(&pose));
         Vector4::new(turn.x, turn.y, r.x, r.y)
     };
-    let natural = body.speed_scale(gravity) / body.surface.size();
+    let natural = body.speed_scale(gravity) / body.surface.size;
     let drift = rate(&Vector4::zeros()).amax();
     let rounding = 1e-12 * (natural * natural + spin * spin);
     if drift.is_nan() || drift > rounding {

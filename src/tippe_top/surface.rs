@@ -9,7 +9,7 @@ use crate::frame::Attitude;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Surface {
     /// A typical length, m: of a sphere the radius.
-    size: f64,
+    pub(crate) size: f64,
     /// The matrix with the squares of the semi-axes as eigenvalues; `None` for a sphere.
     squares: Option<Matrix3<f64>>,
 }
@@ -73,11 +73,6 @@ impl Surface {
     /// Radius (m), if the surface is a sphere.
     pub(crate) fn radius(&self) -> Option<f64> {
         self.squares.is_none().then_some(self.size)
-    }
-
-    /// A typical length of the surface, m.
-    pub(crate) const fn size(&self) -> f64 {
-        self.size
     }
 
     /// The greatest distance of a point of the surface from its centre, m.

@@ -21,13 +21,18 @@ use crate::error::{Result, positive, within};
 /// A yo-yo: two discs on an axle, a string wound round it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct YoYo {
-    mass: f64,
-    inertia: f64,
-    length: f64,
-    axle: f64,
-    /// The string leaves at a radius r(x) with r² = r_w² − q x: r_w², and q, which is 0 for a thin string.
+    /// Mass, kg.
+    pub(crate) mass: f64,
+    /// Moment of inertia about the axle, kg m².
+    pub(crate) inertia: f64,
+    /// Length of the string, m.
+    pub(crate) length: f64,
+    /// Radius of the axle, m.
+    pub(crate) axle: f64,
+    /// The string leaves at a radius r(x) with r² = r_w² − q x: r_w², m².
     wound_squared: f64,
-    slope: f64,
+    /// q = −d(r²)/dx, m; 0 for a thin string.
+    pub(crate) slope: f64,
 }
 
 impl YoYo {
@@ -93,26 +98,6 @@ impl YoYo {
         Ok(self)
     }
 
-    /// Mass, kg.
-    pub(crate) const fn mass(&self) -> f64 {
-        self.mass
-    }
-
-    /// Moment of inertia about the axle, kg m².
-    pub(crate) const fn inertia(&self) -> f64 {
-        self.inertia
-    }
-
-    /// Length of the string, m.
-    pub(crate) const fn length(&self) -> f64 {
-        self.length
-    }
-
-    /// Radius of the axle, m.
-    pub(crate) const fn axle(&self) -> f64 {
-        self.axle
-    }
-
     /// I/(m r²) with the radius of the bare axle, dimensionless.
     pub(crate) fn inertia_factor(&self) -> f64 {
         self.inertia / (self.mass * self.axle * self.axle)
@@ -123,19 +108,15 @@ impl YoYo {
         self.inertia / self.mass
     }
 
-    /// r², m², at a depth between 0 and the length of the string.
+    /// r², m², at a depth; above the hand and below the end of the string that of the nearer one.
     pub(crate) fn radius_squared(&self, depth: f64) -> f64 {
+        let depth = depth.clamp(0.0, self.length);
         // Counted from the nearer end, so that both ends are exact.
         if depth < 0.5 * self.length {
             self.wound_squared - self.slope * depth
         } else {
             self.axle * self.axle + self.slope * (self.length - depth)
         }
-    }
-
-    /// −d(r²)/dx, m.
-    pub(crate) const fn thinning(&self) -> f64 {
-        self.slope
     }
 
     /// The radius at which the string leaves, m, at a depth between 0 and the length of the string.
@@ -147,7 +128,7 @@ impl YoYo {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn radius(&self, depth: f64) -> f64 {
-        self.radius_squared(depth.clamp(0.0, self.length)).sqrt()
+        self.radius_squared(depth).sqrt()
     }
 
     /// Downward acceleration, m/s², at this depth and spin (rad/s); it is the same going down and going up.
@@ -161,8 +142,8 @@ impl YoYo {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn acceleration(&self, depth: f64, omega: f64, gravity: f64) -> f64 {
-        let square = self.radius_squared(depth.clamp(0.0, self.length));
-        let brake = 0.5 * self.thinning() * self.gyration_squared() * omega * omega;
+        let square = self.radius_squared(depth);
+        let brake = 0.5 * self.slope * self.gyration_squared() * omega * omega;
         (gravity * square - brake) / (square + self.gyration_squared())
     }
 
@@ -177,8 +158,8 @@ impl YoYo {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn tension(&self, depth: f64, omega: f64, gravity: f64) -> f64 {
-        let square = self.radius_squared(depth.clamp(0.0, self.length));
-        let pull = gravity + 0.5 * self.thinning() * omega * omega;
+        let square = self.radius_squared(depth);
+        let pull = gravity + 0.5 * self.slope * omega * omega;
         self.inertia * pull / (square + self.gyration_squared())
     }
 
@@ -191,7 +172,7 @@ impl YoYo {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn kinetic_energy(&self, depth: f64, omega: f64) -> f64 {
-        let square = self.radius_squared(depth.clamp(0.0, self.length));
+        let square = self.radius_squared(depth);
         0.5 * (self.inertia + self.mass * square) * omega * omega
     }
 }

@@ -14,7 +14,7 @@ use super::YoYo;
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn sleeping_spin(toy: &YoYo, omega: f64, time: f64, torque: f64) -> f64 {
-    (omega - torque * time / toy.inertia()).max(0.0)
+    (omega - torque * time / toy.inertia).max(0.0)
 }
 
 /// Spin, rad/s, after a jerk has made the string grip: I ω = (I + m r²)ω'.

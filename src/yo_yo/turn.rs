@@ -68,7 +68,7 @@ impl Turn {
     pub fn new(toy: YoYo, gravity: f64, omega: f64) -> Result<Self> {
         let omega = positive("the spin at the end of the string", omega)?;
         let gravity = not_negative("gravity", gravity)?;
-        let r = toy.axle();
+        let r = toy.axle;
         let pull = gravity * r / (r * r + toy.gyration_squared());
         let (slack, fastest) = (omega * omega - 2.0 * pull, omega * omega + 2.0 * pull);
         if slack <= 0.0 {
@@ -78,7 +78,7 @@ impl Turn {
         let parameter = Parameter::new(4.0 * pull / fastest, slack / fastest)?;
         let fastest = fastest.sqrt();
         let duration = 4.0 * incomplete_first(FRAC_PI_4, parameter)? / fastest;
-        let (mass, weight) = (toy.mass(), toy.mass() * gravity);
+        let (mass, weight) = (toy.mass, toy.mass * gravity);
         Ok(Self {
             omega,
             fastest,
@@ -118,14 +118,14 @@ impl Turn {
         let omega = self.fastest * jacobi.dn;
         // α = π/2 + 2 am: its sine and cosine follow from those of twice the amplitude.
         let (sin_alpha, cos_alpha) = ((cosine - sine) * (cosine + sine), -2.0 * sine * cosine);
-        let r = self.toy.axle();
+        let r = self.toy.axle;
         let centripetal = r * (omega * omega * sin_alpha - self.pull * cos_alpha * cos_alpha);
         Ok(TurnState {
             angle: core::f64::consts::FRAC_PI_2 + 2.0 * jacobi.am,
             omega,
-            depth: self.toy.length() + r * sin_alpha,
+            depth: self.toy.length + r * sin_alpha,
             velocity: r * omega * cos_alpha,
-            tension: self.toy.mass() * (self.gravity + centripetal),
+            tension: self.toy.mass * (self.gravity + centripetal),
         })
     }
 
@@ -144,10 +144,10 @@ impl Turn {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn work_of_lift(&self, lift: f64) -> f64 {
-        let r = self.toy.axle();
+        let r = self.toy.axle;
         let square = r * r + self.toy.gyration_squared();
         let reach = core::f64::consts::FRAC_PI_2 * r / square * lift;
         let gain = self.omega * reach / (2.0 - 0.5 * reach);
-        self.toy.mass() * square * gain * (self.omega + 0.5 * gain)
+        self.toy.mass * square * gain * (self.omega + 0.5 * gain)
     }
 }

@@ -94,7 +94,7 @@ impl Unwinding {
         } else {
             self.energy / self.toy.mass + self.gravity * depth
         };
-        let square = self.toy.radius_squared(depth.clamp(0.0, self.toy.length));
+        let square = self.toy.radius_squared(depth);
         (2.0 * fall.max(0.0) / (square + self.toy.gyration_squared())).sqrt()
     }
 
@@ -123,7 +123,7 @@ impl Unwinding {
         let (speed, acceleration) = (self.speed, self.acceleration);
         let even = self.even_time(way);
         let later = speed + acceleration * even;
-        let q = self.toy.thinning() / self.toy.radius_squared(self.top);
+        let q = self.toy.slope / self.toy.radius_squared(self.top);
         if q == 0.0 {
             return Ok(even);
         }
@@ -150,8 +150,8 @@ impl Unwinding {
 
     /// √r² and √(r² + k²) at the distance `way` below the upper end, both divided by r at the upper end.
     fn roots(&self, way: f64) -> [f64; 2] {
-        let depth = (self.top + way).min(self.toy.length);
-        let [from, here] = [self.top, depth].map(|depth| self.toy.radius_squared(depth));
+        let depths = [self.top, self.top + way];
+        let [from, here] = depths.map(|depth| self.toy.radius_squared(depth));
         [here, here + self.toy.gyration_squared()].map(|square| (square / from).sqrt())
     }
 
@@ -204,7 +204,7 @@ impl Unwinding {
     /// The distance from the upper end covered in this time, by Newton's method; its variable is the time on a string that stays as thick as at the upper end.
     fn way_of(&self, time: f64, duration: f64) -> Result<f64> {
         let way = |even: f64| even * (self.speed + 0.5 * self.acceleration * even);
-        if self.toy.thinning() == 0.0 {
+        if self.toy.slope == 0.0 {
             return Ok(way(time));
         }
         let [_, b0] = self.roots(0.0);

@@ -39,7 +39,7 @@ section! {
 pub fn yo_yo(file: &File<'_, Body, Initial, Effects>) -> Made<Play> {
     let toy = toy(file, &file.body)?;
     // Without another value, the radius of the disc with this mass and inertia.
-    let of_disc = (2.0 * toy.inertia() / toy.mass()).sqrt();
+    let of_disc = (2.0 * toy.inertia / toy.mass).sqrt();
     let radius = file.body.radius.unwrap_or(of_disc);
     let outline = Outline::new("a yo-yo", Solid::wheel(radius, 0.8 * radius));
     let look = rolling(outline, Around::String, |told| {

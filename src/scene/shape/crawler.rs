@@ -86,7 +86,7 @@ impl Crawler {
     /// μg of a foot that slips and of one that holds, m/s²; `None` on perfect ice.
     fn grip(&self) -> Option<[f64; 2]> {
         let (friction, g) = (self.friction?, self.gravity?);
-        Some([friction.kinetic() * g, friction.grip() * g])
+        Some([friction.kinetic * g, friction.grip * g])
     }
 }
 
@@ -98,7 +98,7 @@ type Phase = (u64, Leg);
 
 impl Crawler {
     fn gap(&self, piece: u64, t: f64) -> Gap {
-        self.body.strokes().at(piece, t)
+        self.body.strokes.at(piece, t)
     }
 
     /// The leg that begins at this time. Feet that have no velocity left come to rest first, and set that of the centre.
@@ -139,15 +139,15 @@ impl Flow<5> for Crawler {
     }
 
     fn scales(&self) -> [f64; 5] {
-        let strokes = self.body.strokes();
-        let mass: f64 = self.body.masses().iter().sum();
+        let strokes = self.body.strokes;
+        let mass: f64 = self.body.masses.iter().sum();
         let speed = 2.0 * strokes.length / strokes.push.min(strokes.pull);
         let energy = mass * speed * speed;
         [strokes.length, speed, mass * speed, energy, energy]
     }
 
     fn pace(&self) -> f64 {
-        let strokes = self.body.strokes();
+        let strokes = self.body.strokes;
         TAU / (2.0 * strokes.push.min(strokes.pull))
     }
 
@@ -170,7 +170,7 @@ impl Flow<5> for Crawler {
     }
 
     fn lasts_until(&self, (piece, _): Phase, _: f64) -> f64 {
-        self.body.strokes().beginning(piece + 1)
+        self.body.strokes.beginning(piece + 1)
     }
 
     fn next(&self, (piece, leg): Phase, ended: Stop, t: f64, y: &mut [f64; 5]) -> Result<Phase> {
@@ -230,7 +230,7 @@ impl Scene for Crawler {
 
     fn simulate(&self, request: &Request) -> Result<Motion<CrawlerState>> {
         let plan = self.plan(request)?;
-        let (body, strokes) = (&self.body, self.body.strokes());
+        let (body, strokes) = (&self.body, self.body.strokes);
         let condition = "a crawler must be asked for no more than 250000 cycles";
         no_more(request.furthest / strokes.cycle(), MOST_CYCLES, condition)?;
         let gap = |t: f64| strokes.at(strokes.piece_at(t), t);
@@ -244,7 +244,7 @@ impl Scene for Crawler {
         });
         let [.., mass_speed, _, energy] = self.scales();
         let spent = books.states().map(|state| state.heat).fold(0.0, f64::max);
-        let mass: f64 = body.masses().iter().sum();
+        let mass: f64 = body.masses.iter().sum();
         let impulse = |place: usize| answer.samples[place].1[2];
         let momentum = |place: usize, s: &CrawlerState| mass * s.velocity - impulse(place);
         let balance = |place: usize, s: &CrawlerState| {

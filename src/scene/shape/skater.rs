@@ -119,7 +119,7 @@ impl Skater {
                 spin(0.0) * t.min(begin) + moving + spin(t) * (t - end).max(0.0)
             }
         };
-        let work = self.body.work(l, self.reach, reach)? + self.body.hand() * rate * rate;
+        let work = self.body.work(l, self.reach, reach)? + self.body.hand * rate * rate;
         Ok([angle, spin(t), work, 0.0])
     }
 }

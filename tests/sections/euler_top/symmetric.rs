@@ -89,6 +89,7 @@ fn s6_5_precession_seen_from_space() {
     for i in 1..8 {
         let t = 0.9 * f64::from(i);
         let (_, attitude) = integrated(1.0, 1.5, OMEGA0, t, 20_000);
+        let turned = Attitude::about_axis(l, rate * t).unwrap();
         // Observed 4e-15 for the axis, 1e-14 rad for the attitude.
         let off = (attitude.to_space(axis) - turned.to_space(axis)).norm();
         observed!(off, 1e-15..=3e-14, "t = {t}");

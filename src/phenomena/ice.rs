@@ -98,10 +98,7 @@ impl Wriggler {
         }
         let mut muscles = [Muscle::default(); JOINS];
         for (muscle, (i, j)) in muscles.iter_mut().zip(joins()) {
-            let apart = [
-                start[2 * j] - start[2 * i],
-                start[2 * j + 1] - start[2 * i + 1],
-            ];
+            let apart = [0, 1].map(|axis| start[2 * j + axis] - start[2 * i + axis]);
             *muscle = Muscle {
                 rest: apart[0].hypot(apart[1]),
                 rate: 2.0 + 6.0 * next(),

@@ -48,10 +48,8 @@ impl Skater {
     /// ```
     pub fn reach(&self, moment: f64) -> Result<f64> {
         let hand = positive("the mass of a hand", self.hand)?;
-        let rest = not_negative(
-            "the moment of inertia left to the hands",
-            moment - self.core,
-        )?;
+        let rest = moment - self.core;
+        let rest = not_negative("the moment of inertia left to the hands", rest)?;
         Ok((rest / (2.0 * hand)).sqrt())
     }
 
@@ -82,10 +80,8 @@ impl Skater {
     /// ```
     pub fn work(&self, l: f64, from: f64, to: f64) -> Result<f64> {
         let (spin, other) = (self.spin(l, from), self.spin(l, to));
-        finite(
-            "the work of the arms",
-            spin * other * self.hand * (from - to) * (from + to),
-        )
+        let work = spin * other * self.hand * (from - to) * (from + to);
+        finite("the work of the arms", work)
     }
 
     /// Angular acceleration, rad/s², while the hands move at `reach_rate` (m/s): IΩ′ = −4 m r r′ Ω, the Coriolis force on two hands.

@@ -40,10 +40,8 @@ impl Waist {
         let twist = finite("the twist", twist)?;
         // Quotients of similar magnitude, because a product of two moments could overflow.
         let share = lower / (folded + lower);
-        finite(
-            "the swivel angle",
-            -twist * share * ((outstretched - folded) / (outstretched + lower)),
-        )
+        let turn = -twist * share * ((outstretched - folded) / (outstretched + lower));
+        finite("the swivel angle", turn)
     }
 
     /// Turns of the lower body, radians, in the two phases in which it turns: while the upper body twists by `twist` with the arms out,

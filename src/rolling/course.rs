@@ -25,7 +25,6 @@ pub struct Course {
     stretches: Vec<Stretch>,
     /// The events, in order.
     pub events: Vec<Event>,
-    has_sheet: bool,
 }
 
 /// Most stretches followed.
@@ -63,14 +62,10 @@ impl Course {
 
     /// The same under these laws.
     pub(crate) fn under(laws: &Laws<'_>, start: Moment, until: f64) -> Result<Self> {
-        each_finite(
-            "the start",
-            [start.position, start.velocity, start.rim_speed, start.slip],
-        )?;
+        each_finite("the start", start.state())?;
         let mut course = Self {
             stretches: Vec::new(),
             events: Vec::new(),
-            has_sheet: laws.sheet.is_some(),
         };
         let mut stretch = laws.first(start);
         let mut sticks = start.slip == 0.0;
@@ -131,7 +126,8 @@ impl Course {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn margin(&self, t: f64) -> Option<f64> {
-        self.has_sheet.then(|| self.state(t)[7])
+        let sheet = self.stretches.first()?.on_sheet;
+        sheet.map(|_| self.state(t)[7])
     }
 
     /// The body and its distance from the sheet's edge.

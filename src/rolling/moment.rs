@@ -80,9 +80,8 @@ impl Moment {
     }
 
     /// The moment of these numbers.
-    pub(crate) const fn of(
-        &[position, velocity, rim_speed, slip, turned, heat, work, _]: &State,
-    ) -> Self {
+    pub(crate) const fn of(state: &State) -> Self {
+        let [position, velocity, rim_speed, slip, turned, heat, work, _] = *state;
         Self {
             position,
             velocity,

@@ -59,10 +59,8 @@ impl RoundBody {
         let strength = positive("the coefficient of friction", friction)?
             * positive("the acceleration of gravity", gravity)?;
         let strength = finite("the deceleration by friction", strength)?;
-        each_finite(
-            "a velocity",
-            start.velocity.iter().chain(&start.rim_velocity).copied(),
-        )?;
+        each_finite("a velocity", start.velocity)?;
+        each_finite("a velocity", start.rim_velocity)?;
         let [x, y] = start.slip();
         let size = x.hypot(y);
         let friction = if size == 0.0 {
@@ -75,13 +73,11 @@ impl RoundBody {
             (start.velocity[i] + kappa * start.rim_velocity[i]) / self.pure_rolling_height()
         });
         each_finite("the velocity of rolling", rolling)?;
+        let time = kappa / self.pure_rolling_height() * size / strength;
         Ok(Slide {
             start,
             friction,
-            time: finite(
-                "the sliding time",
-                kappa / self.pure_rolling_height() * size / strength,
-            )?,
+            time: finite("the sliding time", time)?,
             kappa,
             rolling,
         })

@@ -271,12 +271,7 @@ impl Shot {
     }
 }
 
-/// `height_over_radius`, if a level cue at that height meets the body.
-fn height_on_body(height_over_radius: f64) -> Result<f64> {
-    within(
-        "the height of the stroke in radii",
-        height_over_radius,
-        0.0,
-        2.0,
-    )
+/// The height of a stroke over the radius, if a level cue there meets the body.
+fn height_on_body(height: f64) -> Result<f64> {
+    within("the height of the stroke in radii", height, 0.0, 2.0)
 }

@@ -271,13 +271,11 @@ impl Spool {
         let gravity = positive("the acceleration of gravity", gravity)?;
         let pull = tug.tension / self.body.mass;
         let (sin, cos) = tug.angle.sin_cos();
+        let reaction = gravity - pull * sin;
         Ok(Load {
             push: pull * cos,
             twist: -pull * self.ratio,
-            reaction: positive(
-                "the reaction of the table under the tug",
-                gravity - pull * sin,
-            )?,
+            reaction: positive("the reaction of the table under the tug", reaction)?,
         })
     }
 

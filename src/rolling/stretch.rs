@@ -49,9 +49,10 @@ pub(crate) struct Stretch {
     pub leg_ends: f64,
     load: Load,
     leg: usize,
-    /// Speed and acceleration of the sheet, and whether the body is on it, if there is one.
+    /// Speed and acceleration of the sheet.
     sheet: [f64; 2],
-    on_sheet: Option<bool>,
+    /// Whether the body is on the sheet, if there is one.
+    pub on_sheet: Option<bool>,
     /// V + κRΩ at the start.
     about: f64,
 }
@@ -74,13 +75,17 @@ impl<'a> Laws<'a> {
     /// is consistent with its own consequences. "Held" is tried first, so a contact that can stick does.
     fn pace(&self, law: Option<Coulomb>, state: &State, ground: f64) -> Pace {
         let [_, _, rim_speed, slip, ..] = *state;
+        // What begins to go must go the way assumed.
+        let stalls = |hold, value: f64, rate: f64| match hold {
+            Hold::Goes(sign) => value == 0.0 && sign * rate <= 0.0,
+            _ => false,
+        };
         let mut first = None;
         for &slipping in candidates(law.is_some(), slip) {
             for &turning in candidates(self.resistance.is_some(), rim_speed) {
                 let (pace, agrees) = self.consequence(law, slipping, turning, ground);
-                let starts = (slip != 0.0 || starts(slipping, pace.rates[2]))
-                    && (rim_speed != 0.0 || starts(turning, pace.rates[1]));
-                if agrees && starts {
+                let [_, turns, slips] = pace.rates;
+                if agrees && !stalls(slipping, slip, slips) && !stalls(turning, rim_speed, turns) {
                     return pace;
                 }
                 first.get_or_insert(pace);
@@ -205,40 +210,31 @@ impl<'a> Laws<'a> {
         let mut on_sheet = before.on_sheet;
         let sheet = before.sheet_speed(after);
         let ground = |on: Option<bool>| if on == Some(true) { sheet } else { 0.0 };
-        let [
-            x,
-            mut velocity,
-            mut rim_speed,
-            mut slip,
-            turned,
-            heat,
-            work,
-            mut margin,
-        ] = *state;
+        let mut state = *state;
+        let [_, velocity, rim_speed, slip, .., margin] = &mut state;
         let mut rests = false;
         match what {
             None => {}
             Some(Happening::LeavesSheet | Happening::MountsSheet) => {
-                (on_sheet, margin) = (on_sheet.map(|on| !on), 0.0);
-                slip = velocity - rim_speed - ground(on_sheet);
+                (on_sheet, *margin) = (on_sheet.map(|on| !on), 0.0);
+                *slip = *velocity - *rim_speed - ground(on_sheet);
             }
             Some(Happening::RollingBegins) if pace.turning != Hold::Held => {
-                slip = 0.0;
-                velocity = (about + kappa * ground(on_sheet)) / (1.0 + kappa);
-                rim_speed = (about - ground(on_sheet)) / (1.0 + kappa);
-                rests = rim_speed == 0.0;
+                *slip = 0.0;
+                *velocity = (about + kappa * ground(on_sheet)) / (1.0 + kappa);
+                *rim_speed = (about - ground(on_sheet)) / (1.0 + kappa);
+                rests = *rim_speed == 0.0;
             }
             Some(_) if pace.slipping != Hold::Held && pace.turning != Hold::Held => {
-                rim_speed = 0.0;
-                rests = slip == 0.0;
+                *rim_speed = 0.0;
+                rests = *slip == 0.0;
             }
             // It no longer slips or turns.
             Some(_) => {
-                (slip, rim_speed, rests) = (0.0, 0.0, true);
-                (velocity, about) = (ground(on_sheet), ground(on_sheet));
+                (*slip, *rim_speed, rests) = (0.0, 0.0, true);
+                (*velocity, about) = (ground(on_sheet), ground(on_sheet));
             }
         }
-        let state = [x, velocity, rim_speed, slip, turned, heat, work, margin];
         let next = self.begins((time, state), about, before.leg, on_sheet);
         let happened = if rests { Some(Happening::Rest) } else { what };
         (next, happened)
@@ -252,14 +248,6 @@ fn candidates(acts: bool, value: f64) -> &'static [Hold] {
         (true, 0.0) => &[Hold::Held, Hold::Goes(1.0), Hold::Goes(-1.0)],
         (true, value) if value > 0.0 => &[Hold::Goes(1.0)],
         (true, _) => &[Hold::Goes(-1.0)],
-    }
-}
-
-/// Whether a quantity at zero, with this rate, leaves zero as `hold` assumes.
-fn starts(hold: Hold, rate: f64) -> bool {
-    match hold {
-        Hold::Goes(sign) => sign * rate > 0.0,
-        _ => true,
     }
 }
 

@@ -132,7 +132,7 @@ impl TableTop {
         }
         let flow = self.on_the_table(request.accuracy)?;
         let takeoff = flow.takeoff(0.0, &flow.start);
-        let flight = Flight::from(flow.body(), 0.0, &flow.start, takeoff)?;
+        let flight = Flight::from(&flow.table, &flow.start, takeoff)?;
         solved((&flow, plan, request), 1, |t| flight.at(t))
     }
 
@@ -636,7 +636,7 @@ impl Flow<NUMBERS> for OnTheTable {
 impl OnTheTable {
     /// The flight, up to the end of its landing impact, if there is one.
     fn flown(&self, takeoff: TakeOff, ahead: &Ahead<'_, NUMBERS>) -> Result<Passage<Numbers>> {
-        let flight = Flight::from(self.body(), self.table.gravity, ahead.start.1, takeoff)?;
+        let flight = Flight::from(&self.table, ahead.start.1, takeoff)?;
         let landing = flight.landing(ahead.end, |time| ahead.budget.spend(1, time))?;
         let mut passage = ahead.in_closed_form(landing, |t| flight.at(t))?;
         if let Some(time) = landing {

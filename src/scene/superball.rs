@@ -182,7 +182,7 @@ impl Scene for Superball {
                 (balls.collect(), (trace.cost, trace.error))
             }
         };
-        let energy = |ball: &InFlight| self.mass * ball.energy(self.kappa, flight.gravity());
+        let energy = |ball: &InFlight| self.mass * ball.energy(self.kappa, flight.gravity);
         // A ball that flew on through the floor would conserve its energy too.
         let depth = |ball: &InFlight| (-ball.height).max(ball.height - self.room).max(0.0);
         let heights = balls.iter().map(|ball| ball.height.abs());
@@ -308,7 +308,7 @@ impl Thrown {
 
     /// Succeeds unless a ball at the floor rises by no more than a rounding of the heights: then bounces pile up without end.
     fn leaves_the_floor(&self, ball: &InFlight) -> Result<()> {
-        let (g, [_, height]) = (self.flight.gravity(), self.sizes());
+        let (g, [_, height]) = (self.flight.gravity, self.sizes());
         let rises = ball.climb * ball.climb > 2.0 * g * f64::EPSILON * height;
         if g == 0.0 || ball.height > 0.0 || rises {
             return Ok(());
@@ -320,7 +320,7 @@ impl Thrown {
 
     /// The speed at the floor, and the height to which it carries the ball.
     fn sizes(&self) -> [f64; 2] {
-        let (g, ball) = (self.flight.gravity(), self.flight.start);
+        let (g, ball) = (self.flight.gravity, self.flight.start);
         let speed = ball.climb.hypot((2.0 * g * ball.height).sqrt());
         [speed, self.flight.room.min(0.5 * speed * speed / g)]
     }
@@ -360,7 +360,7 @@ impl Flow<3> for Thrown {
     }
 
     fn rate(&self, flight: InFlight, _: f64, y: &[f64; 3]) -> [f64; 3] {
-        [flight.motion.velocity, y[2], -self.flight.gravity()]
+        [flight.motion.velocity, y[2], -self.flight.gravity]
     }
 
     fn margin(&self, flight: InFlight, _: f64, y: &[f64; 3]) -> Option<f64> {
@@ -373,8 +373,8 @@ impl Flow<3> for Thrown {
 
     /// A flight is cut at its summit, for a step up and down again would hide a contact.
     fn lasts_until(&self, flight: InFlight, t: f64) -> f64 {
-        match flight.climb > 0.0 && self.flight.gravity() > 0.0 {
-            true => t + flight.climb / self.flight.gravity(),
+        match flight.climb > 0.0 && self.flight.gravity > 0.0 {
+            true => t + flight.climb / self.flight.gravity,
             false => f64::INFINITY,
         }
     }

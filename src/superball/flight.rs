@@ -46,8 +46,8 @@ pub struct Flight {
     kappa: f64,
     /// Height from floor to ceiling less the ball's diameter; infinite without a ceiling.
     pub(crate) room: f64,
-    /// Positive, if there is any.
-    gravity: Option<f64>,
+    /// Acceleration of gravity, m/s², 0 if there is none.
+    pub(crate) gravity: f64,
     losses: Option<Restitution>,
     grip: Option<Coulomb>,
     /// The start.
@@ -102,7 +102,7 @@ impl Flight {
         Ok(Self {
             kappa: within("the inertia factor", kappa, 0.0, 1.0)?,
             room,
-            gravity: (gravity > 0.0).then_some(gravity),
+            gravity,
             losses,
             grip,
             start: InFlight {
@@ -112,11 +112,6 @@ impl Flight {
         })
     }
 
-    /// Acceleration of gravity, m/s², 0 if there is none.
-    pub(crate) fn gravity(&self) -> f64 {
-        self.gravity.unwrap_or(0.0)
-    }
-
     /// Whether energy is conserved and the bounces are reflections, so that [`Self::exact`] applies.
     pub(crate) fn is_elastic(&self) -> bool {
         self.losses.is_none() && self.grip.is_none()
@@ -124,11 +119,7 @@ impl Flight {
 
     /// The speeds at which a ball in flight meets the floor, and the ceiling if it gets so high, in twice the precision.
     fn speeds(&self, ball: &InFlight) -> (DoubleDouble, Option<DoubleDouble>) {
-        let v = ball.climb.abs();
-        let Some(g) = self.gravity else {
-            let v = DoubleDouble::from(v);
-            return (v, self.room.is_finite().then_some(v));
-        };
+        let (v, g) = (ball.climb.abs(), self.gravity);
         let square = DoubleDouble::product(v, v);
         // Without a fall the speed is the ball's own, even where its square underflows.
         let after = |fall: DoubleDouble, sum: DoubleDouble| match fall.value() {
@@ -149,8 +140,8 @@ impl Flight {
         let v = DoubleDouble::from(ball.climb);
         let (floor, ceiling) = self.speeds(ball);
         // The root in the form that does not cancel, for either sign of v.
-        let contact = match (ceiling, self.gravity) {
-            (Some(speed), _) if ball.climb > 0.0 => {
+        let contact = match ceiling {
+            Some(speed) if ball.climb > 0.0 => {
                 let left = DoubleDouble::difference(self.room, ball.height);
                 let time = left.scaled(2.0) / (v + speed);
                 Some((time, Surface::Ceiling, speed))
@@ -159,8 +150,8 @@ impl Flight {
                 let time = DoubleDouble::from(2.0 * ball.height) / (floor - v);
                 Some((time, Surface::Floor, floor))
             }
-            (_, Some(g)) if floor.value() > 0.0 => {
-                let time = (v + floor) / DoubleDouble::from(g);
+            _ if self.gravity > 0.0 && floor.value() > 0.0 => {
+                let time = (v + floor) / DoubleDouble::from(self.gravity);
                 Some((time, Surface::Floor, floor))
             }
             _ => None,
@@ -171,22 +162,18 @@ impl Flight {
 
     /// Whether a ball lies on the floor.
     fn lies(&self, ball: &InFlight) -> bool {
-        self.gravity.is_some() && self.speeds(ball).0.value() == 0.0
+        self.gravity > 0.0 && self.speeds(ball).0.value() == 0.0
     }
 
     /// The ball after a time without contact.
     fn flown(&self, ball: &InFlight, t: f64) -> Result<InFlight> {
-        let mut height = ball.height + t * ball.climb;
-        let mut climb = ball.climb;
-        if let Some(g) = self.gravity {
-            height -= 0.5 * g * t * t;
-            climb -= g * t;
-        }
+        let g = self.gravity;
         let position = ball.position + t * ball.motion.velocity;
+        let height = ball.height + t * ball.climb - 0.5 * g * t * t;
         Ok(InFlight {
             position: finite("the position", position)?,
             height: finite("the height", height)?,
-            climb,
+            climb: ball.climb - g * t,
             ..*ball
         })
     }
@@ -272,10 +259,10 @@ impl Flight {
         }
         let arrived = self.bounced(start, first_time.value(), first, speed.value());
         let (floor, ceiling) = self.speeds(start);
-        let flight = match (ceiling, self.gravity) {
-            (Some(speed), _) => DoubleDouble::from(2.0 * self.room) / (floor + speed),
-            (None, Some(g)) => floor.scaled(2.0) / DoubleDouble::from(g),
-            (None, None) => return self.flown(&arrived, since.value()),
+        let flight = match ceiling {
+            Some(speed) => DoubleDouble::from(2.0 * self.room) / (floor + speed),
+            None if self.gravity > 0.0 => floor.scaled(2.0) / DoubleDouble::from(self.gravity),
+            None => return self.flown(&arrived, since.value()),
         };
         let mut whole = (since / flight).value().floor();
         if whole.is_nan() || whole >= MOST_FLIGHTS {
@@ -360,10 +347,10 @@ impl Flight {
     /// The time from which the flights form a geometric series, the ball as it leaves the floor then, and the time at which the bounces end.
     fn pile(&self, bounced: Told<'_>) -> Result<Option<(f64, InFlight, f64)>> {
         let (mut time, mut ball) = (DoubleDouble::from(0.0), self.start);
-        let [normal, _] = self.restitution();
-        let Some(g) = self.gravity.filter(|_| normal < 1.0 || self.lies(&ball)) else {
+        let ([normal, _], g) = (self.restitution(), self.gravity);
+        if g == 0.0 || normal == 1.0 && !self.lies(&ball) {
             return Ok(None);
-        };
+        }
         for _ in 0..MOST_BOUNCES {
             let Some((wait, surface, speed)) = self.contact(&ball) else {
                 let time = time.value();
@@ -497,7 +484,7 @@ impl Flight {
         let motion = ball.motion;
         let (way, [velocity, rim_speed]) = if self.grip.is_some() {
             let start = Moment::moving(motion.velocity, motion.rim_speed);
-            let load = Load::weight(self.gravity());
+            let load = Load::weight(self.gravity);
             let course = Course::new(self.kappa, load, (self.grip, None, None), start, t)?;
             let end = course.at(t);
             (end.position, [end.velocity, end.rim_speed])

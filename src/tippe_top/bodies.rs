@@ -31,12 +31,8 @@ pub fn eccentric_ball(
 
 /// α, the offset of C over the radius, if 0 ≤ α < 1.
 pub(super) fn offset(alpha: f64) -> Result<f64> {
-    within(
-        "the offset of C over the radius",
-        alpha,
-        0.0,
-        1.0_f64.next_down(),
-    )
+    let most = 1.0_f64.next_down();
+    within("the offset of C over the radius", alpha, 0.0, most)
 }
 
 fn round_ended(

@@ -32,10 +32,8 @@ pub fn chirality_index(inertia: &InertiaMatrix, axis: BodyVector) -> Result<f64>
     let k = axis.direction("the axis CK")?.components();
     let matrix = inertia.matrix();
     let image = matrix * k;
-    finite(
-        "the chirality index",
-        k.dot(&image.cross(&(matrix * image))),
-    )
+    let index = k.dot(&image.cross(&(matrix * image)));
+    finite("the chirality index", index)
 }
 
 /// The slow swing of small perturbations for spin in both senses, anticlockwise first, at `spin` (rad/s) under gravity g: it tells for which

@@ -23,7 +23,7 @@ pub(crate) struct Table {
 }
 
 /// The contact at a state, in body axes.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Contact {
     /// Velocity of the point in contact.
     pub(crate) slip: Vector3<f64>,
@@ -40,11 +40,8 @@ impl Contact {
     /// The contact of a body in the air: no force.
     pub(crate) fn none(body: &ConvexBody, omega: &Vector3<f64>) -> Self {
         Self {
-            slip: Vector3::zeros(),
-            reaction: 0.0,
-            traction: Vector3::zeros(),
             omega_rate: body.inverse * -omega.cross(&(body.inertia.matrix() * omega)),
-            power: 0.0,
+            ..Self::default()
         }
     }
 }

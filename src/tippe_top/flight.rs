@@ -13,12 +13,11 @@ use crate::integrators::{Effort, Kept, Leg, System, Watched, halved};
 /// A free body whose centre of mass moves on a parabola.
 #[derive(Debug, Clone)]
 pub(crate) struct Flight {
-    body: ConvexBody,
+    table: Table,
     /// `None` where the body is at rest, which a free top cannot be.
     turning: Option<FreeBody>,
     start: Numbers,
     takeoff: TakeOff,
-    gravity: f64,
 }
 
 /// The take-off of a body: what its flight needs besides the numbers of the state.
@@ -43,25 +42,19 @@ impl TakeOff {
 
 impl Flight {
     /// The flight from a state that leaves the table.
-    pub(crate) fn from(
-        body: &ConvexBody,
-        gravity: f64,
-        start: &Numbers,
-        takeoff: TakeOff,
-    ) -> Result<Self> {
+    pub(crate) fn from(table: &Table, start: &Numbers, takeoff: TakeOff) -> Result<Self> {
         let pose = Pose::of(start);
         let turning = if pose.omega.amax() == 0.0 {
             None
         } else {
             let omega = BodyVector::from_components(pose.omega);
-            Some(FreeBody::new(body.inertia(), omega, pose.attitude())?)
+            Some(FreeBody::new(table.body.inertia(), omega, pose.attitude())?)
         };
         Ok(Self {
-            body: *body,
+            table: *table,
             turning,
             start: *start,
             takeoff,
-            gravity,
         })
     }
 
@@ -85,8 +78,8 @@ impl Flight {
     /// Height of the lowest point.
     fn gap(&self, time: f64) -> Result<f64> {
         let pose = Pose::of(&self.at(time)?);
-        let (height, _) = self.takeoff.at(time, self.gravity);
-        Ok(height + pose.up.dot(&self.body.arm(&pose.up)))
+        let (height, _) = self.takeoff.at(time, self.table.gravity);
+        Ok(height + pose.up.dot(&self.table.body.arm(&pose.up)))
     }
 
     /// The time at which the body lands on the table, to rounding, if it does so before `until`.
@@ -101,9 +94,10 @@ impl Flight {
         until: f64,
         looked: impl Fn(f64) -> Result<()>,
     ) -> Result<Option<f64>> {
-        let turning = Pose::of(&self.start).omega.norm() * self.body.slenderness();
-        let reach = self.body.reach();
-        let natural = (self.gravity / reach).sqrt();
+        let Table { body, gravity, .. } = self.table;
+        let turning = Pose::of(&self.start).omega.norm() * body.slenderness();
+        let reach = body.reach();
+        let natural = (gravity / reach).sqrt();
         let stride = 0.1 / (turning + natural);
         let start = self.takeoff.time;
         let (mut before, mut after) = (start, (start + stride).min(until));
@@ -122,11 +116,11 @@ impl Flight {
                 return Ok(None);
             }
             before = after;
-            let (height, climb) = self.takeoff.at(before, self.gravity);
-            let squared = |drop: f64| 2.0 * self.gravity * drop.max(0.0) + climb * climb;
+            let (height, climb) = self.takeoff.at(before, gravity);
+            let squared = |drop: f64| 2.0 * gravity * drop.max(0.0) + climb * climb;
             // Nor before the parabola has brought C down to a height at which a point could touch.
             let aloft = if height > reach {
-                (climb + squared(height - reach).sqrt()) / self.gravity
+                (climb + squared(height - reach).sqrt()) / gravity
             } else {
                 0.0
             };

@@ -207,14 +207,11 @@ impl TippeTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn least_spin_to_invert(&self) -> Option<f64> {
-        let unit = self.jellett_of_spin(1.0, 0.0);
-        match self.inversion() {
-            Inversion::Complete => {
-                let [rise, stand] = [self.least_spin_to_rise()?, self.steady_jellett(PI)? / unit];
-                Some(rise.max(stand))
-            }
-            Inversion::Never | Inversion::Partial => None,
+        if self.inversion() != Inversion::Complete {
+            return None;
         }
+        let stand = self.steady_jellett(PI)? / self.jellett_of_spin(1.0, 0.0);
+        Some(self.least_spin_to_rise()?.max(stand))
     }
 
     /// The final tilt (rad) of a top with Jellett's integral λ that starts at tilt `start` without excess energy: the first

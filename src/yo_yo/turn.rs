@@ -78,18 +78,17 @@ impl Turn {
         let parameter = Parameter::new(4.0 * pull / fastest, slack / fastest)?;
         let fastest = fastest.sqrt();
         let duration = 4.0 * incomplete_first(FRAC_PI_4, parameter)? / fastest;
-        let (mass, weight) = (toy.mass, toy.mass * gravity);
+        let weight = toy.mass * gravity;
+        let swung = 2.0 * toy.mass * r * omega / duration;
+        let at_constant_spin = FRAC_2_PI * toy.mass * r * omega * omega;
         Ok(Self {
             omega,
             fastest,
             duration,
-            mean_tension: finite(
-                "the pull of the string",
-                weight + 2.0 * mass * r * omega / duration,
-            )?,
+            mean_tension: finite("the pull of the string", weight + swung)?,
             mean_tension_at_constant_spin: finite(
                 "the pull of the string",
-                weight + FRAC_2_PI * mass * r * omega * omega,
+                weight + at_constant_spin,
             )?,
             toy,
             gravity,

@@ -60,7 +60,7 @@ impl SheetSpeeds {
         Self::through([(0.0, 0.0), (time, speed)])
     }
 
-    /// The speed at a time, m/s; at a jump the one after it, and before time 0 that at 0.
+    /// The speed at a time, m/s; at a jump the one after it, and before time 0 the first one given.
     ///
     /// ```
     /// use spinning_bodies::rolling::SheetSpeeds;
@@ -68,10 +68,12 @@ impl SheetSpeeds {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn at(&self, t: f64) -> f64 {
-        let t = t.clamp(0.0, f64::MAX);
         let begun = self.points.partition_point(|point| point.0 <= t);
-        let (from, to) = self.leg(begun.saturating_sub(1));
-        from.1 + (t - from.0) * (to.1 - from.1) / (to.0 - from.0)
+        let Some(leg) = begun.checked_sub(1) else {
+            return self.points[0].1;
+        };
+        let (from, to) = self.leg(leg);
+        from.1 + (t.min(f64::MAX) - from.0) * (to.1 - from.1) / (to.0 - from.0)
     }
 
     /// Leg number `index` of the motion: times (s) and speeds (m/s) of its two ends, the last one open.

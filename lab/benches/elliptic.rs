@@ -1,4 +1,4 @@
-//! Jacobi functions: time beside GSL's, and incomplete integrals beside those of Boost in long double and of GSL, in one run.
+//! Jacobi functions: time beside GSL's, complete integrals beside K, and incomplete integrals beside those of Boost in long double and of GSL, in one run.
 //!
 //! `lab/peers/build.sh && cargo bench -p lab --bench elliptic`. Without the first step the peer's columns are
 //! empty. Each time is the least of many runs over the same arguments, ours and the peer's in turn.
@@ -14,8 +14,9 @@ use lab::stopwatch::{in_turn, least};
 use shared::{head, numbers, only_tested};
 use spinning_bodies::Result;
 use spinning_bodies::elliptic::{
-    Characteristic, Modulus, Parameter, incomplete_first, incomplete_second, incomplete_third, rc,
-    rd, rf, rg, rj, sn_cn_dn,
+    Characteristic, Modulus, Parameter, complete_b, complete_d, complete_first,
+    complete_first_excess, complete_second, complete_third, incomplete_first, incomplete_second,
+    incomplete_third, rc, rd, rf, rg, rj, sn_cn_dn,
 };
 use support::Uniform;
 
@@ -64,7 +65,64 @@ fn main() -> Result<()> {
         }
         measure(name, &groups)?;
     }
+    complete(&mut uniform)?;
     integrals(&mut uniform)
+}
+
+/// Complete integrals in units of the time of K, all in one run.
+fn complete(uniform: &mut Uniform) -> Result<()> {
+    let columns = ["K, ns", "E/K", "D/K", "B/K", "(K - pi/2)/K", "Pi/K"];
+    head("complete integrals; 0 < n < 1", &columns);
+    type Draw = fn(f64) -> Result<Characteristic>;
+    type Set = (&'static str, fn(f64) -> f64, Draw);
+    let of_m: Draw = |m| Ok(Parameter::from_parameter(m)?.into());
+    let of_mc: Draw = |mc| Ok(Parameter::from_complement(mc)?.into());
+    let sets: [Set; 8] = [
+        ("m random", |x| x, of_m),
+        ("m < 1/2", |x| 0.5 * x, of_m),
+        ("mc < 1/2", |x| 0.5 * x, of_mc),
+        ("mc 1e-1...1e-15", |x| 10_f64.powf(-1.0 - 14.0 * x), of_mc),
+        ("mc 1e-1...1e-300", |x| 10_f64.powf(-1.0 - 299.0 * x), of_mc),
+        ("m 1e-1...1e-7", |x| 10_f64.powf(-1.0 - 6.0 * x), of_m),
+        ("m 1e-8...1e-20", |x| 10_f64.powf(-8.0 - 12.0 * x), of_m),
+        (
+            "-m 1e-3...1e6",
+            |x| -(10_f64.powf(9.0 * x - 3.0)),
+            |m| Characteristic::from_characteristic(m),
+        ),
+    ];
+    for (name, scale, draw) in sets {
+        let pair = |_| {
+            let n = Characteristic::from_characteristic(uniform.next())?;
+            Ok((n, draw(scale(uniform.next()))?))
+        };
+        let rows = (0..ARGUMENTS).map(pair).collect::<Result<Vec<_>>>()?;
+        let seconds = in_turn([
+            &mut over(&rows, |_, m| complete_first(m)),
+            &mut over(&rows, |_, m| complete_second(m)),
+            &mut over(&rows, |_, m| complete_d(m)),
+            &mut over(&rows, |_, m| complete_b(m)),
+            &mut over(&rows, |_, m| complete_first_excess(m)),
+            &mut over(&rows, complete_third),
+        ]);
+        let mut cells = seconds.map(|time| time / seconds[0]);
+        cells[0] = 1e9 * seconds[0] / ARGUMENTS as f64;
+        numbers(name, &cells);
+    }
+    Ok(())
+}
+
+/// Calls a complete integral for each pair of n and m.
+fn over(
+    rows: &[(Characteristic, Characteristic)],
+    integral: impl Fn(Characteristic, Characteristic) -> Result<f64>,
+) -> impl FnMut() {
+    move || {
+        for row in rows {
+            let (n, m) = black_box(*row);
+            let _ = black_box(integral(n, m));
+        }
+    }
 }
 
 /// A function of the peer, what its arguments are, how they are drawn, and the same of ours.

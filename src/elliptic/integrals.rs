@@ -1,6 +1,7 @@
 //! Complete and incomplete integrals of all three kinds, and the inverse Jacobi functions.
 
 use super::carlson;
+use super::landen::SMALL;
 use super::modulus::Modulus;
 use super::parameter::{Characteristic, Parameter};
 use crate::error::{Error, Result, finite, within};
@@ -31,7 +32,7 @@ pub fn complete_first(parameter: impl Into<Characteristic>) -> Result<f64> {
 
 /// E = ∫₀^{π/2} √(1 − m sin²θ) dθ for m ≤ 1, π/2 at m = 0 and 1 at m = 1; formed as B + mc D, where nothing cancels.
 ///
-/// Error 0.40 ε at most of 49 rows. Cost 130–290 ns, two to four times that of K. Source: Digital Library of Mathematical Functions, 19.2, 19.8.
+/// Error 0.40 ε at most of 49 rows. Cost 1.5–2.6 times that of K. Source: Digital Library of Mathematical Functions, 19.2, 19.8.
 ///
 /// ```
 /// use spinning_bodies::elliptic::{Parameter, complete_first, complete_second};
@@ -52,8 +53,8 @@ pub fn complete_second(parameter: impl Into<Characteristic>) -> Result<f64> {
 
 /// D = ∫₀^{π/2} sin²θ/√(1 − m sin²θ) dθ = (K − E)/m for m ≤ 1, without that difference; π/4 at m = 0, infinite at mc = 0.
 ///
-/// Error 0.45 ε at most of 49 rows, m and mc to 10⁻³⁰⁰ and less. Cost 130–300 ns. Source: Digital Library of
-/// Mathematical Functions, 19.8.
+/// Error 0.45 ε at most of 49 rows, m and mc to 10⁻³⁰⁰ and less. Cost 1.5–2.7 times that of K. Source: Digital
+/// Library of Mathematical Functions, 19.8.
 ///
 /// # Errors
 ///
@@ -73,7 +74,7 @@ pub fn complete_d(parameter: impl Into<Characteristic>) -> Result<f64> {
 
 /// B = ∫₀^{π/2} cos²θ/√(1 − m sin²θ) dθ = (E − mc K)/m for m ≤ 1, without that difference; π/4 at m = 0, 1 at m = 1.
 ///
-/// Error 0.35 ε at most of 49 rows. Cost 130–300 ns. Source: Digital Library of Mathematical Functions, 19.8.
+/// Error 0.35 ε at most of 49 rows. Cost 1.5–2.7 times that of K. Source: Digital Library of Mathematical Functions, 19.8.
 ///
 /// # Errors
 ///
@@ -90,10 +91,10 @@ pub fn complete_b(parameter: impl Into<Characteristic>) -> Result<f64> {
     Ok(second_kind(parameter)[0].value())
 }
 
-/// K − π/2 for m ≤ 1, without that difference: πm/8 next to m = 0, negative for m < 0, infinite at m = 1.
+/// K − π/2 for m ≤ 1: πm/8 next to m = 0, negative for m < 0, infinite at m = 1.
 ///
-/// By it a pendulum's quarter period exceeds that of small swings. With the cₙ and the limit a of the arithmetic–geometric mean it
-/// is π/2 Σcₙ/a. Error 0.44 ε at most of 40 rows, m and mc to 10⁻³⁰⁰ and less. Cost 130–300 ns.
+/// By it a pendulum's quarter period exceeds that of small swings. The difference is taken in two words, and for |m| below 10⁻⁸ from the series.
+/// Error 0.44 ε at most of 40 rows, m and mc to 10⁻³⁰⁰ and less. Cost that of K.
 ///
 /// ```
 /// use spinning_bodies::elliptic::{Parameter, complete_first_excess};
@@ -106,65 +107,76 @@ pub fn complete_b(parameter: impl Into<Characteristic>) -> Result<f64> {
 ///
 /// As for [`complete_first`].
 pub fn complete_first_excess(parameter: impl Into<Characteristic>) -> Result<f64> {
-    let parameter = real(parameter.into())?;
-    let (m, mc) = (parameter.n, parameter.nc);
-    if mc.high() == 0.0 {
+    let parameter = parameter.into();
+    let quarter = complete(Kind::First, parameter)?;
+    let m = parameter.n;
+    if quarter.high() == f64::INFINITY {
         return Ok(f64::INFINITY);
     }
-    if m.high() < -1.0 {
-        // Nothing cancels here, and the squares of √mc could underflow.
-        return Ok((complete(Kind::First, parameter)? - RIGHT_ANGLE).value());
+    if m.high().abs() < SMALL {
+        let series = Dd::from(0.25).add_lesser(Dd::from(
+            m.high() * (9.0 / 64.0 + m.high() * (25.0 / 256.0)),
+        ));
+        return Ok((RIGHT_ANGLE * m * series).value());
     }
-    Ok((from_the_mean(m, mc)[2] * m).value())
+    Ok((quarter - RIGHT_ANGLE).value())
 }
 
 /// B and D for m ≤ 1.
 fn second_kind(parameter: Characteristic) -> [Dd; 2] {
     let (m, mc) = (parameter.n, parameter.nc);
+    if m.high() < 0.0 {
+        // The imaginary modulus exchanges sine and cosine: B(m) = D(−m/mc)/√mc, D(m) = B(−m/mc)/√mc.
+        let (other, root) = imaginary(m, mc);
+        let [b, d] = second_kind(other.into());
+        return [d / root, b / root];
+    }
     if mc.high() == 0.0 {
         return [1.0, f64::INFINITY].map(Dd::from);
     }
-    if m.high() >= 0.0 {
-        let [b, d, _] = from_the_mean(m, mc);
-        return [b, d];
+    let modulus = Modulus::new(Parameter::from_both(m, mc));
+    let (quarter, mean) = (modulus.quarter_period_dd(), modulus.rate);
+    let one = Dd::from(1.0);
+    if m.value() <= mc.value() {
+        let share = share(m, mc);
+        return [one - share, share].map(|share| quarter.quick_product(share));
     }
-    // The imaginary modulus exchanges sine and cosine: B(m) = D(−m/mc)/√mc, D(m) = B(−m/mc)/√mc.
-    let [b, d, _] = from_the_mean(-m / mc, Dd::from(1.0) / mc);
-    // The root of mc/4: squaring the root of the greatest double would overflow.
-    let root = mc.scaled(0.25).square_root().scaled(2.0);
-    [d / root, b / root]
+    // E = a + mc K D′/K′, a = π/(2K′) the mean of 1 and k, is Legendre's relation; B = (E − mc K)/m and D = (K − E)/m then lose a bit or two.
+    let few = mc.quick_product(quarter);
+    let part = few.quick_product(share(mc, m));
+    [mean + part - few, quarter - part - mean].map(|sum| sum.quick_quotient(m))
 }
 
-/// B, D and (K − π/2)/m by the arithmetic–geometric mean that gives K; the first two for 0 ≤ m < 1.
+/// The parameter −m/mc that belongs to m < 0, and √mc: K(m) = K(−m/mc)/√mc.
+#[inline(always)]
+fn imaginary(m: Dd, mc: Dd) -> (Parameter, Dd) {
+    // The root of mc/4: squaring the root of the greatest double would overflow.
+    let root = mc.scaled(0.25).square_root().scaled(2.0);
+    (Parameter::from_both(-m / mc, Dd::from(1.0) / mc), root)
+}
+
+/// D/K = (K − E)/(m K) for m ≤ 1/2, to 63 bits.
 ///
-/// With c₀² = m and cₙ = (aₙ₋₁ − bₙ₋₁)/2, which is cₙ₋₁²/(4aₙ), (K − E)/K = Σ 2ⁿ⁻¹cₙ² and 1 − a = Σ cₙ. Here rₙ = cₙ/m and uₙ = cₙ²/m are carried: nothing is
-/// lost next to m = 0, where only the first terms count. Next to m = 1 what Σ 2ⁿ⁻¹uₙ lacks to 1 is about 1/K, so two words lose three digits at most. Source:
-/// Digital Library of Mathematical Functions, 19.8.
-fn from_the_mean(m: Dd, mc: Dd) -> [Dd; 3] {
-    let mut b = mc.square_root();
-    let mut a = Dd::from(1.0).add_alike(b).scaled(0.5);
-    b = b.square_root();
-    let mut r = Dd::from(0.25) / a;
-    let (mut u, mut weight) = (m * r.square(), 1.0);
-    let (mut squares, mut gaps) = (Dd::from(0.5) + u, r);
-    loop {
-        let last = (weight * u.high()).abs() <= 1e-33;
-        (a, b) = (a.add_alike(b).scaled(0.5), (a * b).square_root());
-        r = u.scaled(0.25) / a;
-        gaps = gaps + r;
-        if last {
-            break;
-        }
-        weight *= 2.0;
-        u = m * r.square();
-        squares = squares + u.scaled(weight);
+/// It is ½ + Σ 2ⁿ⁻¹uₙ with uₙ = cₙ²/m from the arithmetic–geometric mean of 1 and √mc, where c₁ = m/(4a₁) and cₙ = cₙ₋₁²/(4aₙ): all terms are positive, and
+/// u₄ is 4·10⁻²¹ at most. Source: Digital Library of Mathematical Functions, 19.8.
+fn share(m: Dd, mc: Dd) -> Dd {
+    let x = m.high();
+    if x < SMALL {
+        return Dd::from(0.5).add_lesser(Dd::from(x * (1.0 / 16.0 + x / 32.0)));
     }
-    let quarter = RIGHT_ANGLE / a;
-    [
-        quarter * (Dd::from(1.0) - squares),
-        quarter * squares,
-        quarter * gaps,
-    ]
+    let root = mc.square_root();
+    let first = Dd::from(1.0).add_alike(root).scaled(0.5);
+    let u1 = m.quick_quotient(first.quick_product(first)).scaled(0.0625);
+    // u₂ is 10⁻⁴ of the whole: from here on doubles suffice.
+    let next = |u: f64, mean: f64| x * (0.25 * u / mean).powi(2);
+    let (a1, b1) = (first.high(), root.high().sqrt());
+    let a2 = 0.5 * (a1 + b1);
+    let a3 = 0.5 * (a2 + (a1 * b1).sqrt());
+    let u2 = next(u1.high(), a2);
+    let u3 = next(u2, a3);
+    Dd::from(0.5)
+        .add_alike(u1)
+        .add_alike(Dd::from(2.0 * u2 + 4.0 * u3))
 }
 
 /// Π for n < 1 and m < 1, where the integrand is positive: by Bulirsch's transformation, whose terms are all positive too.
@@ -173,22 +185,23 @@ fn from_the_mean(m: Dd, mc: Dd) -> [Dd; 3] {
 fn third_kind(nc: Dd, mc: Dd) -> Dd {
     let one = Dd::from(1.0);
     let (mut root, mut p) = (mc.square_root(), nc.square_root());
-    let (mut a, mut b) = (one, one / p);
+    let (mut a, mut b) = (one, one.quick_quotient(p));
     let (mut product, mut mean) = (root, one);
     loop {
-        let inverse = one / p;
-        let (before, g) = (a, product * inverse);
-        a = a.add_alike(b * inverse);
-        b = b.add_alike(before * g).scaled(2.0);
+        let inverse = one.quick_quotient(p);
+        let (before, g) = (a, product.quick_product(inverse));
+        a = a.add_alike(b.quick_product(inverse));
+        b = b.add_alike(before.quick_product(g)).scaled(2.0);
         p = p.add_alike(g);
         let last = mean;
         mean = mean.add_alike(root);
-        // The next gap is the square of this one, below the last bit of two words.
-        if (last - root).high().abs() <= 1e-17 * last.high() {
-            return RIGHT_ANGLE * b.add_alike(a * mean) / (mean * mean.add_alike(p));
+        // The error is the square of this gap: two digits and more below the last bit of a double.
+        if (last - root).high().abs() <= 3e-10 * last.high() {
+            let value = RIGHT_ANGLE.quick_product(b.add_alike(a.quick_product(mean)));
+            return value.quick_quotient(mean.quick_product(mean.add_alike(p)));
         }
         root = product.square_root().scaled(2.0);
-        product = root * mean;
+        product = root.quick_product(mean);
     }
 }
 
@@ -309,12 +322,8 @@ fn complete(kind: Kind, parameter: Characteristic) -> Result<Dd> {
     let Characteristic { n: m, nc: mc } = real(parameter)?;
     match kind {
         Kind::First if m.high() < 0.0 => {
-            // The imaginary modulus: K(m) = K(−m/mc)/√mc.
-            let inverse = Dd::from(1.0) / mc;
-            let other = Parameter::from_both(-m * inverse, inverse);
-            let quarter = Modulus::new(other).quarter_period_dd();
-            // The root of mc/4: squaring the root of the greatest double would overflow.
-            Ok(quarter / mc.scaled(0.25).square_root().scaled(2.0))
+            let (other, root) = imaginary(m, mc);
+            Ok(Modulus::new(other).quarter_period_dd() / root)
         }
         Kind::First => Ok(Modulus::new(Parameter::from_both(m, mc)).quarter_period_dd()),
         Kind::Second if mc.high() == 0.0 => Ok(Dd::from(1.0)),
@@ -324,7 +333,7 @@ fn complete(kind: Kind, parameter: Characteristic) -> Result<Dd> {
             Ok(b + mc * d)
         }
         Kind::Third(Characteristic { nc, .. })
-            if nc.high() > 0.0 && mc.high() > 0.0 && carlson::ordinary(&[nc.high(), mc.high()]) =>
+            if (1e-60..1e60).contains(&nc.high()) && (1e-300..1e60).contains(&mc.high()) =>
         {
             Ok(third_kind(nc, mc))
         }
@@ -529,9 +538,9 @@ pub fn incomplete_second(phi: f64, parameter: impl Into<Characteristic>) -> Resu
 ///
 /// Where Bulirsch's transformation does not apply, n < 0 and n > 1 are transformed to other characteristics, so that no sum cancels.
 ///
-/// Error 0.46 ε at most of 160 rows: any n, nc and mc to ±10⁻³⁰⁰, n within an ulp of m. Cost 180–320 ns for n < 1; beyond,
-/// where it is a principal value, 4–9 µs; and up to 0.1 ms where one of the
-/// numbers is beyond 10^±60.
+/// Error 0.46 ε at most of 160 rows: any n, nc and mc to ±10⁻³⁰⁰, n within an ulp of m. Cost 1.2–2.2 times that of K for n < 1, three
+/// times for mc from 10⁻¹⁰⁰ down, four times for m below 10⁻⁸, where K takes two products; beyond n = 1, where it is a principal value, 4–9 µs; and up to 0.1 ms where nc is beyond
+/// 10^±60 or mc below 10⁻³⁰⁰.
 /// Source: Bulirsch (1969) for n < 1; Digital Library of Mathematical Functions, 19.7, 19.25.14; its sign of n.
 ///
 /// # Errors

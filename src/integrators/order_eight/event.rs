@@ -1,7 +1,7 @@
 //! Where within a step the quantity of an event falls through zero.
 
-use super::tableau::Between;
-use super::walk::{Taken, Walk};
+use super::tableau::{Between, Step};
+use super::walk::Walk;
 use crate::integrators::{Event, System};
 
 /// The quantity of an event along a run.
@@ -37,7 +37,7 @@ impl<'a, const N: usize> Watch<'a, N> {
     pub fn fall<S: System<N> + ?Sized>(
         &mut self,
         walk: &mut Walk<'_, N, S>,
-        taken: &Taken<N>,
+        taken: &Step<N>,
     ) -> Option<(f64, [f64; N])> {
         let before = self.value;
         let now = self.event.value(walk.time.values[0], &walk.state.values);
@@ -48,7 +48,7 @@ impl<'a, const N: usize> Watch<'a, N> {
         }
         if now > 0.0 {
             // The cubic through both ends costs no evaluation. Where it stays above half the lower end value, the quantity has no dip.
-            let (cubic, low) = (walk.cubic(taken), 0.5 * before.min(now));
+            let (cubic, low) = (Between::cubic(taken, &walk.rate), 0.5 * before.min(now));
             if LOOKS
                 .iter()
                 .all(|&part| self.value_at(taken, &cubic, part) > low)
@@ -64,7 +64,7 @@ impl<'a, const N: usize> Watch<'a, N> {
         Some(self.located(walk, taken, &between, part))
     }
 
-    fn value_at(&self, taken: &Taken<N>, between: &Between<N>, part: f64) -> f64 {
+    fn value_at(&self, taken: &Step<N>, between: &Between<N>, part: f64) -> f64 {
         self.event.value(taken.at(part), &between.at(part))
     }
 
@@ -73,7 +73,7 @@ impl<'a, const N: usize> Watch<'a, N> {
     fn located<S: System<N> + ?Sized>(
         &self,
         walk: &mut Walk<'_, N, S>,
-        taken: &Taken<N>,
+        taken: &Step<N>,
         between: &Between<N>,
         until: f64,
     ) -> (f64, [f64; N]) {
@@ -108,7 +108,7 @@ impl<'a, const N: usize> Watch<'a, N> {
     fn on_the_polynomial(
         &self,
         between: &Between<N>,
-        taken: &Taken<N>,
+        taken: &Step<N>,
         [mut low, mut high]: [f64; 2],
     ) -> f64 {
         let value = |part: f64| self.value_at(taken, between, part);

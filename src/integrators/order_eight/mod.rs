@@ -15,7 +15,8 @@ mod walk;
 use super::{Cost, Effort, Event, Passage, Solution, Stop, System, both_ways};
 use crate::error::{Result, each_finite, not_negative, positive};
 use event::Watch;
-use walk::{MOST_STEPS, Taken, Walk, too_many};
+use tableau::Step;
+use walk::{MOST_STEPS, Walk, too_many};
 
 pub use leg::{Kept, Leg};
 
@@ -164,7 +165,7 @@ impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
     }
 
     /// Adds the samples of a step up to the time `until` within it.
-    fn sample(&mut self, taken: &Taken<N>, until: f64) {
+    fn sample(&mut self, taken: &Step<N>, until: f64) {
         let times = &self.leg.times[self.states.len()..];
         let count = times.partition_point(|&t| (t - until) * self.sense <= 0.0);
         let end = taken.time + taken.length;

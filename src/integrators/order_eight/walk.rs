@@ -23,23 +23,6 @@ pub(super) struct Walk<'a, const N: usize, S: ?Sized> {
     pub(super) cost: Cost,
 }
 
-/// A step just taken.
-pub(super) struct Taken<const N: usize> {
-    pub(super) step: Step<N>,
-    /// Its initial time.
-    pub(super) time: f64,
-    pub(super) state: [f64; N],
-    pub(super) rate: [f64; N],
-    pub(super) length: f64,
-}
-
-impl<const N: usize> Taken<N> {
-    /// The time after this fraction of it, 0…1.
-    pub(super) fn at(&self, part: f64) -> f64 {
-        self.time + part * self.length
-    }
-}
-
 impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
     pub(super) fn new(leg: &'a Leg<'a, N, S>) -> Self {
         let (time, state) = leg.start;
@@ -64,17 +47,18 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
     }
 
     /// A step of the fixed length, or the last one.
-    pub(super) fn even(&mut self) -> Taken<N> {
+    pub(super) fn even(&mut self) -> Step<N> {
         let left = self.left();
         // The number of steps is whole, but for rounding.
         let last = left.abs() < 1.5 * self.length;
         let h = if last { left } else { self.length * self.sense };
         let step = self.step(h);
-        self.accept(step, h, last)
+        self.accept(&step, last);
+        step
     }
 
     /// A step as long as the tolerance allows.
-    pub(super) fn free(&mut self, tolerance: f64) -> Result<Taken<N>> {
+    pub(super) fn free(&mut self, tolerance: f64) -> Result<Step<N>> {
         let mut most_growth = MOST_GROWTH;
         loop {
             let left = self.left();
@@ -87,13 +71,14 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
                 self.length * self.sense
             };
             let step = self.step(cut);
-            let error = step.error(&self.state.values, self.leg.scales, tolerance, cut);
+            let error = step.error(self.leg.scales, tolerance);
             // error^(1/8), as in DOP853.
             let growth = SAFETY / error.sqrt().sqrt().sqrt();
             if error <= 1.0 {
                 let length = cut.abs() * growth.clamp(LEAST_GROWTH, most_growth);
                 self.length = length.min(self.longest(tolerance));
-                return Ok(self.accept(step, cut, cut == left));
+                self.accept(&step, cut == left);
+                return Ok(step);
             }
             self.cost.evaluations += STAGES - 1;
             // An error that is not a number shortens the step as far as possible.
@@ -110,49 +95,35 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
         }
     }
 
-    pub(super) fn step(&self, h: f64) -> Step<N> {
+    fn step(&self, h: f64) -> Step<N> {
         let time = self.time.values[0];
         step(self.leg.system, time, &self.state.values, &self.rate, h)
     }
 
-    pub(super) fn accept(&mut self, step: Step<N>, h: f64, last: bool) -> Taken<N> {
-        let taken = Taken {
-            time: self.time.values[0],
-            state: self.state.values,
-            rate: self.rate,
-            length: h,
-            step,
-        };
-        self.state.add_all(taken.step.change);
+    fn accept(&mut self, step: &Step<N>, last: bool) {
+        self.state.add_all(step.change);
         let excess = self.leg.kept.excess(&self.state.values);
         self.state.add_all(excess);
         if last {
             self.time = Sums::new([self.leg.end]);
         } else {
-            self.time.add(0, h);
+            self.time.add(0, step.length);
         }
         self.rate = (self.leg.system).rate(self.time.values[0], &self.state.values);
         self.cost.evaluations += STAGES;
         self.cost.steps += 1;
-        taken
     }
 
     /// The state a time `h` after the beginning of a step, by a step of its own.
-    pub(super) fn short(&mut self, taken: &Taken<N>, h: f64) -> [f64; N] {
+    pub(super) fn short(&mut self, taken: &Step<N>, h: f64) -> [f64; N] {
         self.cost.evaluations += STAGES - 1;
-        let short = step(self.leg.system, taken.time, &taken.state, &taken.rate, h);
+        let short = taken.again(self.leg.system, h);
         self.restored(core::array::from_fn(|n| taken.state[n] + short.change[n]))
     }
 
-    pub(super) fn between(&mut self, taken: &Taken<N>) -> Between<N> {
+    pub(super) fn between(&mut self, taken: &Step<N>) -> Between<N> {
         self.cost.evaluations += 3;
-        let (whole, h) = ((&taken.step, &self.rate), taken.length);
-        Between::of(self.leg.system, taken.time, &taken.state, whole, h)
-    }
-
-    pub(super) fn cubic(&self, taken: &Taken<N>) -> Between<N> {
-        let rates = [&taken.rate, &self.rate];
-        Between::cubic(&taken.state, &taken.step.change, rates, taken.length)
+        Between::of(self.leg.system, taken, &self.rate)
     }
 
     pub(super) fn restored(&self, state: [f64; N]) -> [f64; N] {

@@ -4,10 +4,9 @@
 //! 2 arctan|e| about e. Both conserve |L| and E exactly but for rounding.
 
 use super::preprocessing::corrections;
-use super::stepper::{Run, checked_moments};
+use super::stepper::{Run, Steps, checked_moments};
 use super::{Integrator, Phase, Stepper};
 use crate::error::{Error, Result};
-use crate::integrators::Cost;
 use crate::integrators::real::{Real, cross, dot};
 
 /// Order of [`MoserVeselov`].
@@ -27,13 +26,9 @@ impl VeselovOrder {
     /// All orders.
     pub const ALL: [Self; 4] = [Self::Two, Self::Four, Self::Six, Self::Ten];
 
+    /// Correction terms.
     const fn terms(self) -> usize {
-        match self {
-            Self::Two => 0,
-            Self::Four => 1,
-            Self::Six => 2,
-            Self::Ten => 4,
-        }
+        self as usize / 2 - 1
     }
 }
 
@@ -103,7 +98,7 @@ impl<T: Real> Integrator<T> for MoserVeselov {
             });
         }
         let moments = inverse.map(T::reciprocal);
-        Ok(Box::new(Cayley::<T, true>::new(moments, run, step)))
+        Ok(implicit_steps::<T, true>(moments, run, step))
     }
 }
 
@@ -149,129 +144,98 @@ impl<T: Real> Integrator<T> for GroupMidpoint {
 
     fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {
         let (run, moments) = (Run::new(phase, step)?, self.moments.map(T::from_double));
-        Ok(Box::new(Cayley::<T, false>::new(moments, run, step)))
+        Ok(implicit_steps::<T, false>(moments, run, step))
     }
 }
 
-/// A run of implicit steps; each starts Newton's method by extrapolating the last solutions.
-#[derive(Clone, Copy)]
-struct Cayley<T, const VESELOV: bool> {
+/// A run of implicit steps; each starts Newton's method by extrapolating the last three solutions. The evaluations are solutions of Newton's linear system.
+fn implicit_steps<'a, T: Real, const VESELOV: bool>(
     moments: [T; 3],
-    step: T,
     run: Run<T>,
-    /// The last three solutions, the latest first, and how many there are.
-    last: [[T; 3]; 3],
-    known: usize,
-    /// The evaluations are solutions of Newton's linear system.
-    cost: Cost,
+    step: T,
+) -> Box<dyn Stepper<T> + 'a> {
+    let [one, two, three] = [1.0, 2.0, 3.0].map(T::from_double);
+    let half = T::from_double(0.5) * step;
+    // The latest solution first.
+    let (mut last, mut known) = ([[T::from_double(0.0); 3]; 3], 0);
+    let one_step = move |run: &mut Run<T>| {
+        let l = run.l.values;
+        let g = l.map(|component| half * component);
+        let [a, b, c] = last;
+        let guess = core::array::from_fn(|k| match known {
+            0 => g[k] * moments[k].reciprocal(),
+            1 => a[k],
+            2 => two * a[k] - b[k],
+            _ => three * (a[k] - b[k]) + c[k],
+        });
+        let (e, rounds) = solution::<T, VESELOV>(moments, g, guess).ok_or(Error::Integration {
+            reason: "an implicit step has no solution nearby: it is too long",
+            time: step.to_double() * known as f64,
+        })?;
+        let square = dot(e, e);
+        let norm = one + square;
+        let root = norm.square_root().reciprocal();
+        let first = cross(e, l);
+        let second = cross(e, first);
+        let scale = two * root * root;
+        let change = core::array::from_fn(|k| scale * (second[k] - first[k]));
+        // 1/√(1 + e²) − 1 without cancellation: −e²/(1 + e² + √(1 + e²)).
+        let cosine = -(square * root * root) * (one + root).reciprocal();
+        run.turn([cosine, root * e[0], root * e[1], root * e[2]], change);
+        last = [e, a, b];
+        known += 1;
+        Ok(rounds)
+    };
+    Steps::boxed(run, one_step)
 }
 
-impl<T: Real, const VESELOV: bool> Stepper<T> for Cayley<T, VESELOV> {
-    fn advance(&mut self, steps: u64) -> Result<()> {
-        let (one, two) = (T::from_double(1.0), T::from_double(2.0));
-        let half = T::from_double(0.5) * self.step;
-        // A local copy, so that the loop can keep it in registers.
-        let mut now = *self;
-        for _ in 0..steps {
-            let l = now.run.l.values;
-            let g = l.map(|component| half * component);
-            let (e, rounds) = now.solve(g).ok_or_else(|| Error::Integration {
-                reason: "an implicit step has no solution nearby: it is too long",
-                time: now.step.to_double() * now.cost.steps as f64,
-            })?;
-            let square = dot(e, e);
-            let norm = one + square;
-            let root = norm.square_root().reciprocal();
-            let first = cross(e, l);
-            let second = cross(e, first);
-            let scale = two * root * root;
-            let change = core::array::from_fn(|k| scale * (second[k] - first[k]));
-            // 1/√(1 + e²) − 1 without cancellation: −e²/(1 + e² + √(1 + e²)).
-            let cosine = -(square * root * root) * (one + root).reciprocal();
-            let turn = [cosine, root * e[0], root * e[1], root * e[2]];
-            now.run.turn(turn, change);
-            now.last = [e, now.last[0], now.last[1]];
-            now.known = (now.known + 1).min(3);
-            now.cost.evaluations += rounds;
-            now.cost.steps += 1;
-        }
-        *self = now;
-        Ok(())
-    }
-
-    fn phase(&self) -> Result<Phase<T>> {
-        self.run.settled()
-    }
-
-    fn cost(&self) -> Cost {
-        self.cost
-    }
-}
-
-impl<T: Real, const VESELOV: bool> Cayley<T, VESELOV> {
-    fn new(moments: [T; 3], run: Run<T>, step: T) -> Self {
-        Self {
-            moments,
-            step,
-            run,
-            last: [[T::from_double(0.0); 3]; 3],
-            known: 0,
-            cost: Cost::default(),
-        }
-    }
-
-    /// The e that belongs to g, and the number of Newton's rounds.
-    #[inline(always)]
-    fn solve(&self, g: [T; 3]) -> Option<([T; 3], u64)> {
-        let i = self.moments;
-        let [a, b, c] = self.last;
-        let [one, two, three] = [1.0, 2.0, 3.0].map(T::from_double);
-        let mut e: [T; 3] = match self.known {
-            0 => core::array::from_fn(|k| g[k] * i[k].reciprocal()),
-            1 => a,
-            2 => core::array::from_fn(|k| two * a[k] - b[k]),
-            _ => core::array::from_fn(|k| three * (a[k] - b[k]) + c[k]),
-        };
-        for round in 1..=MOST_ROUNDS {
-            let ie: [T; 3] = core::array::from_fn(|k| i[k] * e[k]);
-            let gyration = cross(e, ie);
-            let scale = if VESELOV { one + dot(e, e) } else { one };
-            let rest: [T; 3] = core::array::from_fn(|k| scale * g[k] - (ie[k] + gyration[k]));
-            // Newton's matrix I + (terms of e∧Ie) − 2g eᵀ, by columns; the last term only for Moser's and Veselov's top.
-            let mut columns = [
-                [i[0], (i[0] - i[2]) * e[2], (i[1] - i[0]) * e[1]],
-                [(i[2] - i[1]) * e[2], i[1], (i[1] - i[0]) * e[0]],
-                [(i[2] - i[1]) * e[1], (i[0] - i[2]) * e[0], i[2]],
-            ];
-            if VESELOV {
-                for (column, e) in columns.iter_mut().zip(e) {
-                    for (cell, g) in column.iter_mut().zip(g) {
-                        *cell = *cell - two * g * e;
-                    }
+/// The e that belongs to g, by Newton's method from a guess, and the number of its rounds.
+#[inline(always)]
+fn solution<T: Real, const VESELOV: bool>(
+    i: [T; 3],
+    g: [T; 3],
+    mut e: [T; 3],
+) -> Option<([T; 3], u64)> {
+    let [one, two] = [1.0, 2.0].map(T::from_double);
+    for round in 1..=MOST_ROUNDS {
+        let ie: [T; 3] = core::array::from_fn(|k| i[k] * e[k]);
+        let gyration = cross(e, ie);
+        let scale = if VESELOV { one + dot(e, e) } else { one };
+        let rest: [T; 3] = core::array::from_fn(|k| scale * g[k] - (ie[k] + gyration[k]));
+        // Newton's matrix I + (terms of e∧Ie) − 2g eᵀ, by columns; the last term only for Moser's and Veselov's top.
+        let mut columns = [
+            [i[0], (i[0] - i[2]) * e[2], (i[1] - i[0]) * e[1]],
+            [(i[2] - i[1]) * e[2], i[1], (i[1] - i[0]) * e[0]],
+            [(i[2] - i[1]) * e[1], (i[0] - i[2]) * e[0], i[2]],
+        ];
+        if VESELOV {
+            for (column, e) in columns.iter_mut().zip(e) {
+                for (cell, g) in column.iter_mut().zip(g) {
+                    *cell = *cell - two * g * e;
                 }
             }
-            let [x, y, z] = columns;
-            let yz = cross(y, z);
-            let scale = dot(x, yz).reciprocal();
-            let change = [
-                scale * dot(rest, yz),
-                scale * dot(x, cross(rest, z)),
-                scale * dot(x, cross(y, rest)),
-            ];
-            e = core::array::from_fn(|k| e[k] + change[k]);
-            let square = dot(change, change).to_double();
-            // Convergence is quadratic, with a factor of order 1/|e| at most where steps are a radian or less: the remaining error is below
-            // square/|e|, and below the rounding of e if square is below rounding times e².
-            let size = dot(e, e).to_double();
-            if square <= 0.125 * T::ROUNDING * size {
-                return Some((e, round));
-            }
-            if square.is_nan() || square > 1e6 {
-                return None;
-            }
         }
-        None
+        let [x, y, z] = columns;
+        let yz = cross(y, z);
+        let scale = dot(x, yz).reciprocal();
+        let change = [
+            scale * dot(rest, yz),
+            scale * dot(x, cross(rest, z)),
+            scale * dot(x, cross(y, rest)),
+        ];
+        e = core::array::from_fn(|k| e[k] + change[k]);
+        let square = dot(change, change).to_double();
+        // Convergence is quadratic, with a factor of order 1/|e| at most where steps are a radian or less: the remaining error is below
+        // square/|e|, and below the rounding of e if square is below rounding times e².
+        let size = dot(e, e).to_double();
+        if square <= 0.125 * T::ROUNDING * size {
+            return Some((e, round));
+        }
+        if square.is_nan() || square > 1e6 {
+            return None;
+        }
     }
+    None
 }
 
 /// The most rounds: where more are needed, there is no solution nearby.

@@ -1,9 +1,8 @@
 //! Munthe-Kaas' Runge–Kutta method on the rotations.
 
-use super::stepper::{Run, checked_moments};
+use super::stepper::{Run, Steps, checked_moments};
 use super::{Integrator, Phase, Stepper, Torque};
 use crate::error::Result;
-use crate::integrators::Cost;
 use crate::integrators::real::{Real, cross, exponential, product};
 
 /// The classical Runge–Kutta method, order 4, for the rotation vector u since the start of the step and for L along the body's axes at that start.
@@ -80,37 +79,18 @@ impl<T: Real, N: Torque<T>> Integrator<T> for MuntheKaas<N> {
     }
 
     fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {
-        Ok(Box::new(Steps {
-            method: self,
-            run: Run::new(phase, step)?,
-            step,
-            steps: 0,
-        }))
-    }
-}
-
-struct Steps<'a, T, N> {
-    method: &'a MuntheKaas<N>,
-    run: Run<T>,
-    step: T,
-    steps: u64,
-}
-
-impl<T: Real, N: Torque<T>> Stepper<T> for Steps<'_, T, N> {
-    fn advance(&mut self, steps: u64) -> Result<()> {
-        let (method, step, mut run) = (self.method, self.step, self.run);
         let half = T::from_double(0.5) * step;
         let sixth = step * T::from_double(6.0).reciprocal();
         let two = T::from_double(2.0);
         let moved = |l: [T; 3], h: T, rate: [T; 3]| core::array::from_fn(|k| l[k] + h * rate[k]);
         let scaled = |h: T, rate: [T; 3]| rate.map(|component| h * component);
-        for _ in 0..steps {
+        let one_step = move |run: &mut Run<T>| {
             let Phase { l, q } = run.phase();
-            let u1 = core::array::from_fn(|k| T::from_double(method.inverse[k]) * l[k]);
-            let n1 = method.torque.torque(&Phase { l, q });
-            let (u2, n2) = method.rates(q, scaled(half, u1), moved(l, half, n1));
-            let (u3, n3) = method.rates(q, scaled(half, u2), moved(l, half, n2));
-            let (u4, n4) = method.rates(q, scaled(step, u3), moved(l, step, n3));
+            let u1 = core::array::from_fn(|k| T::from_double(self.inverse[k]) * l[k]);
+            let n1 = self.torque.torque(&Phase { l, q });
+            let (u2, n2) = self.rates(q, scaled(half, u1), moved(l, half, n1));
+            let (u3, n3) = self.rates(q, scaled(half, u2), moved(l, half, n2));
+            let (u4, n4) = self.rates(q, scaled(step, u3), moved(l, step, n3));
             let mean = |a: [T; 3], b: [T; 3], c: [T; 3], d: [T; 3]| -> [T; 3] {
                 core::array::from_fn(|k| sixth * (a[k] + two * (b[k] + c[k]) + d[k]))
             };
@@ -118,21 +98,9 @@ impl<T: Real, N: Torque<T>> Stepper<T> for Steps<'_, T, N> {
             let turn = exponential(scaled(T::from_double(0.5), mean(u1, u2, u3, u4)));
             let seen = back(turn, core::array::from_fn(|k| l[k] + gained[k]));
             run.turn(turn, core::array::from_fn(|k| gained[k] + seen[k]));
-        }
-        self.run = run;
-        self.steps += steps;
-        Ok(())
-    }
-
-    fn phase(&self) -> Result<Phase<T>> {
-        self.run.settled()
-    }
-
-    fn cost(&self) -> Cost {
-        Cost {
-            evaluations: 4 * self.steps,
-            steps: self.steps,
-        }
+            Ok(4)
+        };
+        Ok(Steps::boxed(Run::new(phase, step)?, one_step))
     }
 }
 

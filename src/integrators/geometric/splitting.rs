@@ -1,10 +1,9 @@
 //! Splitting methods: motions that are each exact, in turn. Rotations about axes of the body, the rotation about L, kicks by a torque.
 
 use super::coefficients::{NYSTROM_6, NYSTROM_11, S6, S10, STRANG, part_steps};
-use super::stepper::{Run, checked_moments, unit};
+use super::stepper::{Rule, Run, Steps, checked_moments, unit};
 use super::{Integrator, Phase, Stepper, Torque};
 use crate::error::Result;
-use crate::integrators::Cost;
 use crate::integrators::real::{Real, Sums, dot, exponential, product};
 use crate::precise::{DoubleDouble, Number};
 
@@ -46,13 +45,15 @@ impl Axes {
         })
     }
 
-    /// The axis, and half the angle of the rotation about it per unit of L and time.
-    fn rate<T: Real>(&self, (axis, moment): (usize, f64)) -> (usize, T) {
-        let [middle, moment] = [self.middle, moment].map(T::from_double);
-        // Differences first: the moments may be nearly equal.
-        let product = middle * moment;
-        let rate = T::from_double(0.5) * (middle - moment) * product.reciprocal();
-        (axis, rate)
+    /// The rotations about the outer and the inner axis.
+    fn rotations<T: Real>(&self) -> [About<T>; 2] {
+        [self.outer, self.inner].map(|(axis, moment)| {
+            let [middle, moment] = [self.middle, moment].map(T::from_double);
+            // Differences first: the moments may be nearly equal.
+            let product = middle * moment;
+            let rate = T::from_double(0.5) * (middle - moment) * product.reciprocal();
+            About { axis, rate }
+        })
     }
 }
 
@@ -102,24 +103,27 @@ impl<T: Real> Integrator<T> for FreeSplitting {
     fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {
         let mut run = Run::new(phase, step)?;
         let Phase { l, q } = run.phase();
-        // The attitude without the rotation about L.
+        // The attitude without the rotation about L, which is postponed to the end.
         run.q = Sums::new([1.0, 0.0, 0.0, 0.0].map(T::from_double));
         let exact = l.map(T::two_words);
         let size = Number::square_root(dot(exact, exact));
         let halved = step.two_words() * DoubleDouble::from(0.5);
-        let parts = Free {
-            q,
-            direction: unit(l),
-            half: size * halved / DoubleDouble::from(self.axes.middle),
-            outer: self.axes.rate(self.axes.outer),
-            inner: self.axes.rate(self.axes.inner),
-        };
+        // Half the angle about L in a step has two words: in one, 10⁷ steps would lose five digits.
+        let half = size * halved / DoubleDouble::from(self.axes.middle);
+        let direction = unit(l);
+        let [outer, inner] = self.axes.rotations();
         let splitting = match self.order {
             Order::Two => STRANG,
             Order::Four => S6,
             Order::Six => S10,
         };
-        Ok(Alternating::boxed(parts, run, splitting, step))
+        let rule = Alternating::new(splitting, step, 1, (outer, (), inner), move |run, steps| {
+            // The attitude q exp(tL₀/2I₂) times the product of the other rotations.
+            let (sine, cosine) = T::sine_and_cosine(half * DoubleDouble::from(steps as f64));
+            let [x, y, z] = direction.map(|component| sine * component);
+            run.q.values = product(product(q, [cosine, x, y, z]), run.q.values);
+        });
+        Ok(Steps::boxed(run, rule))
     }
 }
 
@@ -172,16 +176,6 @@ impl<N> HeavySplitting<N> {
             order,
         })
     }
-
-    fn parts<T: Real, const UNEQUAL: bool>(&self) -> Kicked<'_, T, N, UNEQUAL> {
-        let axes = self.axes;
-        Kicked {
-            outer: axes.rate(axes.outer),
-            inner: axes.rate(axes.inner),
-            about_momentum: T::from_double(0.5) * T::from_double(axes.middle).reciprocal(),
-            torque: &self.torque,
-        }
-    }
 }
 
 impl<T: Real, N: Torque<T>> Integrator<T> for HeavySplitting<N> {
@@ -195,129 +189,96 @@ impl<T: Real, N: Torque<T>> Integrator<T> for HeavySplitting<N> {
 
     fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {
         let run = Run::new(phase, step)?;
+        let axes = self.axes;
+        let [outer, inner] = axes.rotations();
+        let about_momentum = T::from_double(0.5) * T::from_double(axes.middle).reciprocal();
+        let (kick, drift) = (Kick(&self.torque), Drift(about_momentum, inner));
         // A rotation with rate 0 is left out.
-        let unequal = self.axes.outer.1 != self.axes.middle;
+        let unequal = axes.outer.1 != axes.middle;
         let splitting = match self.order {
             Order::Two => STRANG,
             Order::Four => NYSTROM_6,
             Order::Six if unequal => S10,
             Order::Six => NYSTROM_11,
         };
-        if unequal {
-            let parts = self.parts::<T, true>();
-            Ok(Alternating::boxed(parts, run, splitting, step))
+        Ok(if unequal {
+            let rule = Alternating::new(splitting, step, 3, (outer, kick, drift), |_, _| ());
+            Steps::boxed(run, rule)
         } else {
-            let parts = self.parts::<T, false>();
-            Ok(Alternating::boxed(parts, run, splitting, step))
-        }
+            let rule = Alternating::new(splitting, step, 2, (kick, (), drift), |_, _| ());
+            Steps::boxed(run, rule)
+        })
     }
 }
 
-/// Two motions that are each exact over any time; or three, the third on the way between the other two.
-trait Parts<T: Real> {
-    /// Pairs of sine and cosine in a stage.
-    const PAIRS: u64;
-
-    fn outer(&self, run: &mut Run<T>, h: T);
-
-    fn between(&self, _: &mut Run<T>, _: T) {}
-
-    fn inner(&self, run: &mut Run<T>, h: T);
-
-    /// Applies what has been postponed to the end.
-    fn finish(&self, _: &mut Run<T>, _steps: u64) {}
+/// A motion that is exact over any time `h`.
+trait Motion<T: Real> {
+    fn over(&self, run: &mut Run<T>, h: T);
 }
 
-/// Rotations about two axes, with the rotation about L postponed to the end.
-struct Free<T> {
-    q: [T; 4],
-    /// The direction of L. Half the angle about L in a step has two words: in one, 10⁷ steps would lose five digits.
-    direction: [T; 3],
-    half: DoubleDouble,
-    outer: (usize, T),
-    inner: (usize, T),
-}
-
-impl<T: Real> Parts<T> for Free<T> {
-    const PAIRS: u64 = 1;
-
+/// No motion.
+impl<T: Real> Motion<T> for () {
     #[inline(always)]
-    fn outer(&self, run: &mut Run<T>, h: T) {
-        about_axis(run, self.outer, h);
-    }
-
-    #[inline(always)]
-    fn inner(&self, run: &mut Run<T>, h: T) {
-        about_axis(run, self.inner, h);
-    }
-
-    /// The attitude q exp(tL₀/2I₂) times the product of the other rotations.
-    fn finish(&self, run: &mut Run<T>, steps: u64) {
-        let (sine, cosine) = T::sine_and_cosine(self.half * DoubleDouble::from(steps as f64));
-        let [x, y, z] = self.direction.map(|component| sine * component);
-        run.q.values = product(product(self.q, [cosine, x, y, z]), run.q.values);
-    }
+    fn over(&self, _: &mut Run<T>, _: T) {}
 }
 
-/// Kicks, and rotations about L and one axis; also about a second axis, if no two moments are equal.
-struct Kicked<'a, T, N, const UNEQUAL: bool> {
-    outer: (usize, T),
-    inner: (usize, T),
-    /// Half the angle about L per unit of L and time.
-    about_momentum: T,
-    torque: &'a N,
-}
+/// The change of L by a torque.
+struct Kick<'a, N>(&'a N);
 
-impl<T: Real, N: Torque<T>, const UNEQUAL: bool> Kicked<'_, T, N, UNEQUAL> {
+impl<T: Real, N: Torque<T>> Motion<T> for Kick<'_, N> {
     #[inline(always)]
-    fn kick(&self, run: &mut Run<T>, h: T) {
-        let torque = self.torque.torque(&run.phase());
+    fn over(&self, run: &mut Run<T>, h: T) {
+        let torque = self.0.torque(&run.phase());
         run.l.add_all(torque.map(|component| component * h));
     }
 }
 
-impl<T: Real, N: Torque<T>, const UNEQUAL: bool> Parts<T> for Kicked<'_, T, N, UNEQUAL> {
-    const PAIRS: u64 = if UNEQUAL { 3 } else { 2 };
+/// The rotation about L, given by half its angle per unit of L and time, and the one about an axis.
+struct Drift<T>(T, About<T>);
 
+impl<T: Real> Motion<T> for Drift<T> {
     #[inline(always)]
-    fn outer(&self, run: &mut Run<T>, h: T) {
-        if UNEQUAL {
-            about_axis(run, self.outer, h);
-        } else {
-            self.kick(run, h);
-        }
-    }
-
-    #[inline(always)]
-    fn between(&self, run: &mut Run<T>, h: T) {
-        if UNEQUAL {
-            self.kick(run, h);
-        }
-    }
-
-    #[inline(always)]
-    fn inner(&self, run: &mut Run<T>, h: T) {
-        let turn = exponential(run.l.values.map(|x| x * (self.about_momentum * h)));
+    fn over(&self, run: &mut Run<T>, h: T) {
+        let turn = exponential(run.l.values.map(|x| x * (self.0 * h)));
         run.q.add_all(product(run.q.values, turn));
-        about_axis(run, self.inner, h);
+        self.1.over(run, h);
     }
 }
 
-/// Lengths of the outer motion, the one between, the inner, and again the one between, in one stage.
-type Stage<T> = [T; 4];
+/// The rotation about one of the body's axes, by half its angle per unit of L along it and time.
+struct About<T> {
+    axis: usize,
+    rate: T,
+}
 
-/// A splitting. The last outer motion of a step and the first of the next are combined, so a step ends before it; a phase that is read has it added.
-struct Alternating<T, P> {
-    parts: P,
-    stages: Vec<Stage<T>>,
-    run: Run<T>,
+impl<T: Real> Motion<T> for About<T> {
+    #[inline(always)]
+    fn over(&self, run: &mut Run<T>, h: T) {
+        let half = self.rate * h;
+        match self.axis {
+            0 => about::<T, 0>(run, half),
+            1 => about::<T, 1>(run, half),
+            _ => about::<T, 2>(run, half),
+        }
+    }
+}
+
+/// A splitting into an outer and an inner motion, a third on the way between them, and what is postponed to the end.
+///
+/// The last outer motion of a step and the first of the next are combined, so a step ends before it; a phase that is read has it added.
+struct Alternating<T, O, B, I, F> {
+    /// Lengths of the outer motion, the one between, the inner, and again the one between.
+    stages: Vec<[T; 4]>,
+    /// Pairs of sine and cosine in a stage.
+    pairs: u64,
+    motions: (O, B, I),
+    postponed: F,
     /// Length of the outer motion that is still due.
     due: T,
-    steps: u64,
 }
 
-impl<'a, T: Real, P: Parts<T> + 'a> Alternating<T, P> {
-    fn boxed(parts: P, run: Run<T>, splitting: &[f64], step: T) -> Box<dyn Stepper<T> + 'a> {
+impl<T: Real, O, B, I, F: Fn(&mut Run<T>, u64)> Alternating<T, O, B, I, F> {
+    fn new(splitting: &[f64], step: T, pairs: u64, motions: (O, B, I), postponed: F) -> Self {
         let mut after = 0.0;
         let part_steps = part_steps(splitting);
         let stages = part_steps.chunks_exact(2).map(|pair| {
@@ -327,60 +288,41 @@ impl<'a, T: Real, P: Parts<T> + 'a> Alternating<T, P> {
             after = inner - before;
             [outer, before, inner, after].map(|part| T::from_double(part) * step)
         });
-        Box::new(Self {
-            parts,
+        Self {
             stages: stages.collect(),
-            run,
+            pairs,
+            motions,
+            postponed,
             due: T::from_double(0.0),
-            steps: 0,
-        })
-    }
-}
-
-impl<T: Real, P: Parts<T>> Stepper<T> for Alternating<T, P> {
-    fn advance(&mut self, steps: u64) -> Result<()> {
-        let Some(&[last, ..]) = self.stages.first() else {
-            return Ok(());
-        };
-        let (mut run, mut due) = (self.run, self.due);
-        for _ in 0..steps {
-            for &[outer, before, inner, after] in &self.stages {
-                self.parts.outer(&mut run, due + outer);
-                self.parts.between(&mut run, before);
-                self.parts.inner(&mut run, inner);
-                self.parts.between(&mut run, after);
-                due = T::from_double(0.0);
-            }
-            due = last;
-        }
-        (self.run, self.due) = (run, due);
-        self.steps += steps;
-        Ok(())
-    }
-
-    fn phase(&self) -> Result<Phase<T>> {
-        let mut run = self.run;
-        self.parts.outer(&mut run, self.due);
-        self.parts.finish(&mut run, self.steps);
-        run.settled()
-    }
-
-    fn cost(&self) -> Cost {
-        Cost {
-            evaluations: self.steps * self.stages.len() as u64 * P::PAIRS,
-            steps: self.steps,
         }
     }
 }
 
-/// Turns the body about one of its axes at `rate` per unit of L along it, for a time `h`.
-#[inline(always)]
-fn about_axis<T: Real>(run: &mut Run<T>, (axis, rate): (usize, T), h: T) {
-    let half = rate * h;
-    match axis {
-        0 => about::<T, 0>(run, half),
-        1 => about::<T, 1>(run, half),
-        _ => about::<T, 2>(run, half),
+impl<T, O, B, I, F> Rule<T> for Alternating<T, O, B, I, F>
+where
+    T: Real,
+    O: Motion<T>,
+    B: Motion<T>,
+    I: Motion<T>,
+    F: Fn(&mut Run<T>, u64),
+{
+    #[inline(always)]
+    fn step(&mut self, run: &mut Run<T>) -> Result<u64> {
+        let (outer, between, inner) = &self.motions;
+        for &[first, before, middle, after] in &self.stages {
+            outer.over(run, self.due + first);
+            between.over(run, before);
+            inner.over(run, middle);
+            between.over(run, after);
+            self.due = T::from_double(0.0);
+        }
+        self.due = self.stages[0][0];
+        Ok(self.stages.len() as u64 * self.pairs)
+    }
+
+    fn finish(&self, run: &mut Run<T>, steps: u64) {
+        self.motions.0.over(run, self.due);
+        (self.postponed)(run, steps);
     }
 }
 

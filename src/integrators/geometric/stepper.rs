@@ -269,6 +269,59 @@ impl<T: Real> Run<T> {
     }
 }
 
+/// What distinguishes the run of one method from another's; a closure is such a step.
+pub(super) trait Rule<T: Real> {
+    /// Takes a step and returns the evaluations it took.
+    fn step(&mut self, run: &mut Run<T>) -> Result<u64>;
+
+    /// Applies what so many steps have postponed to the end.
+    fn finish(&self, _: &mut Run<T>, _steps: u64) {}
+}
+
+impl<T: Real, F: FnMut(&mut Run<T>) -> Result<u64>> Rule<T> for F {
+    #[inline(always)]
+    fn step(&mut self, run: &mut Run<T>) -> Result<u64> {
+        self(run)
+    }
+}
+
+/// A run by the steps of a rule.
+pub(super) struct Steps<T, R> {
+    run: Run<T>,
+    rule: R,
+    cost: Cost,
+}
+
+impl<'a, T: Real, R: Rule<T> + 'a> Steps<T, R> {
+    pub fn boxed(run: Run<T>, rule: R) -> Box<dyn Stepper<T> + 'a> {
+        let cost = Cost::default();
+        Box::new(Self { run, rule, cost })
+    }
+}
+
+impl<T: Real, R: Rule<T>> Stepper<T> for Steps<T, R> {
+    fn advance(&mut self, steps: u64) -> Result<()> {
+        // Local copies, so that the loop can keep them in registers.
+        let (mut run, mut cost) = (self.run, self.cost);
+        for _ in 0..steps {
+            cost.evaluations += self.rule.step(&mut run)?;
+            cost.steps += 1;
+        }
+        (self.run, self.cost) = (run, cost);
+        Ok(())
+    }
+
+    fn phase(&self) -> Result<Phase<T>> {
+        let mut run = self.run;
+        self.rule.finish(&mut run, self.cost.steps);
+        run.settled()
+    }
+
+    fn cost(&self) -> Cost {
+        self.cost
+    }
+}
+
 /// The vector or quaternion, normalised; one of length zero is returned unchanged.
 pub(super) fn unit<T: Real, const N: usize>(v: [T; N]) -> [T; N] {
     let (zero, size) = (T::from_double(0.0), v.map(|x| x.to_double().abs()));

@@ -213,9 +213,6 @@ struct Angle {
     cosine: Dd,
 }
 
-/// π/2 less its value to 106 bits.
-const RIGHT_ANGLE_REST: f64 = -1.497_384_904_859_169_8e-33;
-
 impl Angle {
     fn new(phi: f64) -> Result<Self> {
         const GREATEST: f64 = 9_007_199_254_740_992.0;
@@ -225,9 +222,7 @@ impl Angle {
         for _ in 0..2 {
             let more = (rest.high() * core::f64::consts::FRAC_2_PI).round();
             quarters += more;
-            for part in [RIGHT_ANGLE.high(), RIGHT_ANGLE.low(), RIGHT_ANGLE_REST] {
-                rest = rest - Dd::product(more, part);
-            }
+            rest = rest.less_right_angles(more);
         }
         let (sine, cosine) = sine_cosine(rest.magnitude());
         Ok(if quarters % 2.0 == 0.0 {

@@ -7,7 +7,8 @@ use core::ops::{Add, Mul};
 
 use super::parameter::Parameter;
 use crate::precise::{
-    DoubleDouble as Dd, Number, RIGHT_ANGLE, logarithm, power_of_two_below, quick,
+    DoubleDouble as Dd, Number, RIGHT_ANGLE, RIGHT_ANGLE_REST, exponent_of, logarithm,
+    power_of_two_below, quick,
 };
 
 /// The moduli of the steps, and what follows from them.
@@ -222,9 +223,8 @@ impl Nome {
         // ln(q/l) = 2 y + 13 y² + (368/3) y³ + …, y = l⁴ ≤ 3.6e-6.
         // The quotient is formed with a power of two taken out: mc may be as small as a double can be.
         let unit = power_of_two_below(lesser.high());
-        let exponent = 1023 - (unit.to_bits() >> 52) as i32;
         let ratio = Dd::quick_quotient(product.scaled(16.0), lesser.scaled(1.0 / unit));
-        let logarithm = logarithm(ratio, exponent);
+        let logarithm = logarithm(ratio, -exponent_of(unit));
         if self.l4 < 1e-34 {
             return logarithm;
         }
@@ -252,13 +252,6 @@ impl Nome {
 /// prepared K: for these arguments K is computed again with three words, by the plain arithmetic-geometric mean.
 #[derive(Debug, Clone, Copy)]
 struct Triple([f64; 3]);
-
-/// π/2.
-const HALF_PI: Triple = Triple([
-    core::f64::consts::FRAC_PI_2,
-    6.123_233_995_736_766e-17,
-    -1.497_384_904_859_169_8e-33,
-]);
 
 impl Triple {
     /// The sum of terms of any size: each pass carries the rounding errors one word down.
@@ -356,6 +349,7 @@ fn mean(parameter: Parameter) -> Triple {
 /// `u − count K`, where the prepared K leaves too few bits: u times the mean, less `count` right angles, over the mean.
 pub(super) fn remainder(parameter: Parameter, u: Dd, count: f64) -> Dd {
     let mean = mean(parameter);
-    let rest = Triple::pair(u) * mean + HALF_PI * Triple([-count, 0.0, 0.0]);
+    let right_angle = Triple([RIGHT_ANGLE.high(), RIGHT_ANGLE.low(), RIGHT_ANGLE_REST]);
+    let rest = Triple::pair(u) * mean + right_angle * Triple([-count, 0.0, 0.0]);
     rest.leading() / mean.leading()
 }

@@ -8,7 +8,7 @@
 use core::f64::consts::TAU;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::quick;
+use super::{RIGHT_ANGLE, RIGHT_ANGLE_REST, quick};
 
 /// `high + low`, where `low` is at most half a unit in the last place of `high`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,9 +16,6 @@ pub struct DoubleDouble {
     high: f64,
     low: f64,
 }
-
-/// 2π − [`TAU`] in two words, the second the remainder after the first.
-const TAU_REST: [f64; 2] = [2.449_293_598_294_706_4e-16, -5.989_539_619_436_679e-33];
 
 /// Above this, the factor that splits a double overflows. A fused multiplication does not, but is a library call where the processor has none.
 const SPLITTABLE: f64 = 1e300;
@@ -82,6 +79,13 @@ impl DoubleDouble {
         self.high + self.low
     }
 
+    /// The number less a multiple of π/2, of which 160 bits are subtracted.
+    pub(crate) fn less_right_angles(self, count: f64) -> Self {
+        [RIGHT_ANGLE.high, RIGHT_ANGLE.low, RIGHT_ANGLE_REST]
+            .into_iter()
+            .fold(self, |rest, part| rest - Self::product(count, part))
+    }
+
     /// Sine and cosine of the number in radians.
     ///
     /// Multiples of 2π are subtracted with 160 bits of 2π, so the absolute error is 2⁻¹⁰⁴ of the argument plus one
@@ -94,9 +98,7 @@ impl DoubleDouble {
             if turns == 0.0 {
                 break;
             }
-            for part in [TAU, TAU_REST[0], TAU_REST[1]] {
-                rest = rest - Self::product(turns, part);
-            }
+            rest = rest.less_right_angles(4.0 * turns);
         }
         let (sin, cos) = rest.high.sin_cos();
         (rest.low.mul_add(cos, sin), (-rest.low).mul_add(sin, cos))

@@ -1,6 +1,6 @@
 //! The natural logarithm to 103 bits, for the quarter period next to the separatrix.
 
-use super::{DoubleDouble, Number, power_of_two_below, quick};
+use super::{DoubleDouble, Number, exponent_of, power_of_two_below, quick};
 
 const LN_2: DoubleDouble = DoubleDouble::new(core::f64::consts::LN_2, 2.319_046_813_846_299_6e-17);
 
@@ -36,7 +36,7 @@ const LOGARITHMS: [f64; 66] = [
 /// The power of two is split off, then the nearest c = j/32; what remains is 2 artanh((x − c)/(x + c)), with an argument of at most 1/128.
 pub(crate) fn logarithm(x: DoubleDouble, exponent: i32) -> DoubleDouble {
     let unit = power_of_two_below(x.high());
-    let exponent = f64::from((unit.to_bits() >> 52) as i32 - 1023 + exponent);
+    let exponent = f64::from(exponent_of(unit) + exponent);
     let digits = x.high().to_bits() & ((1 << 52) - 1);
     let x = DoubleDouble::new(f64::from_bits(digits | 1.0_f64.to_bits()), x.low() / unit);
     let index = (x.high() * 32.0 + 0.5) as usize;

@@ -17,7 +17,7 @@ mod logarithm;
 mod number;
 pub(crate) mod quick;
 
-pub(crate) use angle::{RIGHT_ANGLE, angle};
+pub(crate) use angle::{RIGHT_ANGLE, RIGHT_ANGLE_REST, angle};
 pub use double_double::DoubleDouble;
 pub(crate) use double_double::power_of_two_below;
 pub(crate) use extended::{Extended, exponent_of, power, shifted, sum_of_products};

@@ -2,7 +2,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Isometry3, Matrix3, Vector3};
 use toml::Spanned;
 use toml::de::DeValue;
 
@@ -121,8 +121,8 @@ pub(super) struct Shape {
     measure: Option<f64>,
     /// The surface on which it can stand, about its origin.
     pub surface: Option<Result<Surface>>,
-    /// The solids that are drawn, each with its position; none for a mesh.
-    solids: Vec<(Solid, Vector3<f64>)>,
+    /// The solids that are drawn, each as it stands; none for a mesh.
+    solids: Vec<(Solid, Isometry3<f64>)>,
 }
 
 impl Shape {
@@ -137,7 +137,7 @@ impl Shape {
 
     /// Adds a solid to the drawing, at this position.
     fn drawn(mut self, solid: Solid, place: Vector3<f64>) -> Self {
-        self.solids.push((solid, place));
+        self.solids.push((solid, place.into()));
         self
     }
 
@@ -145,11 +145,9 @@ impl Shape {
         self.drawn(solid, Vector3::zeros())
     }
 
-    fn on(self, surface: Result<Surface>) -> Self {
-        Self {
-            surface: Some(surface),
-            ..self
-        }
+    fn on(mut self, surface: Result<Surface>) -> Self {
+        self.surface = Some(surface);
+        self
     }
 }
 
@@ -342,7 +340,7 @@ fn with_weight(file: &Reader<'_>, sizes: WithWeight) -> Option<Shape> {
 section! {
     /// Masses and positions of beads; the origin is that of the positions.
     Beads {
-        places: Vec<[f64; 3]>, "the places of the beads in m, a list of lists of 3 numbers";
+        places: Vec<BodyVector>, "the places of the beads in m, a list of lists of 3 numbers";
         parts: Option<Vec<f64>>, "the shares of the beads in the mass, in any unit (all the same if nothing is said)", Positive;
     }
 }
@@ -354,22 +352,21 @@ fn beads(file: &Reader<'_>, Beads { places, parts }: Beads) -> Option<Shape> {
         return file.wrong("body.places, body.parts", told);
     }
     let all: f64 = parts.iter().sum();
-    let at: Vec<Vector3<f64>> = places.iter().map(|&place| place.into()).collect();
-    let weighed = at.iter().zip(&parts).map(|(at, part)| at * (part / all));
+    let weighed = places.iter().zip(&parts);
+    let weighed = weighed.map(|(at, part)| at.components() * (part / all));
     let center: Vector3<f64> = weighed.sum();
+    let bar = |bead: &BodyVector| (Solid::Bar(bead.components() - center), center.into());
+    let solids = places.iter().map(bar).collect();
     let made = move |mass: f64| {
         let beads = places.iter().zip(&parts);
-        let bead = |(&[x, y, z], part): (&[f64; 3], &f64)| {
-            MassProperties::particle(mass * (part / all), BodyVector::new(x, y, z))
-        };
-        MassProperties::compose(&beads.map(bead).collect::<Result<Vec<_>>>()?)
+        let beads = beads.map(|(at, part)| MassProperties::particle(mass * (part / all), *at));
+        MassProperties::compose(&beads.collect::<Result<Vec<_>>>()?)
     };
-    let beads = Shape {
+    Some(Shape {
         measure: None,
+        solids,
         ..Shape::new(0.0, made)
-    };
-    let bar = |shape: Shape, bead: Vector3<f64>| shape.drawn(Solid::Bar(bead - center), center);
-    Some(at.into_iter().fold(beads, bar))
+    })
 }
 
 section! {
@@ -381,17 +378,14 @@ section! {
 
 fn mesh(file: &Reader<'_>, Mesh { file: name }: Mesh) -> Option<Shape> {
     const KEY: &str = "body.file";
-    let bytes = match (file.open)(&name) {
-        Ok(bytes) => bytes,
-        Err(told) => return file.wrong(KEY, format_args!(": {name}: {told}")),
-    };
+    let bytes = (file.open)(&name).map_err(|told| format!("{name}: {told}"));
+    let bytes = file.right(KEY, bytes)?;
     let mesh = match name.rsplit('.').next().map(str::to_lowercase).as_deref() {
         Some("stl") => mesh_of_stl(&bytes),
         Some("obj") => mesh_of_obj(&String::from_utf8_lossy(&bytes)),
         _ => return file.wrong(KEY, format_args!(" must end in .stl or .obj, got {name}")),
     };
-    let solid =
-        mesh.and_then(|(vertices, triangles)| mesh_mass_properties(&vertices, &triangles, 1.0));
+    let solid = mesh.and_then(|(at, triangles)| mesh_mass_properties(&at, &triangles, 1.0));
     let solid = file.right(KEY, solid)?;
     let made = move |mass: f64| {
         let inertia = solid.inertia().matrix() * (mass / solid.mass());

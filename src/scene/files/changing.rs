@@ -6,7 +6,7 @@ use core::f64::consts::PI;
 use nalgebra::{Isometry3, Matrix3, UnitQuaternion, Vector3};
 
 use super::keys::Bound::{From, NotNegative, Positive};
-use super::look::{Look, Outline, about, free, still};
+use super::look::{Look, Outline, about, posed, still};
 use super::values::{keys, section};
 use super::{File, Made, listed, with};
 use crate::frame::Attitude;
@@ -181,7 +181,6 @@ pub fn cat(file: &File<'_, CatBody, CatInitial, CatEffects>) -> Made<Cat> {
         let axes = Matrix3::new(0.0, 0.0, out, 1.0, 0.0, 0.0, 0.0, out, 0.0);
         UnitQuaternion::from_matrix(&axes)
     });
-    let free = free(Outline::new("", Solid::ball(0.0)), Around::Space);
     let look: Look = Box::new(move |told| {
         let [angle, direction] = told.vector(["bend", "direction"]);
         let bend = Bend {
@@ -189,29 +188,22 @@ pub fn cat(file: &File<'_, CatBody, CatInitial, CatEffects>) -> Made<Cat> {
             direction,
             ..Bend::default()
         };
-        let sight = free(told);
-        let body = sight.solids[0].1;
         let [joint, a, b] = animal.places(&bend).map(|place| place.components());
         let relative = bend.relative().quaternion();
         let half = |k: usize, place: Vector3<f64>, turn: UnitQuaternion<f64>| {
-            let stands = body * Isometry3::from_parts(place.into(), turn);
-            (outlines[k].clone(), stands)
+            (
+                outlines[k].clone(),
+                Isometry3::from_parts(place.into(), turn),
+            )
         };
-        let spine = |from: Vector3<f64>| {
-            let stands = body * Isometry3::translation(from.x, from.y, from.z);
-            (Solid::Bar(joint - from), stands)
-        };
+        let spine = |from: Vector3<f64>| (Solid::Bar(joint - from), from.into());
+        let [front, rear] = [half(0, a, first), half(1, b, relative * second)];
+        let drawn_as = "two cylinders with its masses and moments, Ω that of the front";
+        let solids = vec![spine(a), spine(b), front, rear];
         Sight {
-            drawn_as: "two cylinders with its masses and moments, Ω that of the front",
             // The cat starts from rest: its computed L is rounding.
             angular_momentum: None,
-            solids: vec![
-                spine(a),
-                spine(b),
-                half(0, a, first),
-                half(1, b, relative * second),
-            ],
-            ..sight
+            ..posed(&Outline { drawn_as, solids }, Around::Space, told)
         }
     });
     Some((scene, look))

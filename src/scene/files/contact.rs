@@ -59,28 +59,20 @@ impl RoundKeys {
 
 impl Friction {
     fn listed(&self, file: &Reader<'_>) -> Option<[Option<Effect>; 2]> {
-        let grip = self.static_friction.or(self.friction);
-        let law = match (self.friction, grip) {
-            (None, Some(_)) => {
-                file.wrong("effects.static_friction", " needs `friction` beside it")?
-            }
-            (kinetic, grip) => kinetic
-                .zip(grip)
-                .map(|(kinetic, grip)| Coulomb::with_grip(kinetic, grip)),
-        };
+        if self.friction.is_none() && self.static_friction.is_some() {
+            return file.wrong("effects.static_friction", " needs `friction` beside it");
+        }
+        let both = self.friction.zip(self.static_friction.or(self.friction));
+        let law = both.map(|(kinetic, grip)| Coulomb::with_grip(kinetic, grip));
         let law = file.right("effects.static_friction, effects.friction", law.transpose())?;
         Some(listed![law, self.rolling_resistance])
     }
 }
 
 fn sheet(file: &Reader<'_>, effects: &RollerEffects) -> Option<Option<Sheet>> {
-    let given = (
-        effects.sheet_friction,
-        &effects.sheet_times,
-        &effects.sheet_speeds,
-        effects.sheet_margin,
-    );
-    let (law, times, speeds, margin) = match given {
+    let (law, margin) = (effects.sheet_friction, effects.sheet_margin);
+    let (times, speeds) = (&effects.sheet_times, &effects.sheet_speeds);
+    let (law, times, speeds, margin) = match (law, times, speeds, margin) {
         (Some(law), Some(times), Some(speeds), Some(margin)) => (law, times, speeds, margin),
         (None, None, None, None) => return Some(None),
         _ => {
@@ -101,10 +93,8 @@ fn sheet(file: &Reader<'_>, effects: &RollerEffects) -> Option<Option<Sheet>> {
 }
 
 pub fn roller(file: &File<'_, RoundKeys, RollerInitial, RollerEffects>) -> Made<Roller> {
-    let look = on_the_table(
-        Round::outline(file.body.shape, file.body.radius),
-        file.body.radius,
-    );
+    let RoundKeys { radius, shape, .. } = file.body;
+    let look = on_the_table(Round::outline(shape, radius), radius);
     let body = file.body.made(file);
     let friction = file.effects.friction.listed(file);
     let sheet = sheet(file, &file.effects);
@@ -177,15 +167,13 @@ pub fn spool(file: &File<'_, SpoolBody, SpoolInitial, SpoolEffects>) -> Made<Tug
         return file.wrong("body.axle", told);
     }
     let reel = file.right("body.axle", Spool::new(body?, axle))?;
-    let scene = file.right(
-        "effects.gravity",
-        TuggedSpool::new(reel, file.effects.gravity),
-    )?;
+    let scene = TuggedSpool::new(reel, file.effects.gravity);
+    let scene = file.right("effects.gravity", scene)?;
     let scene = with(file, scene, listed![tug?], TuggedSpool::with)?;
     let scene = with(file, scene, friction?, TuggedSpool::with)?;
     let side = |at: f64| {
         let rim = Solid::wheel(radius, 0.1 * radius);
-        (rim, Vector3::z() * (at * radius))
+        (rim, (Vector3::z() * (at * radius)).into())
     };
     let mut outline = Outline::new("a spool", Solid::wheel(axle, radius));
     outline.solids.extend([side(-0.5), side(0.5)]);
@@ -294,12 +282,8 @@ pub fn meteorite(
     let look = free(outline.moved(-solid.center().components()), Around::Space);
     let planet = Planet::new(solid.mass(), solid.inertia(), velocity, omega);
     let planet = StruckPlanet::new(file.right("body.moments", planet)?);
-    let effects = &file.effects;
-    let planet = match (
-        effects.impact_mass,
-        effects.impact_velocity,
-        effects.impact_at,
-    ) {
+    let given = &file.effects;
+    let planet = match (given.impact_mass, given.impact_velocity, given.impact_at) {
         (Some(mass), Some(velocity), Some(at)) => {
             let keys = "effects.impact_mass, effects.impact_velocity";
             let meteorite = file.right(keys, Meteorite::new(mass, velocity))?;

@@ -40,13 +40,6 @@ impl Key {
         }
     }
 
-    pub const fn within(self, bound: Bound) -> Self {
-        Self {
-            bound: Some(bound),
-            ..self
-        }
-    }
-
     /// The expected value in words: its description, then `shape`, then the bounds.
     pub fn expected(&self, shape: impl Display) -> String {
         let bound = match self.bound {

@@ -33,13 +33,6 @@ impl Told<'_> {
 pub(in crate::scene) type Look = Box<dyn Fn(&Told<'_>) -> Sight + Send + Sync>;
 
 impl AnyScene {
-    /// Sets the picture of the scene.
-    #[must_use]
-    pub(super) fn looking(mut self, look: Look) -> Self {
-        self.look = Some(look);
-        self
-    }
-
     /// The picture of the scene at a row of a table with these columns. Only a scene from a file has one: `None` for
     /// any other.
     ///
@@ -70,11 +63,11 @@ impl Solid {
     }
 }
 
-/// The drawing of a body, along its axes: solids, each with the position of its origin.
+/// The drawing of a body, along its axes: solids, each as it stands there.
 #[derive(Debug, Clone)]
 pub(super) struct Outline {
     pub drawn_as: &'static str,
-    pub solids: Vec<(Solid, Vector)>,
+    pub solids: Vec<(Solid, Isometry3<f64>)>,
 }
 
 impl Outline {
@@ -82,7 +75,7 @@ impl Outline {
     pub fn new(drawn_as: &'static str, solid: Solid) -> Self {
         Self {
             drawn_as,
-            solids: vec![(solid, Vector::zeros())],
+            solids: vec![(solid, Isometry3::identity())],
         }
     }
 
@@ -101,14 +94,14 @@ impl Outline {
 
     /// Adds another solid about the origin.
     pub fn and(mut self, solid: Solid) -> Self {
-        self.solids.push((solid, Vector::zeros()));
+        self.solids.push((solid, Isometry3::identity()));
         self
     }
 
     /// The drawing moved along its axes.
     pub fn moved(mut self, by: Vector) -> Self {
-        for (_, place) in &mut self.solids {
-            *place += by;
+        for (_, stands) in &mut self.solids {
+            stands.translation.vector += by;
         }
         self
     }
@@ -116,10 +109,8 @@ impl Outline {
     /// The picture of the body with its origin at `place`.
     pub fn sight(&self, around: Around, place: Vector, attitude: UnitQuaternion<f64>) -> Sight {
         let stands = Isometry3::from_parts(place.into(), attitude);
-        let solids = self.solids.iter().map(|(solid, origin)| {
-            let origin = Isometry3::translation(origin.x, origin.y, origin.z);
-            (solid.clone(), stands * origin)
-        });
+        let solids = self.solids.iter();
+        let solids = solids.map(|(solid, within)| (solid.clone(), stands * within));
         still(self.drawn_as, around, place, solids.collect())
     }
 }
@@ -155,19 +146,21 @@ impl Sight {
 
 /// The picture of a body whose attitude is given.
 pub(super) fn free(body: Outline, around: Around) -> Look {
-    Box::new(move |told| {
-        let [w, x, y, z] = told.vector(["qw", "qx", "qy", "qz"]);
-        let attitude = UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z));
-        let place = told.vector(["x", "y", "z"]);
-        let omega = Vector::from(told.vector(["omega1", "omega2", "omega3"]));
-        Sight {
-            omega: attitude * omega,
-            angular_momentum: told
-                .number("lx")
-                .map(|_| told.vector(["lx", "ly", "lz"]).into()),
-            ..body.sight(around, place.into(), attitude)
-        }
-    })
+    Box::new(move |told| posed(&body, around, told))
+}
+
+/// The picture of a body at the attitude of a row.
+pub(super) fn posed(body: &Outline, around: Around, told: &Told<'_>) -> Sight {
+    let [w, x, y, z] = told.vector(["qw", "qx", "qy", "qz"]);
+    let attitude = UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z));
+    let place = told.vector(["x", "y", "z"]);
+    let omega = Vector::from(told.vector(["omega1", "omega2", "omega3"]));
+    let l = Vector::from(told.vector(["lx", "ly", "lz"]));
+    Sight {
+        omega: attitude * omega,
+        angular_momentum: told.number("lx").map(|_| l),
+        ..body.sight(around, place.into(), attitude)
+    }
 }
 
 /// The picture of a body that turns in the plane of x and z, about the y axis, from its position and, if known, its angle (m, rad).

@@ -150,7 +150,8 @@ fn read<B: Section, I: Section, E: Section, S: Scene<State: Send + 'static> + 's
         effects: effects?,
     })?;
     let (run, request) = (run?, request?);
-    let scene = AnyScene::scene(Box::new(scene)).looking(look);
+    let mut scene = AnyScene::scene(Box::new(scene));
+    scene.look = Some(look);
     Some((run.told(reader, scene)?, request))
 }
 
@@ -218,7 +219,8 @@ pub fn kinds() -> impl ExactSizeIterator<Item = &'static str> {
 /// assert!(count("run", "accuracy") == Some(1) && count("shapes", "radius") > Some(1));
 /// ```
 pub fn keys(kind: &str) -> Option<Vec<KeyRow>> {
-    let reader = Reader::listing(&out_of_reach).ok()?;
+    let mut reader = Reader::new("", "", &out_of_reach).ok()?;
+    reader.lists = true;
     // The common keys are read with the first kind.
     let known = KINDS.iter().find(|known| [known.0, "run"].contains(&kind));
     match kind {

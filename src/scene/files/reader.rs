@@ -24,7 +24,7 @@ pub(super) struct Reader<'a> {
     /// Reads another file, named in this one.
     pub open: &'a Open<'a>,
     /// Whether the file serves only to list the keys; then optional tables are read as well.
-    lists: bool,
+    pub lists: bool,
     /// The keys that were looked for and are absent.
     pub absent: RefCell<Vec<KeyRow>>,
 }
@@ -36,46 +36,36 @@ impl<'a> Reader<'a> {
     /// # Errors
     /// A message if the text is not TOML.
     pub fn new(name: &'a str, text: &'a str, open: &'a Open<'a>) -> Result<Self, Mistakes> {
-        let new = |entries| Self {
+        let (entries, errors) = DeTable::parse_recoverable(text);
+        let reader = Self {
             name,
             text,
-            entries,
+            entries: entries.into_inner(),
             mistakes: RefCell::default(),
             open,
             lists: false,
             absent: RefCell::default(),
         };
-        match DeTable::parse(text) {
-            Ok(entries) => Ok(new(entries.into_inner())),
-            Err(error) => {
-                let mut told = one_line(error.message());
-                if told == "duplicate key" {
-                    let key = error.span().and_then(|place| text.get(place));
-                    told = format!("key `{}` stands twice", key.unwrap_or_default());
-                }
-                let reader = new(DeTable::new());
-                reader.add(error.span(), told);
-                reader.finish(None)
-            }
+        let Some(error) = errors.first() else {
+            return Ok(reader);
+        };
+        let mut told = one_line(error.message());
+        if told == "duplicate key" {
+            let key = error.span().and_then(|place| text.get(place));
+            told = format!("key `{}` stands twice", key.unwrap_or_default());
         }
-    }
-
-    /// A reader of an empty file: [`absent`](Self::absent) collects all keys.
-    pub fn listing(open: &'a Open<'a>) -> Result<Self, Mistakes> {
-        let lists = true;
-        Self::new("", "", open).map(|empty| Self { lists, ..empty })
+        reader.add(error.span(), told);
+        reader.finish(None)
     }
 
     /// The value made from the file, if there were no mistakes.
     pub fn finish<T>(self, made: Option<T>) -> Result<T, Mistakes> {
         let mut mistakes = self.mistakes.into_inner();
         mistakes.sort_by_key(|mistake| mistake.0);
-        match made {
-            Some(made) if mistakes.is_empty() => Ok(made),
-            _ => Err(Mistakes(
-                mistakes.into_iter().map(|(_, told)| told).collect(),
-            )),
-        }
+        let is_right = mistakes.is_empty();
+        let told = mistakes.into_iter().map(|(_, told)| told);
+        made.filter(|_| is_right)
+            .ok_or_else(|| Mistakes(told.collect()))
     }
 
     fn add(&self, place: Option<Range<usize>>, told: String) {
@@ -97,19 +87,14 @@ impl<'a> Reader<'a> {
         let mut paths = keys.split(", ");
         let place = paths.find_map(|path| find(&self.entries, path));
         let place = place.or_else(|| find(&self.entries, keys.split('.').next()?));
-        self.add(
-            place.map(|(place, _)| place),
-            format!("{}{told}", named(keys)),
-        );
+        let place = place.map(|(place, _)| place);
+        self.add(place, format!("{}{told}", named(keys)));
         None
     }
 
     /// The result of a constructor; its error is recorded for these keys.
-    pub fn right<T>(&self, keys: &str, given: crate::Result<T>) -> Option<T> {
-        match given {
-            Ok(given) => Some(given),
-            Err(error) => self.wrong(keys, format_args!(": {error}")),
-        }
+    pub fn right<T, E: Display>(&self, keys: &str, given: Result<T, E>) -> Option<T> {
+        given.map_or_else(|error| self.wrong(keys, format_args!(": {error}")), Some)
     }
 
     /// A value as written in the file, shortened.
@@ -341,11 +326,6 @@ impl<'p> Place<'p> {
         let told = format!("{} must be {must_be}", named(&self.path()));
         self.table.reader.add(Some(value.span()), told);
         None
-    }
-
-    /// The table that is the value of this key.
-    pub fn inner(&self, entries: &'p DeTable<'p>) -> Table<'p> {
-        Table::new(self.table.reader, self.path(), Some(entries))
     }
 }
 

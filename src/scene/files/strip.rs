@@ -50,18 +50,16 @@ pub fn strip(file: &File<'_, Body, StripStart, Effects>) -> Made<Strip> {
     file.right("body.width, body.areal_density", plate(0.0))?;
     let plate = file.right("body.thickness_ratio", plate(file.body.thickness_ratio))?;
     let scene = file.right("initial", Strip::new(plate, file.initial))?;
-    let lift = file.effects.lift.map(|[translational, rotational]| Lift {
+    let effects = &file.effects;
+    let lift = effects.lift.map(|[translational, rotational]| Lift {
         translational,
         rotational,
     });
-    let drag = file
-        .effects
-        .drag
-        .map(|[mean, contrast]| Drag { mean, contrast });
-    let damping = file.effects.rotational_damping;
+    let drag = effects.drag.map(|[mean, contrast]| Drag { mean, contrast });
+    let damping = effects.rotational_damping;
     let damping = damping.map(|[linear, quadratic]| RotationalDamping { linear, quadratic });
-    let added = file.effects.added_mass.map(|factor| AddedMass { factor });
-    let acting = listed![file.effects.gravity, lift, drag, damping, added];
+    let added = effects.added_mass.map(|factor| AddedMass { factor });
+    let acting = listed![effects.gravity, lift, drag, damping, added];
     let scene = with(file, scene, acting, Strip::with)?;
     let edges = Vector3::new(1.0, 2.0, file.body.thickness_ratio.max(0.02)) * file.body.width;
     let outline = Outline::new("a strip, its length cut short", Solid::Cuboid(edges));

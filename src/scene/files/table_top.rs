@@ -77,10 +77,9 @@ pub fn table_top(file: &File<'_, Body, Initial, Effects>) -> Made<TableTop> {
     let start = start(file, &file.initial);
     let law = law(file, effects);
     let given = [effects.rolling_resistance, effects.pivoting_resistance];
-    let [rolling, pivoting] = given.map(|given| given.unwrap_or(0.0));
-    let resistance = given[0]
-        .or(given[1])
-        .map(|_| Resistance::new(rolling, pivoting));
+    let [rolling, pivoting] = given.map(Option::unwrap_or_default);
+    let given = given[0].or(given[1]);
+    let resistance = given.map(|_| Resistance::new(rolling, pivoting));
     let resistance = file.right("effects.rolling_resistance", resistance.transpose());
     let (body, outline) = made?;
     let scene = TableTop::new(body, start?);
@@ -177,12 +176,8 @@ fn start(file: &Reader<'_>, initial: &Initial) -> Option<Start> {
     Some(start)
 }
 
-fn law(file: &Reader<'_>, effects: &Effects) -> Option<Option<Effect>> {
-    let law = match (
-        effects.friction_law,
-        effects.friction,
-        effects.friction_slip,
-    ) {
+fn law(file: &Reader<'_>, given: &Effects) -> Option<Option<Effect>> {
+    let law = match (given.friction_law, given.friction, given.friction_slip) {
         (None, None, None) => return Some(None),
         (None, ..) => {
             let told = " is missing: it says what `friction` means";

@@ -39,12 +39,8 @@ pub fn top(file: &File<'_, Body, Initial, Effects>) -> Made<Top> {
     let effects = &file.effects;
     let made = made(file, &file.body, effects.gravity.is_some());
     let start = start(file, &file.initial);
-    let key = match file.initial.omega {
-        Some(_) => "initial.omega",
-        None => "initial.angular_momentum",
-    };
-    let moments = file.body.matter.moments;
-    let matter = moments.map_or("body.inertia", |_| "body.moments");
+    let omega = file.initial.omega;
+    let key = omega.map_or("initial.angular_momentum", |_| "initial.omega");
     let (body, outline) = made?;
     let top = file.right(key, Top::new(body, start?))?;
     let acting = listed![
@@ -55,7 +51,7 @@ pub fn top(file: &File<'_, Body, Initial, Effects>) -> Made<Top> {
         effects.tip_friction,
     ];
     let top = with(file, top, acting, Top::with)?;
-    file.right(matter, top.can_be_resisted())?;
+    file.right(file.body.matter.key(), top.can_be_resisted())?;
     Some((top, free(outline, Around::Pivot)))
 }
 

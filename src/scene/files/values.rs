@@ -48,7 +48,8 @@ macro_rules! keys {
                 #[allow(unused_variables, reason = "a table may have no keys")]
                 fn fields(table: &Table<'_>) -> Option<Self> {
                     $(
-                        let key = Key::new(stringify!($field), $what) $(.within($bound))?;
+                        let bound = None $(.or(Some($bound)))?;
+                        let key = Key { bound, ..Key::new(stringify!($field), $what) };
                         let $field = <$type as Value>::take(table, &key, None $(.or(Some(($default, format!("{:?}", $default)))))?);
                     )*
                     Some(Self { $($field: $field?,)* })
@@ -60,7 +61,9 @@ macro_rules! keys {
 
                 fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
                     match value.get_ref() {
-                        DeValue::Table(entries) => place.inner(entries).section(),
+                        DeValue::Table(entries) => {
+                            Table::new(place.table.reader, place.path(), Some(entries)).section()
+                        }
                         _ => place.unexpected(value, "a table"),
                     }
                 }
@@ -145,14 +148,9 @@ impl<T: Value, const N: usize> Value for [T; N] {
 
     fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
         let expected = Self::expected(place.key);
-        let list: Self = match members(place, value, &expected)?.try_into() {
-            Ok(list) => list,
-            Err(list) => {
-                let told = format!("{expected}, got {}", Vec::<T>::len(&list));
-                return place.wrong(value, told);
-            }
-        };
-        Some(list)
+        let list = members(place, value, &expected)?;
+        let told = format!("{expected}, got {}", list.len());
+        list.try_into().ok().or_else(|| place.wrong(value, told))
     }
 }
 
@@ -226,10 +224,9 @@ impl<T: Word> Value for T {
         };
         let words = T::words();
         let near = meant(text, words.iter().map(|(name, _)| *name));
-        match words.into_iter().find(|(name, _)| name == text) {
-            Some((_, word)) => Some(word),
-            None => place.wrong(value, format_args!("{expected}, got {text:?}{near}")),
-        }
+        let found = words.into_iter().find(|(name, _)| name == text);
+        let told = format!("{expected}, got {text:?}{near}");
+        found.map_or_else(|| place.wrong(value, told), |(_, word)| Some(word))
     }
 
     fn absent() -> Option<(Self, String)> {

@@ -60,9 +60,7 @@ pub fn yo_yo(file: &File<'_, Body, Initial, Effects>) -> Made<Play> {
 }
 
 fn toy(file: &Reader<'_>, body: &Body) -> Option<YoYo> {
-    let Body {
-        mass, length, axle, ..
-    } = *body;
+    let (mass, length, axle) = (body.mass, body.length, body.axle);
     let toy = match (body.inertia, body.radius) {
         (Some(inertia), None) => {
             let made = YoYo::new(mass, inertia, length, axle);

@@ -203,6 +203,8 @@ function live(figure) {
         }
         swap(element('template', { innerHTML: drawn }).content.firstElementChild);
         const number = words.querySelector('.figure-number');
+        // A caption keeps the room that it needed once: what is below it stays where it is.
+        words.setAttribute('style', `min-height: ${words.offsetHeight}px`);
         words.replaceChildren(number, ' ', element('strong', {}, ...caption(claim)), ' ', ...caption(details, known));
         for (const line of places.trim().split('\n')) {
             const [key, ...place] = line.split(' ');
@@ -255,6 +257,7 @@ function live(figure) {
     function restore() {
         for (const { key, default: value } of parameters) set(key, value);
         showPrinted();
+        words.removeAttribute('style');
         reset.hidden = true;
         written.at = 0;
         write(location.href.split('#')[0]);

@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         arguments.get(place + 1).cloned()
     };
     let machine = value("--machine").unwrap_or_else(|| "this machine".to_owned());
-    let mut table = String::from("| case | textbook, ns | ours, ns | ratio |\n|---|---|---|---|\n");
+    let mut table = String::from("| case | textbook, ns | ours, ns | ratio |\n|---|--:|--:|--:|\n");
     for family in families() {
         let Some(hardest) = family.inputs()?.pop() else {
             continue;

@@ -78,7 +78,7 @@ fn times(csv: &str) -> String {
     let (first, rows) = lines.split_first().unwrap();
     let machine = first.trim_start_matches(['#', ' ']);
     let head = "| file | solver | evaluations | ms | at $10^{-9}$ | ms |\n";
-    let mut text = format!("{head}|---|---|---|---|---|---|\n");
+    let mut text = format!("{head}|---|---|--:|--:|--:|--:|\n");
     for row in rows.iter().skip(1) {
         let cells: Vec<String> = row.split(',').enumerate().map(cell).collect();
         text += &format!("| {} |\n", cells.join(" | "));

@@ -308,14 +308,19 @@ impl<'a> Typesetter<'a> {
             ));
         }
         let links = links.join(" ");
-        Ok(format!("<p class=\"claim-tags\">{links}</p>\n\n"))
+        Ok(format!("{TAGS}{links}</p>\n\n"))
     }
 }
 
-/// The chapter without its blocks of code.
+/// How the line with the claims of a block begins.
+const TAGS: &str = "<p class=\"claim-tags\">";
+
+/// The chapter without its blocks of code and the names of claims above them.
 pub fn without_code(chapter: &str) -> String {
     let blocks = code_blocks(chapter);
-    edited(chapter, blocks.map(|(_, span)| (span, "\n".into())))
+    let prose = edited(chapter, blocks.map(|(_, span)| (span, "\n".into())));
+    let lines = prose.split_inclusive('\n');
+    lines.filter(|line| !line.starts_with(TAGS)).collect()
 }
 
 /// The text with replacements at these places, given in order.

@@ -11,7 +11,7 @@ pub const FIGURES: &[Entry] = &[of("meteorite", &[MASS, HEIGHT, ACROSS, MOMENT],
 parameters! {
     MASS: "mass", "m/M", "", "mass of the meteorite over that of the planet", [0.001, 0.03], 0.01, logarithmic;
     HEIGHT: "height", "z/R", "", "height over the equator at which it hits, over the radius", [-0.6, 0.85], 0.8;
-    ACROSS: "across", "-v_y", "", "speed of the meteorite along the circle of latitude, against the turn, radii a second over Ω", [0.0, 40.0], 20.0;
+    ACROSS: "across", r"-v_y/R\Omega", "", "speed of the meteorite against the turn of the planet, over that of the equator", [0.0, 40.0], 20.0;
     MOMENT: "moment", "I/MR^2", "", "moment of inertia of the planet over MR²", [0.2, 0.66], 0.4;
 }
 

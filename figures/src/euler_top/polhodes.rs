@@ -18,7 +18,7 @@ const ROOM: [f64; 4] = [130.0, 24.0, 470.0, 436.0];
 const REACH: [f64; 3] = [0.21, 0.36, 0.21];
 
 parameters! {
-    CROSSING: "crossing", r"\alpha", "°", "where your polhode crosses the plane of x₁ and x₃: from x₁, 0, to x₃, 90, in the circle that the ellipse is stretched from", [1.0, 89.0], 23.0, dragged(|values| {
+    CROSSING: "crossing", r"\alpha", "°", "where the thick polhode crosses the plane of x₁ and x₃: 0° at x₁, 90° at x₃", [1.0, 89.0], 23.0, dragged(|values| {
         let (_, view, arms) = stage(values);
         let (sin, cos) = values.of(&CROSSING).to_radians().sin_cos();
         view.project(&(arms[0] * cos + arms[2] * sin))

@@ -218,4 +218,8 @@ fn numbers_of_a_file_are_found_and_set() {
         assert_eq!(other, text.replace("= 3 #", written));
     }
     assert_eq!(set(&text, "run", 1.0), None);
+    // In other radices, and beyond whole numbers of 64 bits.
+    let text = RACKET.replace("0.01, 1.0, 0.01", "0x10, 0b11, 100000000000000000000");
+    let omega = ["omega1", "omega2", "omega3"].map(|name| last(&text.replace(", 5.0", ""), [name]));
+    assert_eq!(omega.concat(), [16.0, 3.0, 1e20]);
 }

@@ -6,7 +6,7 @@ use spinning_bodies::scene::files::parse;
 use spinning_bodies::scene::{Around, Sight, Solid, Table};
 use std::fs;
 
-fn file_of_the_book(name: &str) -> String {
+pub(super) fn file_of_the_book(name: &str) -> String {
     let scenes = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/scenes");
     fs::read_to_string(format!("{scenes}/{name}")).unwrap()
 }
@@ -146,6 +146,7 @@ fn a_body_is_drawn_with_the_inertia_that_it_has() {
             let expected = inertia(drawn.unwrap(), Vector3::zeros()) * sight.omega * 2.0;
             let off = (sight.angular_momentum.unwrap() - expected).norm() / expected.norm();
             assert!(off < tolerance, "{body} {held}: {off}");
+            assert_eq!(sight.drawn_as == "its shape", body.starts_with("shape"));
             assert_eq!(sight.around, Around::Pivot);
             assert_eq!(sight.place, Vector3::zeros());
         }
@@ -292,6 +293,26 @@ fn a_cat_is_two_cylinders_that_meet_at_its_joint() {
             assert!((axial - 0.0025).abs() < 1e-16 && (transverse - 0.01).abs() < 1e-16);
         }
         assert_eq!(sight.angular_momentum, None);
+    }
+}
+
+/// A spool has a rim on either side; beads are at the ends of bars from their centre of mass.
+#[test]
+fn what_is_drawn_of_several_solids_is_where_it_belongs() {
+    for sight in in_the_book("spool", &[0.0, 0.7]) {
+        let [axle, one, other] = [0, 1, 2].map(|n| &sight.solids[n]);
+        assert!((place(one) + place(other) - 2.0 * place(axle)).norm() < 1e-16);
+        near!((place(one) - place(other)).norm(), 0.05, 1e-16);
+        let [axle, rim] = [axle, one].map(|solid| moment(solid, Vector3::y()));
+        near!(axle / rim, (0.02_f64 / 0.05).powi(2), 1e-15);
+    }
+    let beads = "shape = \"beads\"\nplaces = [[0.4, 0, 0], [0, 0.2, 0.1]]\nparts = [1, 3]";
+    let text = format!("[body]\nmass = 2.0\n{beads}\n[initial]\nomega = [0, 0, 1]\n");
+    let (_, sights) = seen("mine.toml", &text, &[0.0]);
+    let center = Vector3::new(0.1, 0.15, 0.075);
+    let places = [[0.4, 0.0, 0.0], [0.0, 0.2, 0.1]].map(|place| Vector3::from(place) - center);
+    for (bar, bead) in sights[0].solids.iter().zip(places) {
+        assert!((end(bar) - bead).norm() + place(bar).norm() < 1e-16);
     }
 }
 

@@ -1,8 +1,6 @@
 //! Builds the book, whole or not at all: for the command, and as a renderer for mdBook itself.
 
 use crate::drawings::{self, Drawing};
-use crate::error::one_line;
-use crate::ledger::Ledger;
 use crate::typesetter::{Medium, Typesetter, without_code};
 use crate::writer::{folder_of, followed, whole};
 use crate::{Error, Result};
@@ -24,23 +22,17 @@ pub fn bind(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<PathBuf>
     bind_as(settings.map_err(wrong)?, root, folder, drawings)
 }
 
-/// The context that mdBook passes to a renderer on its standard input.
+/// Builds the book for mdBook, which passes folder and options on the standard input: in that folder and with these options.
 ///
 /// # Errors
-/// [`Error::Input`] if the input is anything else.
-pub fn told_by_mdbook(input: impl Read) -> Result<RenderContext> {
-    RenderContext::from_json(input).map_err(|error| {
-        let error = one_line(&format!("{error:#}"));
-        Error::Input(format!(
-            "`render` is called by mdBook, which passes it a book: {error}"
-        ))
-    })
-}
-
-/// Builds the book for mdBook, in the folder and with the options that it passes.
-pub fn render(told: &RenderContext, drawings: &[Drawing]) -> Result<()> {
-    let settings = told.config.clone();
-    bind_as(settings, folder_of(&told.root), &told.destination, drawings).map(drop)
+/// [`Error::Input`] if the input is anything else; those of drawing and binding.
+pub fn render(input: impl Read, draw: impl FnOnce() -> Result<Vec<Drawing>>) -> Result<()> {
+    let told = RenderContext::from_json(input).map_err(|error| {
+        let who = "`render` is called by mdBook, which passes it a book";
+        Error::Input(format!("{who}: {error:#}"))
+    })?;
+    let root = folder_of(&told.root);
+    bind_as(told.config, root, &told.destination, &draw()?).map(drop)
 }
 
 fn bind_as(settings: Config, root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<PathBuf> {
@@ -93,8 +85,7 @@ fn set(items: &mut [BookItem], typesetter: &mut Typesetter<'_>) -> Result<()> {
 }
 
 fn build(settings: Config, root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
-    let ledger = Ledger::read(root)?;
-    let mut typesetter = Typesetter::new(root, drawings, &ledger, Medium::Pages);
+    let mut typesetter = Typesetter::new(root, drawings, Medium::Pages)?;
     let mut book = typeset(settings, root, &mut typesetter)?;
     book.config.build.build_dir = folder.to_owned();
     let searched = book.config.clone();
@@ -102,7 +93,7 @@ fn build(settings: Config, root: &Path, folder: &Path, drawings: &[Drawing]) -> 
     let indexed = book.config.set("output.html.search.chapter", nothing);
     indexed.map_err(wrong)?;
     book.build().map_err(|e| Error::Failed(format!("{e:#}")))?;
-    typesetter.into_pieces().fill_folder(folder)?;
+    typesetter.pieces.fill_folder(folder)?;
     for paper in Paper::ALL {
         drawings::sheets(paper, &folder.join("sheets"))?;
     }

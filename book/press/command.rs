@@ -49,16 +49,12 @@ fn obey(command: Option<Command>) -> Result<()> {
     let root = &workspace_root()?;
     match command {
         None => {
-            let svg = root.join("figures/svg");
-            can_be_written_into(&svg)?;
             can_be_written_into(&root.join("book"))?;
-            let drawings = draw_all()?;
-            let changed = drawings::write(&drawings, Copying::default(), &svg)?;
-            say(&report(&drawings, changed, &svg))?;
+            let drawings = figures(root, usage::Figures::default())?;
             print_book(root, &drawings).map(drop)
         }
         Some(Command::Figures(asked)) if asked.list => listed(&asked),
-        Some(Command::Figures(asked)) => figures(root, asked),
+        Some(Command::Figures(asked)) => figures(root, asked).map(drop),
         Some(Command::Sheets(asked)) => {
             can_be_written_into(&asked.out)?;
             let mut papers = Paper::ALL.into_iter();
@@ -67,10 +63,7 @@ fn obey(command: Option<Command>) -> Result<()> {
             sheets.iter().try_for_each(|sheet| say_where(sheet))
         }
         Some(Command::Book(asked)) => book(root, &asked),
-        Some(Command::Render) => {
-            let told = binding::told_by_mdbook(std::io::stdin())?;
-            binding::render(&told, &draw_all()?)
-        }
+        Some(Command::Render) => binding::render(std::io::stdin(), draw_all),
         Some(Command::Scene(asked)) => match asked.keys {
             Some(kind) => say(&scenes::keys(&kind)?),
             None => scene(root, asked),
@@ -95,7 +88,8 @@ fn listed(asked: &usage::Figures) -> Result<()> {
     say(&drawings::list(&entries, !asked.names.is_empty()))
 }
 
-fn figures(root: &Path, asked: usage::Figures) -> Result<()> {
+/// Draws figures, writes them or compares them with their files, and returns them.
+fn figures(root: &Path, asked: usage::Figures) -> Result<Vec<Drawing>> {
     let entries = drawings::chosen(&asked.names)?;
     pictures::can_be_made(asked.form)?;
     if let (Form::Svg, Some(width)) = (asked.form, asked.width) {
@@ -124,7 +118,8 @@ fn figures(root: &Path, asked: usage::Figures) -> Result<()> {
         let drawings = draw(&entries, &values)?;
         drawings::check(&drawings, &folder)?;
         let (count, folder) = (drawings.len(), folder.display());
-        return say(&format!("{count} figures agree with {folder}\n"));
+        say(&format!("{count} figures agree with {folder}\n"))?;
+        return Ok(drawings);
     }
     can_be_written_into(&folder)?;
     let table = asked.data.map(|file| {
@@ -142,7 +137,12 @@ fn figures(root: &Path, asked: usage::Figures) -> Result<()> {
         let Figure { claim, details, .. } = &drawing.figure;
         say(&format!("{claim} {details}\n"))?;
     }
-    say(&report(&drawings, changed, &folder))
+    let (count, folder) = (drawings.len(), folder.display());
+    let s = if count == 1 { "" } else { "s" };
+    say(&format!(
+        "{count} figure{s} in {folder}, {changed} changed\n"
+    ))?;
+    Ok(drawings)
 }
 
 fn book(root: &Path, asked: &usage::Book) -> Result<()> {
@@ -253,12 +253,6 @@ fn say_where(file: &Path) -> Result<()> {
     say(&format!("{}\n", file.display()))
 }
 
-fn report(drawings: &[Drawing], changed: usize, folder: &Path) -> String {
-    let (count, folder) = (drawings.len(), folder.display());
-    let s = if count == 1 { "" } else { "s" };
-    format!("{count} figure{s} in {folder}, {changed} changed\n")
-}
-
 /// Draws figures, showing the progress.
 fn draw(entries: &[Entry], values: &Values) -> Result<Vec<Drawing>> {
     let draw = |done: &(dyn Fn() + Sync)| drawings::draw(entries, values, done);
@@ -272,12 +266,12 @@ fn draw_all() -> Result<Vec<Drawing>> {
 
 /// The scene file that a name stands for.
 fn scene_file(root: &Path, name: PathBuf) -> Result<PathBuf> {
-    match scenes::file(root, &name) {
-        Some(file) if name != Path::new("-") => Ok(file),
-        // Reading it will report what is wrong.
-        _ if name == Path::new("-") || name.exists() => Ok(name),
-        _ => Err(Error::Input(scenes::not_found(root, &name, &[]))),
+    if name == Path::new("-") {
+        return Ok(name);
     }
+    // Reading what is no file will report what is wrong.
+    let found = scenes::file(root, &name).or_else(|| name.exists().then(|| name.clone()));
+    found.ok_or_else(|| Error::Input(scenes::not_found(root, &name, &[])))
 }
 
 fn open_page(page: &Path) -> Result<()> {
@@ -289,9 +283,8 @@ fn open_page(page: &Path) -> Result<()> {
     let opened = std::process::Command::new(opener).arg(page).status();
     opened.map(drop).map_err(|error| {
         let page = page.display();
-        Error::Failed(format!(
-            "{opener} cannot be started ({error}): open {page} yourself"
-        ))
+        let told = format!("{opener} cannot be started ({error}): open {page} yourself");
+        Error::Failed(told)
     })
 }
 

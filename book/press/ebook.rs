@@ -4,7 +4,7 @@ use crate::appendix::mdbook_anchor;
 use crate::binding::{self, wrong};
 use crate::drawings::Drawing;
 use crate::interrupt::Unfinished;
-use crate::ledger::{Ledger, markdown_options};
+use crate::ledger::markdown_options;
 use crate::pieces::{Pieces, flush_left};
 use crate::typesetter::{Medium, Typesetter};
 use crate::writer::{folder_of, write_if_changed};
@@ -84,13 +84,12 @@ pub fn pdf(browser: &str, pages: &Path, file: &Path) -> Result<()> {
 /// Those of binding and writing.
 pub fn epub(root: &Path, drawings: &[Drawing], file: &Path) -> Result<()> {
     let settings = Config::from_disk(root.join("book/book.toml")).map_err(wrong)?;
-    let ledger = Ledger::read(root)?;
-    let mut typesetter = Typesetter::new(root, drawings, &ledger, Medium::Ebook);
+    let mut typesetter = Typesetter::new(root, drawings, Medium::Ebook)?;
     let book = binding::typeset(settings, root, &mut typesetter)?;
     let (processed, _) = book
         .preprocess_book(&MarkdownRenderer::new())
         .map_err(wrong)?;
-    let bytes = packed(drawings, &processed, &typesetter.into_pieces())
+    let bytes = packed(drawings, &processed, &typesetter.pieces)
         .map_err(|error| Error::Failed(format!("the EPUB: {error}")))?;
     write_if_changed(file, &bytes).map(drop)
 }

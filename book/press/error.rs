@@ -13,14 +13,12 @@ pub enum Error {
     /// A scene file is wrong, a line for each mistake: exit status 2.
     #[error(transparent)]
     Scene(#[from] Mistakes),
+    /// An unknown column is asked for: exit status 2.
+    #[error(transparent)]
+    Column(#[from] UnknownColumn),
     /// A file could not be read or written: exit status 1.
-    #[error("{path}: {source}", path = path.display())]
-    File {
-        /// The file.
-        path: PathBuf,
-        /// The error of the system.
-        source: std::io::Error,
-    },
+    #[error("{}: {}", .0.display(), .1)]
+    File(PathBuf, #[source] std::io::Error),
     /// Anything else: exit status 1.
     #[error("{}", one_line(.0))]
     Failed(String),
@@ -35,25 +33,16 @@ pub type Result<T> = std::result::Result<T, Error>;
 impl Error {
     /// Wraps a system error with the file it is about.
     pub fn file(path: &Path) -> impl FnOnce(std::io::Error) -> Error + '_ {
-        move |source| Error::File {
-            path: path.to_owned(),
-            source,
-        }
+        |source| Error::File(path.to_owned(), source)
     }
 
     /// The exit status that reports this error.
     pub fn status(&self) -> u8 {
         match self {
-            Error::Input(_) | Error::Scene(_) => 2,
-            Error::File { .. } | Error::Failed(_) => 1,
+            Error::Input(_) | Error::Scene(_) | Error::Column(_) => 2,
+            Error::File(..) | Error::Failed(_) => 1,
             Error::OutputClosed => 0,
         }
-    }
-}
-
-impl From<UnknownColumn> for Error {
-    fn from(unknown: UnknownColumn) -> Self {
-        Error::Input(unknown.to_string())
     }
 }
 

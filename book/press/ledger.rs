@@ -122,7 +122,7 @@ impl Ledger {
         let mut chapters = Vec::new();
         for chapter in CHAPTERS {
             match chapter.source(root) {
-                Err(Error::File { source, .. }) if source.kind() == ErrorKind::NotFound => {}
+                Err(Error::File(_, error)) if error.kind() == ErrorKind::NotFound => {}
                 read => chapters.extend(marks(&read?).map(|mark| (chapter.name, mark))),
             }
         }

@@ -20,7 +20,8 @@ pub fn watched<T>(how_far: impl Fn() -> (f64, String) + Send, work: impl FnOnce(
     std::thread::scope(|scope| {
         scope.spawn(move || {
             let begin = Instant::now();
-            let bar = ProgressBar::new(PARTS).with_style(style());
+            let style = ProgressStyle::with_template("{bar:32} {msg}").expect("it is well formed");
+            let bar = ProgressBar::new(PARTS).with_style(style);
             let mut wait = PATIENCE;
             while over.recv_timeout(wait) == Err(RecvTimeoutError::Timeout) {
                 let (part, told) = how_far();
@@ -58,8 +59,3 @@ pub fn counted<T>(parts: usize, what: &str, work: impl FnOnce(&(dyn Fn() + Sync)
 
 /// Steps of a bar.
 const PARTS: u64 = 1000;
-
-fn style() -> ProgressStyle {
-    let style = ProgressStyle::with_template("{bar:32} {msg}");
-    style.unwrap_or_else(|_| ProgressStyle::default_bar())
-}

@@ -18,9 +18,10 @@ pub struct Typesetter<'a> {
     drawings: &'a [Drawing],
     /// The figures shown so far: the first is Figure 1.
     shown: Vec<&'static str>,
-    ledger: &'a Ledger,
+    ledger: Ledger,
     formulas: Formulas,
-    pieces: Pieces,
+    /// The pieces kept so far, to fill into the pages.
+    pub pieces: Pieces,
     medium: Medium,
 }
 
@@ -43,27 +44,17 @@ const SMALL: &str = "small";
 type Told<T> = std::result::Result<T, String>;
 
 impl<'a> Typesetter<'a> {
-    /// A typesetter for one book.
-    pub fn new(
-        root: &'a Path,
-        drawings: &'a [Drawing],
-        ledger: &'a Ledger,
-        medium: Medium,
-    ) -> Self {
-        Typesetter {
+    /// A typesetter for one book, with the ledger of the workspace at `root`.
+    pub fn new(root: &'a Path, drawings: &'a [Drawing], medium: Medium) -> Result<Self> {
+        Ok(Typesetter {
             root,
             drawings,
             shown: Vec::new(),
-            ledger,
+            ledger: Ledger::read(root)?,
             formulas: Formulas::default(),
             pieces: Pieces::default(),
             medium,
-        }
-    }
-
-    /// The pieces kept so far, to fill into the pages.
-    pub fn into_pieces(self) -> Pieces {
-        self.pieces
+        })
     }
 
     /// The chapter in the form that mdBook reads; `file` is its name in `book/src`. Chapters must come in the order of the book, in which figures are numbered.
@@ -185,7 +176,7 @@ impl<'a> Typesetter<'a> {
             return Ok(None);
         };
         match words.split_whitespace().collect::<Vec<_>>()[..] {
-            ["claims"] => Ok(Some(appendix::page(self.ledger) + "\n")),
+            ["claims"] => Ok(Some(appendix::page(&self.ledger) + "\n")),
             ["figure", name] => self.figure(chapter, name).map(Some),
             ["gallery"] => self.gallery().map(Some),
             // Other includes are left to mdBook.
@@ -340,21 +331,17 @@ mod tests {
     use super::*;
 
     fn set(source: &str) -> Result<String> {
-        let ledger = Ledger::read(Path::new("/nowhere"))?;
         let [claim, details, alt] = [const { String::new() }; 3];
         let words = figures::style::Words {
             claim,
             details,
             alt,
         };
-        let top = Drawing {
-            entry: figures::all()[0],
-            figure: figures::style::figure("cat-animated", 10.0, words, |_| ())
-                .value("tilt", "2.92"),
-        };
-        let (nowhere, tops) = (Path::new("/nowhere"), [top]);
-        let mut typesetter = Typesetter::new(nowhere, &tops, &ledger, Medium::Pages);
-        typesetter.set("x.md", source)
+        let entry = figures::all()[0];
+        let figure = figures::style::figure(entry.name, 10.0, words, |_| ());
+        let figure = figure.value("tilt", "2.92");
+        let tops = [Drawing { entry, figure }];
+        Typesetter::new(Path::new("/nowhere"), &tops, Medium::Pages)?.set("x.md", source)
     }
 
     #[test]

@@ -10,7 +10,7 @@ use spinning_bodies::scene::{Solver, files};
 use crate::pictures::Form;
 use crate::scenes::output::Format;
 use crate::scenes::plot::{self, Panel};
-use crate::scenes::scan::{Over, Tell};
+use crate::scenes::scan::{self, Over, Tell};
 
 /// Spinning Bodies, the executable edition: draws the figures and builds the book.
 #[derive(Debug, Parser)]
@@ -36,10 +36,8 @@ Exit status: 0 success, 2 an error in the command line or in a source file (one 
 
 /// The help text of `scene` after the options: a scene file, and every kind and solver.
 fn scene_help() -> String {
-    let names =
-        |names: &mut dyn Iterator<Item = &'static str>| names.collect::<Vec<_>>().join(", ");
-    let kinds = names(&mut files::kinds());
-    let solvers = names(&mut Solver::all().map(Solver::name));
+    let kinds = Vec::from_iter(files::kinds()).join(", ");
+    let solvers = Vec::from_iter(Solver::all().map(Solver::name)).join(", ");
     format!(
         "\
 A scene file, in TOML and SI units; only the effects that [effects] names act:
@@ -143,7 +141,7 @@ pub enum Command {
 }
 
 /// Draws all figures, or those named, as SVG
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 #[command(after_help = FIGURES)]
 pub struct Figures {
     /// Names of figures; all if none is given
@@ -249,13 +247,13 @@ pub struct Scan {
     pub file: PathBuf,
     /// A number of the file, its range, and how many values; :log after these for equal ratios; KEY=FROM..TO,KEY=FROM..TO:COUNT varies two
     /// together. May be given more than once
-    #[arg(long, value_name = "KEY=FROM..TO:COUNT", required = true)]
+    #[arg(long, value_name = "KEY=FROM..TO:COUNT", value_parser = scan::over, required = true)]
     pub over: Vec<Over>,
     /// What to write of each motion: COLUMN, first:COLUMN, least:COLUMN, greatest:COLUMN, crossing:COLUMN=LEVEL [default: its last row]
-    #[arg(long, value_name = "WHAT,…", value_delimiter = ',')]
+    #[arg(long, value_name = "WHAT,…", value_delimiter = ',', value_parser = scan::asked)]
     pub tell: Vec<Tell>,
     /// Draws one number instead, named as for --tell: a line over one --over, a map over two
-    #[arg(long, value_name = "WHAT", conflicts_with_all = ["tell", "format"])]
+    #[arg(long, value_name = "WHAT", value_parser = scan::asked, conflicts_with_all = ["tell", "format"])]
     pub plot: Option<Tell>,
     #[command(flatten)]
     pub written: Written,

@@ -211,9 +211,9 @@ fn line(row: &Measurement) -> String {
         true => String::new(),
         false => format!("{x:?}"),
     };
-    let [parameter, attitude, omega] =
-        [row.parameter, row.error_attitude, row.error_omega].map(number);
-    let (seconds, status) = (number(row.seconds.unwrap_or(f64::NAN)), row.status.word());
+    let (seconds, status) = (row.seconds.unwrap_or(f64::NAN), row.status.word());
+    let numbers = [row.parameter, row.error_attitude, row.error_omega, seconds];
+    let [parameter, attitude, omega, seconds] = numbers.map(number);
     format!(
         "{},{},{parameter},{attitude},{omega},{},{},{seconds},{status}\n",
         row.problem, row.method, row.evaluations, row.steps

@@ -17,7 +17,8 @@ pub fn swept<E>(trial: &Trial<'_, E>, patience: f64, first: impl Fn(Effort) -> f
     let rows = trial.sweep(|rows, effort| {
         let before = rows.last();
         let failure = before.and_then(|row| row.failure.as_ref());
-        if failure.is_some_and(never) {
+        // Such a method fails at every effort.
+        if let Some(Error::Solver { .. } | Error::Condition { .. }) = failure {
             return None;
         }
         let expected = before.map_or_else(|| first(effort), |row| next(row, effort, last));
@@ -40,11 +41,6 @@ pub fn swept<E>(trial: &Trial<'_, E>, patience: f64, first: impl Fn(Effort) -> f
         rows,
         method: trial.names[1].to_owned(),
     }
-}
-
-/// Whether a method that has failed so will fail at every effort.
-const fn never(failure: &Error) -> bool {
-    matches!(failure, Error::Solver { .. } | Error::Condition { .. })
 }
 
 /// The time that the next run is likely to take, s, after one that took `last`.

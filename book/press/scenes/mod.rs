@@ -27,6 +27,7 @@ use spinning_bodies::scene::{Progress, Request};
 
 use crate::paths::files_below;
 use crate::progress::watched;
+use crate::writer::folder_of;
 use crate::{Error, Result};
 
 /// A scene to be run, and the request for it.
@@ -165,9 +166,8 @@ pub fn stem(name: impl AsRef<Path>) -> String {
 /// # Errors
 /// As for [`simulate`].
 pub fn run(name: &str, scene: &AnyScene, request: &Request) -> Result<Table> {
-    let table = scene
-        .simulate(request)
-        .map_err(|error| told(name, request.times(), error))?;
+    let table = scene.simulate(request);
+    let table = table.map_err(|error| told(name, request.times(), error))?;
     for (t, row) in table.rows() {
         let mut row = table.columns.iter().zip(row);
         if let Some((column, number)) = row.find(|(_, number)| !number.is_finite()) {
@@ -222,11 +222,10 @@ pub fn parse(name: &str, text: &str) -> Result<(AnyScene, Request)> {
 
 /// Reads a file that a scene file names, such as a mesh, by a path relative to its folder.
 fn beside(name: &str) -> impl Fn(&str) -> std::result::Result<Vec<u8>, String> + use<> {
-    let folder = Path::new(name).parent().map(Path::to_owned);
+    let folder = folder_of(Path::new(name)).to_owned();
     move |file| {
-        let path = folder.clone().unwrap_or_default().join(file);
         let mut bytes = Vec::new();
-        let opened = File::open(path).map(|opened| opened.take(MOST_OF_A_MESH + 1));
+        let opened = File::open(folder.join(file)).map(|opened| opened.take(MOST_OF_A_MESH + 1));
         match opened.and_then(|mut opened| opened.read_to_end(&mut bytes)) {
             Err(error) => Err(error.to_string()),
             Ok(size) if size as u64 > MOST_OF_A_MESH => Err(format!(

@@ -2,7 +2,6 @@
 
 use std::io::{self, Write};
 use std::path::Path;
-use std::slice;
 use std::time::Instant;
 
 use clap::ValueEnum;
@@ -30,14 +29,11 @@ impl Format {
     /// # Errors
     /// [`Error::Input`](crate::Error::Input) for a name with another ending, or with that of the other format.
     pub fn of(asked: Option<Self>, path: Option<&Path>) -> Result<Self> {
-        let what = match asked {
-            None => "CSV or JSON",
-            Some(Self::Csv) => "CSV",
-            Some(Self::Json) => "JSON",
+        let (what, known) = match &asked {
+            None => ("CSV or JSON", Self::value_variants()),
+            Some(Self::Csv) => ("CSV", &[Self::Csv][..]),
+            Some(Self::Json) => ("JSON", &[Self::Json][..]),
         };
-        let known = asked
-            .as_ref()
-            .map_or(Self::value_variants(), slice::from_ref);
         let tells = |path: &&Path| {
             let ending = path.extension().unwrap_or_default();
             !ending.is_empty() && !ending.eq_ignore_ascii_case("txt")

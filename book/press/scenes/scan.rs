@@ -3,7 +3,6 @@
 use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
-use std::str::FromStr;
 
 use figures::Figure;
 use figures::own::{Quantity, diagram, map};
@@ -31,25 +30,25 @@ pub struct Over {
 const MOST: usize = 1_000_000;
 const MOST_FIELDS: usize = 10_000;
 
-impl FromStr for Over {
-    type Err = String;
-
-    fn from_str(text: &str) -> std::result::Result<Self, String> {
-        let refused = |told: &str| Err(format!("`{text}` {told}"));
-        let Some(over) = Self::read(text).filter(|over| (1..=MOST).contains(&over.count)) else {
-            return refused(
-                "should look like initial.omega.2=50..200:16: a number of the file, its range, and how many values, at most a million; add :log for equal ratios, or write KEY=FROM..TO,KEY=FROM..TO:16 for numbers that vary together",
-            );
-        };
-        if over.count == 1 && over.ranges.iter().any(|(_, from, to)| from != to) {
-            return refused("asks for a single value, but its range has different ends");
-        }
-        let one_sign = |(_, a, b): &(_, f64, f64)| a.min(*b) > 0.0 || a.max(*b) < 0.0;
-        if over.logarithmic && !over.ranges.iter().all(one_sign) {
-            return refused("asks for equal ratios: both ends must be positive, or both negative");
-        }
-        Ok(over)
+/// The numbers that an option varies.
+///
+/// # Errors
+/// What is expected.
+pub fn over(text: &str) -> std::result::Result<Over, String> {
+    let refused = |told: &str| Err(format!("`{text}` {told}"));
+    let Some(over) = Over::read(text).filter(|over| (1..=MOST).contains(&over.count)) else {
+        return refused(
+            "should look like initial.omega.2=50..200:16: a number of the file, its range, and how many values, at most a million; add :log for equal ratios, or write KEY=FROM..TO,KEY=FROM..TO:16 for numbers that vary together",
+        );
+    };
+    if over.count == 1 && over.ranges.iter().any(|(_, from, to)| from != to) {
+        return refused("asks for a single value, but its range has different ends");
     }
+    let one_sign = |(_, a, b): &(_, f64, f64)| a.min(*b) > 0.0 || a.max(*b) < 0.0;
+    if over.logarithmic && !over.ranges.iter().all(one_sign) {
+        return refused("asks for equal ratios: both ends must be positive, or both negative");
+    }
+    Ok(over)
 }
 
 /// A finite number in an option.
@@ -142,16 +141,16 @@ impl Tell {
     }
 }
 
-impl FromStr for Tell {
-    type Err = String;
-
-    fn from_str(text: &str) -> std::result::Result<Self, String> {
-        Self::read(text).ok_or_else(|| {
-            format!(
-                "`{text}` should be a column, or first:, last:, least: or greatest: before a column, or crossing:COLUMN=LEVEL for the time at which it reaches the level"
-            )
-        })
-    }
+/// The number that an option asks for.
+///
+/// # Errors
+/// What is expected.
+pub fn asked(text: &str) -> std::result::Result<Tell, String> {
+    Tell::read(text).ok_or_else(|| {
+        format!(
+            "`{text}` should be a column, or first:, last:, least: or greatest: before a column, or crossing:COLUMN=LEVEL for the time at which it reaches the level"
+        )
+    })
 }
 
 /// A scan to be run.
@@ -239,23 +238,21 @@ impl Scan {
         let names: Vec<&str> = self.columns.iter().map(|column| column.name).collect();
         let motion = Motion::of(&self.name, &text)?.telling("--tell, --plot", &names)?;
         let table = motion.at(motion.request.times())?;
-        let row = |(t, row): (f64, Vec<f64>)| [vec![t], row].concat();
-        let mut rows: Vec<Vec<f64>> = table.rows().map(row).collect();
-        rows.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let mut rows: Vec<(f64, Vec<f64>)> = table.rows().collect();
+        rows.sort_by(|a, b| a.0.total_cmp(&b.0));
         let told = |tell: &Tell| {
-            // That of the time is the first.
-            let mut columns = self.columns.iter();
-            let place = columns.position(|column| column.name == tell.column);
-            let place = place.map_or(0, |place| place + 1);
-            let mut numbers = rows.iter().map(|row| row[place]);
+            // Only the time is no column.
+            let place = names.iter().position(|name| *name == tell.column);
+            let number = |(t, row): &(f64, Vec<f64>)| place.map_or(*t, |place| row[place]);
+            let mut numbers = rows.iter().map(number);
             Ok(match tell.what {
                 What::First => numbers.next(),
                 What::Last => numbers.next_back(),
                 What::Least => numbers.reduce(f64::min),
                 What::Greatest => numbers.reduce(f64::max),
                 What::Crossing(level) => {
-                    let rows: Vec<_> = rows.iter().map(|row| [row[0], row[place]]).collect();
-                    crossing(&motion, &tell.column, level, &rows)?
+                    let rows = rows.iter().map(|row| [row.0, number(row)]);
+                    crossing(&motion, &tell.column, level, &rows.collect::<Vec<_>>())?
                 }
             })
         };
@@ -279,15 +276,14 @@ impl Scan {
             (varied, outcome)
         });
         let points: Vec<Point> = points.collect();
-        let outcomes = points.iter().map(|(_, outcome)| outcome);
-        let refusals: Vec<&Error> = outcomes.filter_map(|told| told.as_ref().err()).collect();
-        let (refused, all) = (refusals.len(), points.len());
-        let ran = match refusals[..] {
-            [] => Ok(()),
-            [first, ..] if refused == all => Err(Error::Failed(format!(
+        let refusals = || points.iter().filter_map(|point| point.1.as_ref().err());
+        let (refused, all) = (refusals().count(), points.len());
+        let ran = match refusals().next() {
+            None => Ok(()),
+            Some(first) if refused == all => Err(Error::Failed(format!(
                 "no point of the scan could be run; the first error: {first}"
             ))),
-            [first, ..] => {
+            Some(first) => {
                 tell(format_args!(
                     "warning: {refused} of {all} points are refused; the first error: {first}"
                 ));
@@ -394,13 +390,12 @@ impl Scan {
 
     /// Warns if the mass alone varies beside an inertia that is not per mass.
     fn warn(&self) {
-        let varied: Vec<&str> = self.paths().filter_map(key_of_body).collect();
         let numbers = files::numbers(&self.text);
-        let there: Vec<_> = numbers.iter().map(|path| key_of_body(path)).collect();
-        let stays = ABSOLUTE.iter().find(|key| there.contains(&Some(key)));
-        if let Some(stays) = stays
-            && varied.contains(&"mass")
-            && !ABSOLUTE.iter().any(|key| varied.contains(key))
+        let is_there = |key: &str| numbers.iter().any(|path| key_of_body(path) == Some(key));
+        let varies = |key: &str| self.paths().any(|path| key_of_body(path) == Some(key));
+        if let Some(stays) = ABSOLUTE.into_iter().find(|key| is_there(key))
+            && varies("mass")
+            && !ABSOLUTE.into_iter().any(varies)
         {
             let name = &self.name;
             tell(format_args!(

@@ -2,7 +2,7 @@
 
 use super::{RACKET, book, saved, text};
 use press::scenes::output::Format;
-use press::scenes::scan::{Over, Scan, Tell};
+use press::scenes::scan::{self, Scan};
 use press::scenes::simulate;
 use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -65,7 +65,7 @@ fn a_scan_says_what_it_is_about() {
 #[test]
 fn a_scan_over_what_is_not_there_is_refused() {
     for wrong in "omega a=1..2 a=1:3 a=1..x:3 a=1..2:0 =1..2:3 a=1..inf:2 a=1...2:3 a=0...5:3 a=1..2:1 a=0..2:3:log a=-1..2:3:log a=1..2,:3 a=1..2,b:3".split(' ') {
-        assert!(wrong.parse::<Over>().is_err(), "{wrong}");
+        assert!(scan::over(wrong).is_err(), "{wrong}");
     }
     for missing in ["initial.omega.7", "initial.spin", "title", "title.x"] {
         refusal(&[&format!("{missing}=1..2:3")], &[]);
@@ -74,8 +74,11 @@ fn a_scan_over_what_is_not_there_is_refused() {
 
 /// A scan of a text.
 fn asked(text: &str, overs: &[&str], tells: &[&str]) -> press::Result<Scan> {
-    let overs = overs.iter().map(|over| over.parse().unwrap()).collect();
-    let tells = tells.iter().map(|tell| tell.parse().unwrap()).collect();
+    let overs = overs.iter().map(|over| scan::over(over).unwrap()).collect();
+    let tells = tells
+        .iter()
+        .map(|tell| scan::asked(tell).unwrap())
+        .collect();
     Scan::new(saved(text).path(), overs, tells)
 }
 
@@ -222,7 +225,7 @@ fn a_jump_is_crossed_and_the_end_of_a_circle_is_not() {
 fn what_cannot_be_told_is_refused() {
     let wrong = " last: most:tilt crossing:tilt crossing:tilt=x crossing:tilt=inf first:tilt=1";
     for wrong in wrong.split(' ') {
-        assert!(wrong.parse::<Tell>().is_err(), "{wrong}");
+        assert!(scan::asked(wrong).is_err(), "{wrong}");
     }
     let told = refusal(&[], &["greatest:tlt"]);
     assert!(told.contains("did you mean `tilt`?"), "{told}");

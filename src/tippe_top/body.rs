@@ -7,6 +7,7 @@ use crate::error::{Error, Result, finite, positive};
 use crate::frame::finite_vector;
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::inertia::InertiaMatrix;
+use crate::precise::power_of_two_below;
 
 /// A rigid body with a smooth convex surface (tutorial 4.7). Its reference point is the centre of mass C.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,10 +43,11 @@ impl ConvexBody {
     ) -> Result<Self> {
         let mass = positive("the mass", mass)?;
         finite_vector("the centre of the surface", center)?;
+        // In units of its size: a determinant of three moments may leave the range of doubles.
         let matrix = inertia.matrix();
-        let inverse = matrix
-            .try_inverse()
-            .filter(|m| m.iter().all(|x| x.is_finite()));
+        let unit = power_of_two_below(matrix.amax());
+        let inverse = (matrix / unit).try_inverse().map(|m| m / unit);
+        let inverse = inverse.filter(|m| m.iter().all(|x| x.is_finite()));
         let inverse = inverse.ok_or(Error::Condition {
             condition: "a body on a table must have three positive moments of inertia",
             value: inertia.principal_axes().moments[0],

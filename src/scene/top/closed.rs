@@ -10,7 +10,7 @@ use crate::frame::{Attitude, BodyVector};
 use crate::integrators::both_ways;
 use crate::kovalevskaya_top::{KovalevskayaTop, State as Turned};
 use crate::lagrange_top::{Exact, LagrangeTop};
-use crate::precise::{Extended, Number, sum_of_products};
+use crate::precise::{Extended, Number, power_of_two_below, sum_of_products};
 use crate::scene::Budget;
 
 /// A motion in closed form.
@@ -166,6 +166,8 @@ impl Axes {
     fn third_along(direction: BodyVector) -> Self {
         let third = nalgebra::Vector3::z();
         let direction = direction.components();
+        // In units of its size: the squares of a small or large vector leave the range of doubles.
+        let direction = direction / power_of_two_below(direction.amax());
         let onto = UnitQuaternion::rotation_between(&direction, &third)
             .unwrap_or_else(|| UnitQuaternion::new_unchecked(Quaternion::new(0.0, 1.0, 0.0, 0.0)));
         Self { onto, shift: None }

@@ -8,21 +8,32 @@ use crate::euler_equations::quaternion_rate;
 use crate::frame::{Attitude, BodyVector};
 use crate::integrators::geometric::Phase;
 use crate::integrators::{Kept, Stop};
+use crate::precise::power_of_two_below;
 use crate::scene::engine::{Flow, greater};
 
 /// A top as a flow of seven components, L and the quaternion, and with resistance an eighth, the energy lost.
 ///
 /// An absent effect is `None` and costs nothing in an evaluation. Quotients are precomputed, because the operations of an evaluation
-/// depend on each other.
+/// depend on each other. Masses are counted in a unit of which the greatest moment is between one and two, or the product of two components of L
+/// might leave the range of doubles; the unit is a power of two, which rounds nothing.
 #[derive(Clone)]
 pub(super) struct Turning {
-    top: Top,
+    /// The unit, kg.
+    pub unit: f64,
+    pub moments: [f64; 3],
     inverse: [f64; 3],
     /// (I₂ − I₃)/(I₂I₃) and cyclic: L₁′ is this times L₂L₃, so that nearly equal moments lose no digits.
     difference: [f64; 3],
-    lever: Option<[f64; 3]>,
+    pub lever: Option<[f64; 3]>,
+    pivot_friction: Option<f64>,
+    bearing_friction: Option<f64>,
+    air_drag: Option<f64>,
+    /// The torque of dry friction at the tip, with the sign of the initial spin.
+    tip_friction: Option<f64>,
     start: Phase,
     pace: f64,
+    /// The rate at which the weight makes a top at rest fall, rad/s.
+    falling: f64,
     energy: f64,
 }
 
@@ -41,19 +52,31 @@ impl Turning {
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) for a body with an axis without moment.
     pub fn new(top: &Top, energy: f64) -> Result<Self> {
-        let moments = top.body.moments;
         top.body.has_every_moment()?;
+        let unit = power_of_two_below(top.body.moments.iter().copied().fold(0.0, f64::max));
+        let moments = top.body.moments.map(|moment| moment / unit);
+        let mut start = top.start.phase(&top.body)?;
+        start.l = start.l.map(|part| part / unit);
+        let spin = start.l[2];
         Ok(Self {
-            top: *top,
+            unit,
+            moments,
             inverse: moments.map(|moment| 1.0 / moment),
             difference: core::array::from_fn(|k| {
                 let (a, b) = (moments[(k + 1) % 3], moments[(k + 2) % 3]);
                 (a - b) / a / b
             }),
-            lever: top.gravity.is_some().then(|| top.lever()),
-            start: top.start.phase(&top.body)?,
+            lever: top.gravity.map(|_| top.lever().map(|part| part / unit)),
+            pivot_friction: top.pivot_friction.map(|friction| friction.value() / unit),
+            bearing_friction: top.bearing_friction.map(|friction| friction.value() / unit),
+            air_drag: top.air_drag.map(|drag| drag.value() / unit),
+            tip_friction: top
+                .tip_friction
+                .map(|friction| (friction.value() / unit).copysign(spin)),
+            start,
             pace: top.pace()?,
-            energy,
+            falling: top.falling(),
+            energy: energy / unit,
         })
     }
 
@@ -61,27 +84,27 @@ impl Turning {
     /// The torque of all resistances, N m.
     fn resistance(&self, spin: Spin, omega: [f64; 3]) -> [f64; 3] {
         let mut torque = [0.0; 3];
-        if let Some(friction) = self.top.pivot_friction {
+        if let Some(c) = self.pivot_friction {
             for k in 0..3 {
-                torque[k] -= friction.value() * omega[k];
+                torque[k] -= c * omega[k];
             }
         }
-        if let Some(friction) = self.top.bearing_friction {
-            torque[0] -= friction.value() * omega[0];
-            torque[1] -= friction.value() * omega[1];
+        if let Some(c) = self.bearing_friction {
+            torque[0] -= c * omega[0];
+            torque[1] -= c * omega[1];
         }
-        if let Some(drag) = self.top.air_drag {
+        if let Some(k) = self.air_drag {
             let [x, y, z] = omega;
             // Not `hypot`, which would take longer than all the rest.
-            let strength = drag.value() * (x * x + y * y + z * z).sqrt();
+            let strength = k * (x * x + y * y + z * z).sqrt();
             for k in 0..3 {
                 torque[k] -= strength * omega[k];
             }
         }
-        if let Some(friction) = self.top.tip_friction
+        if let Some(dry) = self.tip_friction
             && spin == Spin::Spinning
         {
-            torque[2] -= friction.value().copysign(self.start.l[2]);
+            torque[2] -= dry;
         }
         torque
     }
@@ -92,7 +115,7 @@ impl Turning {
         let Phase { l, q } = phase(numbers);
         let [w, x, y, z] = q;
         let quaternion = nalgebra::Quaternion::new(w, x, y, z);
-        let omega: [f64; 3] = core::array::from_fn(|k| l[k] / self.top.body.moments[k]);
+        let omega: [f64; 3] = core::array::from_fn(|k| l[k] / self.moments[k]);
         let attitude = Attitude::from_unit(quaternion / quaternion.norm());
         conserved.state(attitude, omega.into())
     }
@@ -101,7 +124,7 @@ impl Turning {
     pub fn acceleration(&self, attitude: &Attitude, omega: BodyVector) -> BodyVector {
         let (q, omega) = (attitude.quaternion(), omega.components());
         let y: [f64; 8] = core::array::from_fn(|n| match n {
-            0..3 => self.top.body.moments[n] * omega[n],
+            0..3 => self.moments[n] * omega[n],
             3 => q.w,
             4..7 => q.imag()[n - 4],
             _ => 0.0,
@@ -126,7 +149,7 @@ impl<const N: usize> Flow<N> for Turning {
     type Phase = Spin;
 
     fn start(&self) -> Result<(Spin, [f64; N])> {
-        let spin = if self.top.tip_friction.is_some() && self.start.l[2] == 0.0 {
+        let spin = if self.tip_friction.is_some() && self.start.l[2] == 0.0 {
             Spin::Stopped
         } else {
             Spin::Spinning
@@ -136,7 +159,7 @@ impl<const N: usize> Flow<N> for Turning {
 
     fn scales(&self) -> [f64; N] {
         core::array::from_fn(|n| match n {
-            0..3 => self.top.body.moments[n] * self.pace,
+            0..3 => self.moments[n] * self.pace,
             3..7 => 1.0,
             _ => self.energy,
         })
@@ -146,8 +169,8 @@ impl<const N: usize> Flow<N> for Turning {
         let rate = speed(self.start.l, self.inverse);
         core::array::from_fn(|n| match n {
             // A spin stopped by dry friction is exactly 0.
-            2 if self.top.tip_friction.is_some() && self.start.l[2] == 0.0 => 0.0,
-            0..3 => DOUBT[n] * self.top.body.moments[n] * rate,
+            2 if self.tip_friction.is_some() && self.start.l[2] == 0.0 => 0.0,
+            0..3 => DOUBT[n] * self.moments[n] * rate,
             3..7 => DOUBT[n],
             _ => 0.0,
         })
@@ -163,7 +186,7 @@ impl<const N: usize> Flow<N> for Turning {
 
     /// Near an equilibrium the motion is at first smaller than any tolerance.
     fn growth_rate(&self) -> f64 {
-        self.top.falling()
+        self.falling
     }
 
     /// L′ = L∧Ω + N, q′ = ½qΩ, and the power lost to resistance.
@@ -199,7 +222,7 @@ impl<const N: usize> Flow<N> for Turning {
     }
 
     fn margin(&self, spin: Spin, _: f64, y: &[f64; N]) -> Option<f64> {
-        let brakes = self.top.tip_friction.is_some() && spin == Spin::Spinning;
+        let brakes = self.tip_friction.is_some() && spin == Spin::Spinning;
         brakes.then(|| y[2] * self.start.l[2].signum())
     }
 

@@ -5,6 +5,7 @@ use crate::conservation::Law;
 use crate::error::{Result, finite};
 use crate::euler_equations::{HeavyTop, Integrability, TopState};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
+use crate::precise::power_of_two_below;
 use crate::scene::motion::Books;
 
 /// A top and its start, with the scales for its ledger.
@@ -28,7 +29,10 @@ impl Conserved {
         let heavy = HeavyTop::new(body.axis_moments(), lever)?;
         let (weight, turning) = (lever.norm(), heavy.moments.angular_momentum(omega).norm());
         let greatest = body.moments.iter().fold(0.0_f64, |a, &b| a.max(b));
-        let momentum_scale = turning.hypot((greatest * weight).sqrt());
+        // In a unit near the root of a moment: the product of moment and torque may leave the range of doubles.
+        let unit = power_of_two_below(greatest.sqrt());
+        let falling = unit * (greatest / unit * (weight / unit)).sqrt();
+        let momentum_scale = turning.hypot(falling);
         let energy_scale = heavy.moments.energy(omega) + weight;
         let conserved = Self {
             heavy,

@@ -1,6 +1,5 @@
 //! The geometric methods for a top under gravity alone, when a request names one: steps of one length.
 
-use super::Top;
 use super::equations::Turning;
 use crate::error::{Error, Result, positive};
 use crate::integrators::geometric::{
@@ -15,12 +14,11 @@ use crate::scene::{Geometric, Request};
 /// # Errors
 /// [`Error::Solver`] for a method that cannot run this top, or a single run to a tolerance.
 pub(super) fn steps(
-    top: &Top,
     turning: &Turning,
     method: Geometric,
     request: &Request,
 ) -> Result<impl Fn(&AnyLeg<'_>, Effort) -> Result<Passage<Vec<f64>>>> {
-    let method = method_for(top, method)?;
+    let method = method_for(turning, method)?;
     let budget = request.budget();
     let angle = Flow::<7>::pace(turning) * request.furthest.abs();
     let longest = match request.effort {
@@ -70,8 +68,8 @@ pub(super) fn steps(
 }
 
 /// The method for this top, if it can run it.
-fn method_for(top: &Top, method: Geometric) -> Result<Box<dyn Integrator>> {
-    let (moments, lever) = (top.body.moments, top.lever());
+fn method_for(turning: &Turning, method: Geometric) -> Result<Box<dyn Integrator>> {
+    let (moments, lever) = (turning.moments, turning.lever.unwrap_or_default());
     let free = lever == [0.0; 3];
     let weight = Weight::new(lever)?;
     Ok(match method {

@@ -27,6 +27,7 @@ use super::{Budget, Choice, Columns, Geometric, Motion, Plan, Request, Scene, So
 use crate::error::{Error, Result};
 use crate::frame::{Attitude, BodyVector};
 use crate::integrators::Cost;
+use crate::precise::power_of_two_below;
 
 use closed::ClosedForm;
 use equations::Turning;
@@ -237,11 +238,18 @@ impl Top {
         let moments = self.body.moments;
         let [x, y, z] = self.lever();
         let arms = [y.hypot(z), z.hypot(x), x.hypot(y)];
-        let square: f64 = (0..3)
-            .filter(|&k| moments[k] > 0.0)
-            .map(|k| (arms[k] / moments[k]).powi(2))
-            .sum();
-        (2.0 * square.sqrt()).sqrt()
+        let ratio = |k: usize| {
+            if moments[k] > 0.0 {
+                arms[k] / moments[k]
+            } else {
+                0.0
+            }
+        };
+        let ratios = [0, 1, 2].map(ratio);
+        // In units of their size: their squares may leave the range of doubles.
+        let unit = power_of_two_below(ratios.into_iter().fold(0.0, f64::max));
+        let sum: f64 = ratios.map(|ratio| (ratio / unit).powi(2)).iter().sum();
+        (2.0 * (unit * sum.sqrt())).sqrt()
     }
 }
 
@@ -401,12 +409,12 @@ impl Top {
         if self.resisting().next().is_some() {
             let answer = to_accuracy::<8, _>(request, plan.solver, |_| turning())?;
             let books = answer.told(request, plan, |_, _, y| here.state(y, conserved));
-            let lost = |place: usize| answer.samples[place].1[7];
+            let lost = |place: usize| here.unit * answer.samples[place].1[7];
             return conserved.lossy(books, lost)?.closed(request);
         }
         let answer = match plan.solver {
             Solver::Geometric(method) if method != Geometric::DormandPrince8 => {
-                let steps = methods::steps(self, &here, method, request)?;
+                let steps = methods::steps(&here, method, request)?;
                 vouched::<7, _>(request, Stepper::Other(&steps, true), |_| turning())?
             }
             solver => to_accuracy::<7, _>(request, solver, |_| turning())?,

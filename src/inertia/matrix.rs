@@ -338,7 +338,10 @@ pub(super) fn particle_term(mass: f64, d: &Vector3<f64>) -> Matrix3<f64> {
     Matrix3::new(yy + zz, -xy, -xz, -xy, zz + xx, -yz, -xz, -yz, xx + yy)
 }
 
-/// The symmetric part.
+/// The symmetric part; a matrix that is symmetric stays as it is, for the half of a subnormal number may be rounded.
 fn symmetrised(matrix: &Matrix3<f64>) -> Matrix3<f64> {
-    matrix * 0.5 + matrix.transpose() * 0.5
+    matrix.zip_map(&matrix.transpose(), |a, b| match a == b {
+        true => a,
+        false => a * 0.5 + b * 0.5,
+    })
 }

@@ -416,3 +416,16 @@ fn composing_far_away_loses_nothing() -> Result<()> {
     within((moment - 0.18 - 1e-10).abs(), 1e-16);
     Ok(())
 }
+
+#[test]
+fn a_symmetric_matrix_of_subnormal_numbers_keeps_its_bits() {
+    let tiny = f64::from_bits(1);
+    for moments in [
+        [tiny, 1.0, 1.0],
+        [tiny, 2.0 * tiny, 3.0 * tiny],
+        [0.0, tiny, tiny],
+    ] {
+        let matrix = Matrix3::from_diagonal(&moments.into());
+        assert_eq!(InertiaMatrix::from_matrix(matrix).unwrap().matrix(), matrix);
+    }
+}

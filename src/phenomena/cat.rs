@@ -1,6 +1,6 @@
 //! The falling cat: two cylinders joined so that they cannot twist against each other (tutorial 1.1).
 
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 
 use nalgebra::{Matrix3, Unit, UnitQuaternion, Vector3};
 
@@ -355,18 +355,16 @@ impl EqualHalves {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn back_bend_for_half_turn(&self, forward: f64) -> Result<Option<f64>> {
-        let excess =
-            |back: f64| Ok::<f64, Error>(self.turn_of_uneven_swing(forward, back)? - 0.5 * TAU);
-        let most = core::f64::consts::PI;
-        if excess(0.0)? > 0.0 || excess(most)? < 0.0 {
+        let turn = |back: f64| self.turn_of_uneven_swing(forward, back);
+        if turn(0.0)? > PI || turn(PI)? < PI {
             return Ok(None);
         }
-        let [less, more] = halved([0.0, most], 0.0, |back| Ok(excess(back)? < 0.0))?;
+        let [less, more] = halved([0.0, PI], 0.0, |back| Ok(turn(back)? < PI))?;
         Ok(Some(0.5 * (less + more)))
     }
 }
 
 /// The bend, if it lies between 0 and π.
 fn bendable(angle: f64) -> Result<f64> {
-    within("the bend", angle, 0.0, core::f64::consts::PI)
+    within("the bend", angle, 0.0, PI)
 }

@@ -5,7 +5,7 @@ use nalgebra::{Complex, SMatrix, SVector, Vector3, Vector4};
 use super::body::ConvexBody;
 use super::equations::{Pose, Table};
 use super::friction::Friction;
-use crate::error::{Error, Result, finite, positive, refused};
+use crate::error::{Result, finite, positive, refused};
 
 /// An eigenvalue (1/s): the perturbation grows with `growth` and turns with `frequency` in the body's axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,8 +41,8 @@ pub struct QuasiSteady {
 /// residuals of rounding, about 1e-12 relative. Cost: some fifty Jacobians of 4 × 4, a fraction of a millisecond.
 ///
 /// # Errors
-/// [`Error::NotFinite`]; [`Error::NotPositive`] for gravity, and for unsmoothed Coulomb friction and pure rolling, which have no derivative;
-/// [`Error::Condition`] where Newton's method finds no such state or its eigenvalues cannot be found, as without spin.
+/// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::NotPositive`](crate::Error::NotPositive) for gravity, and for unsmoothed Coulomb friction and pure rolling, which have no derivative;
+/// [`Error::Condition`](crate::Error::Condition) where Newton's method finds no such state or its eigenvalues cannot be found, as without spin.
 ///
 /// ```
 /// use spinning_bodies::tippe_top::{Regularised, bodies, quasi_steady};
@@ -62,12 +62,8 @@ pub fn quasi_steady(
     spin: f64,
 ) -> Result<QuasiSteady> {
     let friction = friction.into();
-    if friction.sharpness() == 0.0 {
-        return Err(Error::NotPositive {
-            quantity: "the slip over which friction bends",
-            value: 0.0,
-        });
-    }
+    let bends = friction.sharpness().min(f64::MAX);
+    positive("the slip over which friction bends", bends)?;
     let mut table = Table {
         body: *body,
         gravity: positive("gravity", gravity)?,
@@ -225,7 +221,7 @@ fn jacobian<const N: usize>(
 /// Coordinates: two of the vertical, two of Ω across the third axis. Differences of fourth order; error about 1e-9 relative.
 ///
 /// # Errors
-/// [`Error::Condition`] if spin about the third axis is not steady, or the eigenvalues cannot be found.
+/// [`Error::Condition`](crate::Error::Condition) if spin about the third axis is not steady, or the eigenvalues cannot be found.
 ///
 /// ```
 /// use spinning_bodies::tippe_top::{bodies, rolling_growth_rates};

@@ -2,6 +2,7 @@
 
 use super::files::{last, mistakes, one_mistake};
 use super::*;
+use super::{film::file_of_the_book, units::changed};
 use spinning_bodies::inertia::shapes::{ball_without_cap, torus};
 use spinning_bodies::scene::files::parse_with;
 
@@ -73,6 +74,16 @@ fn a_body_in_axes_of_its_own_moves_as_it_does_in_its_principal_axes() {
         let told = one_mistake(&matrix("0.1, 0, 0").replace("[effects]", &rubbed));
         assert!(told.contains(friction), "{told}");
     }
+}
+
+/// A quarter of a turn exchanges the half axes.
+#[test]
+fn the_surface_may_be_turned_in_the_body() {
+    let stone = file_of_the_book("rattleback.toml").replace("until = 6.0", "until = 0.5");
+    let omega = |change| last(&changed(&stone, change), ["omega1", "omega2", "omega3"]);
+    let exchanged = omega("[0.2, 0.03, 0.02] => [0.03, 0.2, 0.02]");
+    let turned = omega("0.02] => 0.02]; surface_turn = 1.5707963267948966");
+    near!(exchanged[..], turned[..], 1e-7);
 }
 
 /// A free body of this shape, and its moments by L over Ω about each axis.

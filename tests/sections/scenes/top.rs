@@ -44,7 +44,7 @@ fn apart(a: &Motion<State>, b: &Motion<State>) -> f64 {
 }
 
 /// By how much a refused motion amplifies its start, and what accuracy rounding leaves.
-pub(super) fn amplified<S: std::fmt::Debug>(refused: Result<Motion<S>>) -> [f64; 2] {
+pub(super) fn amplified<T: std::fmt::Debug>(refused: Result<T>) -> [f64; 2] {
     match refused {
         Err(Error::Amplified {
             growth, reached, ..

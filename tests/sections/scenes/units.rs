@@ -126,17 +126,17 @@ fn shapes() -> Vec<(String, String)> {
 const OTHERS: &str = r#"
 skater: [effects.draw] => [effects]; bearing_friction = 0.3; [effects.draw]
 skater: to = 0.2 => to = 1.1; pace = "late"
-swivel: angular_momentum = 0.0 => angular_momentum = -1.3
-swivel: [effects.four_phases] => [effects]; bearing_friction = 0.3; [effects.four_phases]
+swivel: [initial]; angular_momentum = 0.0 => [effects]; bearing_friction = 0.3; [initial]; angular_momentum = -1.3
 cat: axial = [0.0025, 0.0025] => axial = [0.0025, 0.004]
 strip: angle = 0.2 => velocity = [0.3, -0.2]; omega = -5.0
-strip: angle = 0.2 => angle = -2.0
+strip: lift = [1.7, 1.1]; drag = [1.7, 1.0] => #
 spool: friction = 0.5 => friction = 0.2; rolling_resistance = 0.05
 withdrawn-sheet: friction = 0.2 => friction = 0.2; rolling_resistance = 0.02
 superball: ceiling = 0.6 => restitution = 0.9; tangential_restitution = 0.8
 superball: ceiling = 0.6 => ceiling = 0.6; grip = 0.1
 yo-yo: turn_loss = 0.9 => turn_loss = 0.9; hand = 0.05; air_drag = 1.0e-8
 yo-yo: turn_loss = 0.9 => sleep = 1.5
+yo-yo: turn_loss = 0.9 => sleep = 2.0; axle_friction = 2.313e-3
 meteorite: [0.4, 0.4, 0.4] => [0.3, 0.4, 0.5]
 nutation-dies: bearing_friction = 2.0e-4 => pivot_friction = 2.0e-5
 nutation-dies: bearing_friction = 2.0e-4 => air_drag = 1.0e-6

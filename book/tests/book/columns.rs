@@ -49,6 +49,31 @@ fn what_is_lost_is_what_the_start_had_more() {
     assert!(rows[3][0] > rows[2][0] && rows[2][0] > rows[1][0] && rows[0][0] == 0.0);
 }
 
+/// By five places a millisecond apart, to the fourth power of what lies between.
+#[test]
+fn velocities_are_the_rates_of_places() {
+    const STEP: f64 = 1e-3;
+    let pairs = "strip x vx, strip y vy, strip angle omega, rattleback x vx, rattleback z vz, tippe-top y vy, \
+                 yo-yo depth velocity, paper-cat fall velocity, paper-cat tilt tilt_rate, skater angle spin, swivel lower rate, \
+                 crawler center velocity, spool x velocity, spool turned omega, superball x velocity, superball height climb";
+    for pair in pairs.split(", ") {
+        let [file, place, velocity] = pair.split(' ').collect::<Vec<_>>()[..] else {
+            panic!("{pair}")
+        };
+        for t in [0.131, 0.313, 0.83] {
+            let times = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|n| t + n * STEP);
+            let rows = rows(file, [place, velocity], &times);
+            let [a, b, c, d] = [0, 1, 3, 4].map(|n| rows[n][0]);
+            let (rate, told) = ((a - 8.0 * b + 8.0 * c - d) / (12.0 * STEP), rows[2][1]);
+            let off = (rate - told).abs();
+            assert!(
+                off < 1e-4 * told.abs() + 1e-6,
+                "{pair} at {t}: {rate} {told}"
+            );
+        }
+    }
+}
+
 /// M times the acceleration of C, from its places at three times, and the weight: the force of whatever holds the body.
 #[test]
 fn forces_are_what_moves_the_centre_of_mass() {

@@ -140,12 +140,21 @@ pub fn data(drawings: &[Drawing]) -> Result<String> {
         let told = format!("--data: figure {} draws no curve of numbers", entry.name);
         return Err(Error::Input(told));
     }
-    let mut text = format!("curve,{}\n", data.columns.join(","));
+    let columns: Vec<String> = data.columns.iter().map(|name| cell(name)).collect();
+    let mut text = format!("curve,{}\n", columns.join(","));
     for (curve, row) in &data.rows {
         let row: Vec<String> = row.iter().map(f64::to_string).collect();
-        text += &format!("{curve},{}\n", row.join(","));
+        text += &format!("{},{}\n", cell(curve), row.join(","));
     }
     Ok(text)
+}
+
+/// A name in CSV: in quotes if it has a comma.
+fn cell(name: &str) -> String {
+    if name.contains(',') {
+        return format!("\"{name}\"");
+    }
+    name.to_owned()
 }
 
 /// Draws figures with these values on all processors; `done` is called after each. The order of the entries is kept.

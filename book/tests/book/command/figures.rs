@@ -1,6 +1,7 @@
 //! `figures`: listed, drawn as they are wanted, written where they are wanted.
 
 use super::*;
+use crate::DRAWINGS;
 
 #[test]
 fn an_unknown_figure_is_answered_with_the_nearest_name() {
@@ -59,6 +60,20 @@ fn a_figure_is_drawn_as_it_is_wanted() {
     let level = lines.next().unwrap().split(',').nth(2).unwrap();
     let level: f64 = level.parse().unwrap();
     assert!((level - 0.08 / 0.3).abs() < 1e-15, "{level}");
+}
+
+#[test]
+fn every_row_of_numbers_is_as_wide_as_its_head() {
+    let drawn = |one: &&press::drawings::Drawing| !one.figure.data.rows.is_empty();
+    for drawing in DRAWINGS.iter().filter(drawn) {
+        let table = press::drawings::data(std::slice::from_ref(drawing)).unwrap();
+        for line in table.lines() {
+            // A comma between quotes is part of a name.
+            let apart = line.split('"').step_by(2);
+            let commas: usize = apart.map(|part| part.matches(',').count()).sum();
+            assert_eq!(commas, drawing.figure.data.columns.len(), "{line}");
+        }
+    }
 }
 
 #[test]

@@ -10,15 +10,15 @@
 //! | 3 | [`conservation`] | momentum, angular momentum, energy; the ledger that watches them | rounding; relative positions and velocities, so that a distant or fast swarm keeps its digits |
 //! | 3.5 | [`rotating_fluid`] | Maclaurin's spheroids, Jacobi's ellipsoids | closed form |
 //! | 4.2 | [`impacts`] | a meteorite strikes a planet and sticks | closed form |
-//! | 4.3 | [`rolling`] | the billiard shot: skidding, rolling, and how one becomes the other | closed form from event to event |
-//! | 4.6 | [`superball`] | bounces that conserve energy | exact in fractions; closed form after any number of bounces |
+//! | 4.3 to 4.5 | [`rolling`] | the billiard shot, the spool, the withdrawn sheet: skidding, rolling, and how one becomes the other | closed form from event to event |
+//! | 4.6 | [`superball`] | bounces that conserve energy, and lossy ones | exact in fractions; closed form after any number of bounces |
 //! | 4.7 | [`tippe_top`] | bodies that stand on a table: tippe top, egg, chiral top, rattleback | thresholds in closed form; motions by steps, to the accuracy asked |
 //! | 4.9 | [`yo_yo`] | down, turn, sleep, and up again | closed form; with losses, in steps to the accuracy asked |
 //! | 4.10 | [`falling_strip`] | flutter and tumbling of a strip in a fluid | steps to the accuracy asked; the model is fitted to experiments |
 //! | 5 | [`euler_equations`] | Euler's equations, with torque and about any point; the heavy tops with a further integral | rounding |
 //! | 5.2 | [`ideal_fluid`] | the ideal fluid as a top: Zeitlin's truncation, with all its invariants | to rounding, for the truncated model |
 //! | 6 | [`euler_top`] | the free top: exact motion and attitude at any time, Poinsot, stability, the Earth and Toutatis | to the last digits of a double, at any time, on the separatrix too |
-//! | 7 | [`lagrange_top`] | the heavy symmetric top: exact motion and attitude, precession, dip, sleep, the spherical pendulum | to the last digits of a double, at any time, even when the top is asleep or nearly so |
+//! | 4.8, 7 | [`lagrange_top`] | the heavy symmetric top: exact motion and attitude, precession, dip, sleep, the spherical pendulum | to the last digits of a double, at any time, even when the top is asleep or nearly so |
 //! | 8 | [`kovalevskaya_top`] | Kovalevskaya's top by separation of variables; Toda's lattice | the error grows with time, and is stated; at a double root and near it by theta functions where 32 digits tell the roots apart, otherwise by power series, or refused |
 //! | 9 | [`pythagoras`] | the gas box on a hinge, with any triangle, polygon and corner | rounding |
 //! |  | [`scene`] | a body, how it is held, its effects; how it will be computed, the motion and what it conserves | within the accuracy asked, or refused; every answer comes with an estimate of its error |

@@ -151,7 +151,7 @@ pub struct Figures {
     #[arg(long, conflicts_with_all = ["out", "check", "set", "data", "theme", "transparent", "form"])]
     pub list: bool,
     /// Form of the list; JSON has the claim and the parameters of each figure, for programs
-    #[arg(long, value_parser = ["text", "json"], default_value = "text", requires = "list")]
+    #[arg(long, value_parser = ["text", "json"], default_value = "text", requires = "list", conflicts_with_all = ["out", "check", "set", "data", "theme", "transparent", "form"])]
     pub format: String,
     /// Parameters of one figure with other values than the book's
     #[arg(long, value_name = "KEY=VALUE,…", value_delimiter = ',')]

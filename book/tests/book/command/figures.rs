@@ -37,6 +37,9 @@ fn a_program_is_told_what_a_figure_claims_and_takes() {
     let keys = ["key", "unit", "least", "greatest", "scale", "default"].map(|key| &axle[key]);
     let expected = serde_json::json!(["axle", "", 0.05, 0.95, "linear", 0.4]);
     assert_eq!(serde_json::json!(keys), expected);
+    // A form is that of the list, whatever else is asked for.
+    let drawn = text(&typed("figures spool-dial --format json --out nowhere").stderr);
+    assert!(drawn.contains("cannot be used with"), "{drawn}");
 }
 
 #[test]

@@ -117,7 +117,7 @@ impl<T: Real> Integrator<T> for FreeSplitting {
             Order::Four => S6,
             Order::Six => S10,
         };
-        let rule = Alternating::new(splitting, step, 1, (outer, (), inner), move |run, steps| {
+        let rule = Alternating::new(splitting, step, 2, (outer, (), inner), move |run, steps| {
             // The attitude q exp(tL₀/2I₂) times the product of the other rotations.
             let (sine, cosine) = T::sine_and_cosine(half * DoubleDouble::from(steps as f64));
             let [x, y, z] = direction.map(|component| sine * component);

@@ -233,10 +233,8 @@ fn same_in_other_units(name: &str, kind: &str, text: &str, units: Units) {
     }
     for ((t, row), (other, again)) in here.rows().zip(there.rows()) {
         assert_eq!(Some(other), factor("s").map(|s| s * t), "{name}");
-        let sights = [
-            seen.sight(&here.columns, &row),
-            seen_there.sight(&there.columns, &again),
-        ];
+        let there = seen_there.sight(&there.columns, &again);
+        let sights = [seen.sight(&here.columns, &row), there];
         // From moments alone a body is drawn as if it had a kilogram; of light hands no size follows.
         let metre = match name {
             "racket.toml" | "swivel.toml" => factor("kg m²").unwrap().sqrt(),

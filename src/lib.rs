@@ -23,7 +23,7 @@
 //! | 9 | [`pythagoras`] | the gas box on a hinge, with any triangle, polygon and corner | rounding |
 //! |  | [`scene`] | a body, how it is held, its effects; how it will be computed, the motion and what it conserves | within the accuracy asked, or refused; every answer comes with an estimate of its error |
 //! |  | [`integrators`] | methods for equations without a closed form; geometric methods for rotating bodies | to the order of each method; |L| kept to rounding by the geometric ones |
-//! |  | [`elliptic`] | Jacobi functions and elliptic integrals that keep their digits at the separatrix | half a unit in the last place for integrals, four for functions |
+//! |  | [`elliptic`] | Jacobi functions and elliptic integrals that keep their digits at the separatrix | 0.6 of 2⁻⁵² for integrals, four units in the last place for functions |
 //! |  | [`Error`] | the one error type |  |
 //!
 //! The front page of each module, and each function, says what was measured and against what.

@@ -22,7 +22,7 @@ pub struct Saddle {
 /// λ = (I₁−I₂)(I₂−I₃)Ω₂²/(I₃I₁) in ∂²ΔΩ_i/∂t² = λΔΩ_i for i = 1, 3, rad²/s² (6.7).
 ///
 /// The tutorial's formula lacks the factor Ω₂². Never negative; zero for a symmetric body, infinite where it overflows.
-/// Error: five roundings. Cost: a few operations.
+/// Error: seven roundings. Cost: a few operations.
 ///
 /// # Errors
 /// [`Error::NotFinite`](crate::Error::NotFinite) for Ω₂; [`Error::NotPositive`](crate::Error::NotPositive) if I₁ = 0: turning about x₁ would take no energy.
@@ -37,7 +37,7 @@ pub struct Saddle {
 pub fn lambda(moments: &PrincipalMoments, omega2: f64) -> Result<f64> {
     let [i1, i2, i3] = checked(moments)?;
     let omega2 = finite("the angular velocity", omega2)?;
-    // Divided by the smallest moment last: what is zero has not met an overflow before.
+    // Divided by the smallest moment last: that quotient may overflow, and a difference of zero has made the product zero before.
     Ok((i3 - i2) / i3 * (i2 - i1) / i1 * omega2 * omega2)
 }
 

@@ -340,8 +340,7 @@ pub(super) fn particle_term(mass: f64, d: &Vector3<f64>) -> Matrix3<f64> {
 
 /// The symmetric part; a matrix that is symmetric stays as it is, for the half of a subnormal number may be rounded.
 fn symmetrised(matrix: &Matrix3<f64>) -> Matrix3<f64> {
-    matrix.zip_map(&matrix.transpose(), |a, b| match a == b {
-        true => a,
-        false => a * 0.5 + b * 0.5,
+    matrix.zip_map(&matrix.transpose(), |a, b| {
+        if a == b { a } else { a * 0.5 + b * 0.5 }
     })
 }

@@ -146,7 +146,7 @@ pub enum Effort {
 /// What a run has cost, in counts that are the same on every machine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Cost {
-    /// Evaluations of the right-hand side.
+    /// Evaluations of the right-hand side, or of what a geometric method takes in their place: see [`Stepper::cost`](super::geometric::Stepper::cost).
     pub evaluations: u64,
     /// Steps taken, accepted ones.
     pub steps: u64,

@@ -158,7 +158,7 @@ impl Course {
     }
 }
 
-/// Refuses a state with a number that is not finite.
+/// Refuses a state in which a number of the body is not finite.
 fn within_range(state: &State) -> Result<()> {
     const QUANTITIES: [&str; 7] = [
         "the position",

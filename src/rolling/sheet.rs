@@ -118,7 +118,7 @@ impl Sheet {
         })
     }
 
-    /// The same sheet slightly changed: its speeds a little greater and less in turn, its edge a little nearer.
+    /// The same sheet slightly changed: its speeds a little greater and less in turn, its edge a little nearer, by another fraction lest the effects cancel.
     pub(crate) fn moved(&self, by: f64) -> Self {
         let mut moved = self.clone();
         for (place, point) in moved.speeds.points.iter_mut().enumerate() {

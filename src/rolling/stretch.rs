@@ -91,10 +91,11 @@ impl<'a> Laws<'a> {
                 first.get_or_insert(pace);
             }
         }
-        // A consistent one always exists, except that rounding may exclude two that differ as little; then either will do.
+        // One of them is always consistent, but for rounding, which may exclude two that nearly agree; then either will do.
         first.unwrap_or_else(|| self.consequence(None, Hold::Free, Hold::Free, ground).0)
     }
 
+    /// The accelerations under one such assignment, and whether friction and couple can then hold what it calls held.
     fn consequence(
         &self,
         law: Option<Coulomb>,

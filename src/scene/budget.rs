@@ -44,7 +44,7 @@ impl Progress {
         *self.locked()
     }
 
-    /// The numbers are valid at any moment, even where a thread has ended that wrote them.
+    /// The numbers, for reading or writing: they are valid even where a thread that wrote them has panicked.
     fn locked(&self) -> MutexGuard<'_, Reached> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -96,6 +96,7 @@ impl Budget {
         self.reached(time)
     }
 
+    /// Counts these evaluations.
     #[inline]
     pub fn count(&self, evaluations: u64) {
         self.spent.set(self.spent.get() + evaluations);

@@ -8,9 +8,7 @@ use crate::error::{Error, Result, finite, not_negative, within};
 pub use super::shape::path::{Draw, FourPhases, Pace, Turnover};
 pub use crate::falling_strip::{AddedMass, Drag, Lift, RotationalDamping};
 pub use crate::impacts::Impact;
-pub use crate::rolling::Sheet;
-pub use crate::rolling::Tug;
-pub use crate::rolling::{Coulomb, RollingResistance};
+pub use crate::rolling::{Coulomb, RollingResistance, Sheet, Tug};
 pub use crate::superball::Restitution;
 pub use crate::tippe_top::{NoSlip, Regularised, Resistance, Viscous};
 

@@ -141,7 +141,7 @@ pub(crate) struct Trace<P, const N: usize> {
     pub samples: Vec<(P, [f64; N])>,
     /// The time, s, at which each phase began, for the phases after the start, in order.
     pub phases: Vec<(f64, P)>,
-    /// Those of the phases, in the order in which they were followed.
+    /// A [`Half`] for each phase, in the order in which they were followed.
     halves: Vec<Half<P>>,
     pub cost: Cost,
     /// The greatest error of a sample, by [`Flow::distance`]; infinite where nothing vouches for the run.

@@ -198,7 +198,7 @@ impl Scene for StruckPlanet {
             Ok(states.collect::<Vec<_>>())
         };
         let rows = both_ways(request.times(), &mut flown)?;
-        // The state just before the impact.
+        // A state before the impact, for what is conserved: at the earliest time, or else just before time 0.
         let first = request.times().iter().copied();
         let (opening, [p, l]) = flown(&[first.fold(-f64::MIN_POSITIVE, f64::min)])?[0];
         let law = match self.impact {

@@ -233,7 +233,8 @@ pub(super) struct OnTable<'a> {
     pub span: f64,
 }
 
-/// Relative change of a twin, which shows how the motion amplifies rounding.
+/// Relative change of a twin, which shows how the motion amplifies rounding. Each number is changed by a fraction of its own of it, so that the effects of
+/// two changes do not cancel.
 const MOVED: f64 = 1e-13;
 /// Rounding error of each stretch, and that of the start in units of its amplification: sixteen times 2⁻⁵³. As many roundings lead
 /// from the laws to the state at the end of a stretch: three for the slope of the sheet, one each for friction, couple, velocity and time, three for

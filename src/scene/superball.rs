@@ -218,7 +218,8 @@ impl Scene for Superball {
     }
 }
 
-/// Relative change of a twin, which shows how the motion amplifies rounding.
+/// Relative change of a twin, which shows how the motion amplifies rounding. Each number is changed by a fraction of its own of it, so that the effects of
+/// two changes do not cancel.
 const MOVED: f64 = 1e-13;
 /// Rounding error of each bounce, and that of the start in units of its amplification: four times the observed ones.
 const ROUNDING: f64 = 1e-15;
@@ -261,16 +262,16 @@ impl Superball {
                 .fold(off, greater);
         }
         // All bounces of a ball that has come to lie on the floor are in a geometric sum, without rounding of each.
-        let bounced = |lies: bool| {
+        let bounces = |lies: bool| {
             let balls = ordered.iter().filter(|ball| lies || ball.height > 0.0);
             let most = balls.map(|ball| ball.bounces).max();
             most.map_or(0, |most| most - self.start.bounces)
         };
         let cost = Cost {
             evaluations: 0,
-            steps: bounced(true),
+            steps: bounces(true),
         };
-        let error = ROUNDING * (1.0 + bounced(false) as f64 + off / MOVED);
+        let error = ROUNDING * (1.0 + bounces(false) as f64 + off / MOVED);
         let asked = request.times().iter();
         let place = |t: &f64| times.partition_point(|earlier| earlier < t);
         let balls = asked.map(|t| ordered[place(t)]).collect();

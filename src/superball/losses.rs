@@ -149,7 +149,8 @@ pub fn gripping_bounce(
     kicked(before, surface, kappa, turned)
 }
 
-/// The motion after a bounce that adds `turned` to the rim speed along the surface; V + κRΩ there does not change.
+/// The motion after a bounce that adds `turned` to the rim speed at the floor and subtracts it at the ceiling; V + κRΩ at the floor, V − κRΩ at the
+/// ceiling does not change.
 pub(super) fn kicked<T>(before: Motion<T>, surface: Surface, kappa: T, turned: T) -> Motion<T>
 where
     T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>,

@@ -99,7 +99,7 @@ where
 /// `kappa` is I/(MR²), 2/5 for the ball, from 0 (all mass at the centre) to 1 (all on the rim). Numbers outside that range
 /// belong to no body, but give a result. In floating point each bounce is right to a few roundings, but 1+κ is rounded the same way
 /// every time, so the energy drifts in proportion to the number of bounces. Observed: at most 2e-16 a bounce (κ = 2/5:
-/// 1.6e-9 after ten million). [`UnderTable`] and [`BounceRotation`] do not drift. Cost: two multiplications, one division, five additions.
+/// 1.6e-9 after ten million). [`UnderTable`] and [`BounceRotation`] do not drift. Cost: one multiplication, one division, five additions.
 ///
 /// With `f64` nothing panics. Fractions of fixed-width integers panic at κ = −1 and on overflow, as all their arithmetic
 /// does; [`checked_bounce`] does not.

@@ -4,8 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::surface::{Surface, mirrored};
 use crate::error::{Error, Result, finite, positive};
-use crate::frame::finite_vector;
-use crate::frame::{Attitude, BodyVector, SpaceVector};
+use crate::frame::{Attitude, BodyVector, SpaceVector, finite_vector};
 use crate::inertia::InertiaMatrix;
 use crate::precise::power_of_two_below;
 

@@ -31,6 +31,7 @@ pub(crate) struct Contact {
     pub(crate) reaction: f64,
     /// The level force of the table divided by the normal one.
     pub(crate) traction: Vector3<f64>,
+    /// Ω̇, rad/s².
     pub(crate) omega_rate: Vector3<f64>,
     /// Power of friction and couple, divided by the normal force; not positive.
     pub(crate) power: f64,

@@ -85,7 +85,7 @@ impl Flight {
     /// The time at which the body lands on the table, to rounding, if it does so before `until`.
     ///
     /// The speed of C and the rotation bound the speed of every point of the body, so it cannot touch before the gap would be closed at that speed. A touch
-    /// within less than a thousandth of a turn after which the gap is open again is missed.
+    /// that is over within a thousandth of a radian is missed.
     ///
     /// # Errors
     /// Those of `looked`, which is called with every time that the search examines; [`Error::Integration`] where the next time is the same double.
@@ -166,6 +166,7 @@ impl Table {
             friction: self.friction,
             yielding: Yielding {
                 matrix: self.body.yielding(&arm),
+                // An approach of 1: what follows from it is in proportion.
                 free: -pose.up,
                 up: pose.up,
             },
@@ -271,6 +272,7 @@ impl Impact<'_> {
             start: (0.0, &start),
             scales: &[least, least, fall],
             times: &[],
+            // The event ends it.
             end: f64::MAX.sqrt(),
         };
         let end = leg.follow(Some(&margin), Effort::Tolerance(IN_A_BLOW))?.end;

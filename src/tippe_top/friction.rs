@@ -109,7 +109,7 @@ impl Friction {
         self
     }
 
-    /// The slip scale over which the law is nonlinear, m/s; infinite for a linear law.
+    /// The slip over which the law bends, m/s; infinite for a linear law, zero for one without a derivative at rest.
     pub(crate) const fn sharpness(&self) -> f64 {
         match self {
             Self::Coulomb(_) | Self::NoSlip => 0.0,

@@ -62,6 +62,7 @@ pub fn quasi_steady(
     spin: f64,
 ) -> Result<QuasiSteady> {
     let friction = friction.into();
+    // Zero for a law without a derivative, infinite for a linear one.
     let bends = friction.sharpness().min(f64::MAX);
     positive("the slip over which friction bends", bends)?;
     let mut table = Table {

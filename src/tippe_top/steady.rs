@@ -4,8 +4,7 @@ use core::f64::consts::PI;
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::bodies::eccentric_ball;
-use super::bodies::offset;
+use super::bodies::{eccentric_ball, offset};
 use super::body::ConvexBody;
 use crate::error::{Result, finite, positive};
 use crate::integrators::halved;

@@ -29,7 +29,7 @@ pub struct YoYo {
     pub(crate) length: f64,
     /// Radius of the axle, m.
     pub(crate) axle: f64,
-    /// The string leaves at a radius r(x) with r² = r_w² − q x: r_w², m².
+    /// r_w², m²: at the depth x the string leaves at a radius r(x) with r² = r_w² − q x.
     wound_squared: f64,
     /// q = −d(r²)/dx, m; 0 for a thin string.
     pub(crate) slope: f64,

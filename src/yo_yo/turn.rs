@@ -28,6 +28,7 @@ pub struct Turn {
     pub mean_tension_at_constant_spin: f64,
     toy: YoYo,
     gravity: f64,
+    /// n, s⁻².
     pull: f64,
     modulus: Modulus,
 }

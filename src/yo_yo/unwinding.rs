@@ -19,6 +19,7 @@ pub struct Unwinding {
     toy: YoYo,
     gravity: f64,
     energy: f64,
+    /// Depth of the upper end, m.
     top: f64,
     /// At the upper end: the speed, and the acceleration if the string stayed as thick as there.
     speed: f64,

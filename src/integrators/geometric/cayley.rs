@@ -231,6 +231,7 @@ fn solution<T: Real, const VESELOV: bool>(
         if square <= 0.125 * T::ROUNDING * size {
             return Some((e, round));
         }
+        // e is the tangent of half the turn: a correction of a thousand leads to no solution nearby.
         if square.is_nan() || square > 1e6 {
             return None;
         }

@@ -65,8 +65,8 @@ impl Axes {
 /// small factors of nearly symmetric bodies.
 ///
 /// Conserved: |L|, L in space and the phase volume (symplectic) to rounding; symmetric in time; the energy oscillates by O(stepᵖ) and does not drift.
-/// Bodies with two equal moments are turned exactly, whatever the step. Cost: one pair of sine and cosine a rotation. Source: McLachlan 1993 and
-/// Reich 1994 for rotations as parts; the choice of the parts is ours.
+/// Bodies with two equal moments are turned exactly, whatever the step. Cost: one pair of sine and cosine a rotation, two a stage. Source: McLachlan
+/// 1993 and Reich 1994 for rotations as parts; the choice of the parts is ours.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FreeSplitting {
     axes: Axes,
@@ -136,7 +136,8 @@ impl<T: Real> Integrator<T> for FreeSplitting {
 /// with ten stages. The error carries the torque or the differences of the moments as factors.
 ///
 /// Conserved under weight, to rounding: L along the vertical and the phase volume (symplectic); for Lagrange's top also L along the axis. Symmetric in
-/// time; the energy oscillates by O(stepᵖ) and does not drift.
+/// time; the energy oscillates by O(stepᵖ) and does not drift. Cost: three pairs of sine and cosine and two torques a stage; for a body with two equal
+/// moments two pairs and one torque.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeavySplitting<N> {
     axes: Axes,

@@ -1,4 +1,4 @@
-//! The traits of a geometric method and of its runs, the phase of a body, and the sums that a run carries from step to step.
+//! The traits of a geometric method and of its runs, the phase of a body, the sums that a run carries from step to step, and the loop that all runs share.
 
 use crate::error::{Error, Result, each_finite, finite};
 use crate::euler_equations::AxisMoments;
@@ -269,13 +269,13 @@ impl<T: Real> Run<T> {
     }
 }
 
-/// What distinguishes the run of one method from another's; a closure is such a step.
+/// One step of a method, which is all that distinguishes its runs from another's. A closure is a rule that postpones nothing.
 pub(super) trait Rule<T: Real> {
     /// Takes a step and returns the evaluations it took.
     fn step(&mut self, run: &mut Run<T>) -> Result<u64>;
 
-    /// Applies what so many steps have postponed to the end.
-    fn finish(&self, _: &mut Run<T>, _steps: u64) {}
+    /// Applies what `steps` steps have postponed to the end.
+    fn finish(&self, _run: &mut Run<T>, _steps: u64) {}
 }
 
 impl<T: Real, F: FnMut(&mut Run<T>) -> Result<u64>> Rule<T> for F {

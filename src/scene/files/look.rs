@@ -115,7 +115,7 @@ impl Outline {
     }
 }
 
-/// A picture of solids at rest, for a scene that does not give their rotation.
+/// A picture of solids without Ω and L, which [`Sight::turning`] adds.
 pub(super) fn still(
     drawn_as: &'static str,
     around: Around,

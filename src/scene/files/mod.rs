@@ -17,6 +17,7 @@
 //! | file | content |
 //! |---|---|
 //! | `reader` | tables and keys of one text; mistakes, each in one line |
+//! | `keys` | a key: its name, the expected value, its row on the page of keys |
 //! | `values` | the values of keys, and the declaration of tables |
 //! | `run` | times, accuracy, solver, columns |
 //! | `body` | the tables of a rigid body |

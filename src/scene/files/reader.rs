@@ -68,6 +68,7 @@ impl<'a> Reader<'a> {
             .ok_or_else(|| Mistakes(told.collect()))
     }
 
+    /// Records a mistake at this place of the text.
     fn add(&self, place: Option<Range<usize>>, told: String) {
         let before = |place: Range<usize>| self.text.get(..place.start).unwrap_or_default();
         let line = place.map(|place| before(place).matches('\n').count() + 1);

@@ -114,8 +114,8 @@ impl TableTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn phases(&self, request: &Request) -> Result<Vec<Phase>> {
-        let answer = self.answer(request, &self.plan(request)?)?;
-        let phases = answer.phases.iter().map(|&(start, mode)| Phase {
+        let trace = self.trace(request, &self.plan(request)?)?;
+        let phases = trace.phases.iter().map(|&(start, mode)| Phase {
             start,
             support: mode.support(),
         });
@@ -124,7 +124,7 @@ impl TableTop {
         Ok(phases)
     }
 
-    fn answer(&self, request: &Request, plan: &Plan) -> Result<Trace<Mode, NUMBERS>> {
+    fn trace(&self, request: &Request, plan: &Plan) -> Result<Trace<Mode, NUMBERS>> {
         if plan.solver != Solver::Exact {
             return to_accuracy(request, plan.solver, |tolerance| {
                 self.on_the_table(tolerance)
@@ -734,7 +734,7 @@ impl Scene for TableTop {
 
     fn simulate(&self, request: &Request) -> Result<Motion<State>> {
         let plan = self.plan(request)?;
-        let answer = self.answer(request, &plan)?;
+        let trace = self.trace(request, &plan)?;
         let flow = self.on_the_table(request.accuracy)?;
         let (mode, y) = flow.start()?;
         let start = flow.state(0.0, &mode, &y);
@@ -742,7 +742,7 @@ impl Scene for TableTop {
         let Table { body, .. } = &self.table;
         let spin = body.inertia().matrix().amax() * flow.turning;
         let first = start.energy;
-        let mut books = answer.told(request, plan, |t, mode, y| flow.state(t, mode, y));
+        let mut books = trace.told(request, plan, |t, mode, y| flow.state(t, mode, y));
         books.keep(("energy", Law::NonIncreasing, first), first, |_, s| {
             s.energy
         })?;

@@ -265,8 +265,8 @@ impl Scene for Strip {
     fn simulate(&self, request: &Request) -> Result<Motion<StripState>> {
         let plan = self.plan(request)?;
         let known = |t| Ok(self.in_free_fall(t));
-        let answer = solved((self, &plan, request), 1, known)?;
-        let rows: Vec<[f64; 7]> = answer.samples.iter().map(|(_, y)| *y).collect();
+        let trace = solved((self, &plan, request), 1, known)?;
+        let rows: Vec<[f64; 7]> = trace.samples.iter().map(|(_, y)| *y).collect();
         let (equations, times) = (&self.equations, request.times());
         let [.., speed, _, _, scale] = self.scales();
         let first = self.start()?.1;
@@ -279,7 +279,7 @@ impl Scene for Strip {
         let opening = self.state(&first).energy;
         let across = |k: usize, _: &_| equations.impulse(&rows[k])[0];
         let up = |k: usize, _: &_| equations.impulse(&rows[k])[1] + weight * times[k];
-        let mut books = answer.told(request, plan, |_, _, y| self.state(y));
+        let mut books = trace.told(request, plan, |_, _, y| self.state(y));
         books.conserved("energy and heat", energy, opening, |_, s| s.energy + s.heat)?;
         if self.brakes() {
             books.keep(("heat", Law::NonDecreasing, energy), 0.0, |_, s| s.heat)?;

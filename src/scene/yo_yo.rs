@@ -518,14 +518,14 @@ impl Scene for Play {
         let plan = self.plan(request)?;
         let playing = Playing::new(*self, plan.solver == Solver::Events)?;
         let start = playing.start()?.1;
-        let mut answer = solved((&playing, &plan, request), 1, |_| Ok(start))?;
+        let mut trace = solved((&playing, &plan, request), 1, |_| Ok(start))?;
         let (scale, fastest) = playing.greatest();
-        let mut stages = answer.samples.iter().map(|(stage, _)| stage);
+        let mut stages = trace.samples.iter().map(|(stage, _)| stage);
         if playing.closed && stages.any(|stage| stage.0 == Phase::Turn) {
             // In the turn the angle changes as fast as the spin, and the time itself is rounded.
-            answer.error += fastest * OF_A_TIME * request.furthest;
+            trace.error += fastest * OF_A_TIME * request.furthest;
         }
-        let mut books = answer.told(request, plan, |_, stage, y| playing.state(*stage, y));
+        let mut books = trace.told(request, plan, |_, stage, y| playing.state(*stage, y));
         let balance = |_: usize, s: &YoYoState| s.energy + s.heat - s.work;
         let name = "energy and heat less the work of the hand";
         books.conserved(name, scale, playing.energy, balance)?;

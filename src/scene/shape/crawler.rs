@@ -235,17 +235,17 @@ impl Scene for Crawler {
         no_more(request.furthest / strokes.cycle(), MOST_CYCLES, condition)?;
         let gap = |t: f64| strokes.at(strokes.piece_at(t), t);
         // On perfect ice the only component is the muscle's work, which is the kinetic energy.
-        let answer = solved((self, &plan, request), 1, |t| {
+        let trace = solved((self, &plan, request), 1, |t| {
             Ok([0.0, 0.0, 0.0, 0.0, body.energy(0.0, gap(t).rate)])
         })?;
-        let mut books = answer.told(request, plan, |t, _, &[center, velocity, _, heat, work]| {
+        let mut books = trace.told(request, plan, |t, _, &[center, velocity, _, heat, work]| {
             let [rear, front] = body.feet(center, gap(t).gap);
             CrawlerState::of([rear, front, center, velocity, work, heat])
         });
         let [.., mass_speed, _, energy] = self.scales();
         let spent = books.states().map(|state| state.heat).fold(0.0, f64::max);
         let mass: f64 = body.masses.iter().sum();
-        let impulse = |place: usize| answer.samples[place].1[2];
+        let impulse = |place: usize| trace.samples[place].1[2];
         let momentum = |place: usize, s: &CrawlerState| mass * s.velocity - impulse(place);
         let balance = |place: usize, s: &CrawlerState| {
             body.energy(s.velocity, gap(request.times()[place]).rate) + s.heat - s.work

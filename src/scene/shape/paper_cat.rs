@@ -229,7 +229,7 @@ impl Scene for PaperCat {
     fn simulate(&self, request: &Request) -> Result<Motion<PaperCatState>> {
         let plan = self.plan(request)?;
         let run = (&self.falling(request.furthest), &plan, request);
-        let answer = solved(run, 1, |t| {
+        let trace = solved(run, 1, |t| {
             let [fall, velocity] = self.gravity.map_or([0.0; 2], |g| [0.5 * g * t * t, g * t]);
             Ok([fall, velocity, self.tilt, 0.0, 0.0])
         })?;
@@ -237,7 +237,7 @@ impl Scene for PaperCat {
             Solver::Exact => 0.0,
             _ => self.rest(),
         };
-        let mut books = answer.told(request, plan, |_, _, y| {
+        let mut books = trace.told(request, plan, |_, _, y| {
             let mut numbers = *y;
             numbers[2] += rest;
             PaperCatState::of(numbers)

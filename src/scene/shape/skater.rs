@@ -188,8 +188,8 @@ impl Scene for Skater {
     fn simulate(&self, request: &Request) -> Result<Motion<SkaterState>> {
         let plan = self.plan(request)?;
         let run = (self, &plan, request);
-        let answer = solved(run, AN_INTEGRAL, |t| self.known(t))?;
-        let mut books = answer.told(request, plan, |t, _, y| self.state(t, y));
+        let trace = solved(run, AN_INTEGRAL, |t| self.known(t))?;
+        let mut books = trace.told(request, plan, |t, _, y| self.state(t, y));
         let l = self.angular_momentum();
         let start = self.state(0.0, &[0.0, self.spin, 0.0, 0.0]);
         // The hands change the energy, and with it the rounding: drifts are relative to the greatest energy.

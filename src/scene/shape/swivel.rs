@@ -213,8 +213,8 @@ impl Scene for Swivel {
         };
         let evaluations = self.path.map_or(1, |_| AN_INTEGRAL);
         let known = |t| Ok([self.turned(&parts, t)?, l]);
-        let answer = solved((self, &plan, request), evaluations, known)?;
-        let mut books = answer.told(request, plan, |t, _, y| self.state(t, y));
+        let trace = solved((self, &plan, request), evaluations, known)?;
+        let mut books = trace.told(request, plan, |t, _, y| self.state(t, y));
         let upper = |place: usize, state: &SwivelState| {
             let rate = state.rate + self.shape(request.times()[place]).rate;
             state.upper_moment * rate

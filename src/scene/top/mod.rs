@@ -407,19 +407,19 @@ impl Top {
         let turning = || Turning::new(self, conserved.energy_scale);
         let here = turning()?;
         if self.resisting().next().is_some() {
-            let answer = to_accuracy::<8, _>(request, plan.solver, |_| turning())?;
-            let books = answer.told(request, plan, |_, _, y| here.state(y, conserved));
-            let lost = |place: usize| here.unit * answer.samples[place].1[7];
+            let trace = to_accuracy::<8, _>(request, plan.solver, |_| turning())?;
+            let books = trace.told(request, plan, |_, _, y| here.state(y, conserved));
+            let lost = |place: usize| here.unit * trace.samples[place].1[7];
             return conserved.lossy(books, lost)?.closed(request);
         }
-        let answer = match plan.solver {
+        let trace = match plan.solver {
             Solver::Geometric(method) if method != Geometric::DormandPrince8 => {
                 let steps = methods::steps(&here, method, request)?;
                 vouched::<7, _>(request, Stepper::Other(&steps, true), |_| turning())?
             }
             solver => to_accuracy::<7, _>(request, solver, |_| turning())?,
         };
-        let books = answer.told(request, plan, |_, _, y| here.state(y, conserved));
+        let books = trace.told(request, plan, |_, _, y| here.state(y, conserved));
         conserved.lossless(books)?.closed(request)
     }
 }

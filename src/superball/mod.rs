@@ -1,7 +1,7 @@
 //! The superball (tutorial 4.6): a ball that bounces tangentially as well as normally.
 //!
-//! The motion is planar; a bounce reverses the velocity of the contact point and conserves energy. Everything except the
-//! closed form is generic over the scalar: with `f64` it computes, with `num_rational::Ratio<i128>` it proves.
+//! The motion is planar; a bounce reverses the velocity of the contact point and conserves energy, or keeps a part of both ([`Restitution`]). Bounces
+//! are generic over the scalar: with `f64` they compute, with `num_rational::Ratio<i128>` they prove. Slipping bounces, flights and closed forms take doubles.
 //!
 //! ```
 //! use num_rational::Ratio;

@@ -134,6 +134,8 @@ impl Free {
         let common = space(self.body.center()) + t * self.velocity;
         let spin = attitude.to_space(self.body.inertia().angular_momentum(omega));
         let momentum = self.body.mass() * self.velocity;
+        // The centre of mass moves along the momentum, so its angular momentum about the origin is that at time 0.
+        let orbit = space(self.body.center()).cross(&momentum);
         let ([p, l], energy) = self.beside;
         let flying = Flying {
             attitude,
@@ -142,7 +144,7 @@ impl Free {
             energy: 0.5 * momentum.dot(&self.velocity) + turning.energy + energy,
             angular_momentum: spin,
         };
-        (flying, [momentum + p, spin + common.cross(&momentum) + l])
+        (flying, [momentum + p, spin + orbit + l])
     }
 }
 
@@ -201,15 +203,21 @@ impl Scene for StruckPlanet {
         // A state before the impact, for what is conserved: at the earliest time, or else just before time 0.
         let first = request.times().iter().copied();
         let (opening, [p, l]) = flown(&[first.fold(-f64::MIN_POSITIVE, f64::min)])?[0];
-        let law = match self.impact {
-            Some(_) => Law::NonIncreasing,
-            None => Law::Conserved,
-        };
+        // Drifts are compared with the terms, whose sum may be zero.
+        let (planet, mut law) = (&self.planet, Law::Conserved);
+        let mut moves = planet.mass * planet.velocity.norm();
+        let mut turns = opening.angular_momentum.norm();
+        if let Some(Impact { meteorite, at }) = self.impact {
+            law = Law::NonIncreasing;
+            let speeds = [meteorite.velocity.norm(), planet.velocity.norm()];
+            moves += meteorite.mass * speeds[0];
+            turns += meteorite.mass * at.norm() * (speeds[0] + speeds[1]);
+        }
         let turning = "angular momentum about the origin";
         let states = rows.iter().map(|(state, _)| *state);
         let mut books = Books::of(request, plan, (Cost::default(), error), states);
-        books.conserved("momentum", p.norm(), p, |k, _| rows[k].1[0])?;
-        books.conserved(turning, l.norm(), l, |k, _| rows[k].1[1])?;
+        books.conserved("momentum", moves, p, |k, _| rows[k].1[0])?;
+        books.conserved(turning, turns, l, |k, _| rows[k].1[1])?;
         let kinetic = ("kinetic energy", law, opening.energy);
         books.keep(kinetic, opening.energy, |_, s| s.energy)?;
         books.closed(request)

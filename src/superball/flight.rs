@@ -130,7 +130,8 @@ impl Flight {
         let floor = after(fall, square + fall);
         let rise = DoubleDouble::difference(self.room, ball.height).times(2.0 * g);
         let ceiling = square - rise;
-        let reached = self.room.is_finite() && (rise.value() == 0.0 || ceiling.value() > 0.0);
+        let strikes = ceiling.value() > 0.0 || rise.value() == 0.0 && v > 0.0;
+        let reached = self.room.is_finite() && strikes;
         (floor, reached.then(|| after(rise, ceiling)))
     }
 

@@ -121,9 +121,7 @@ fn friction_of_nothing_beside_rolling_resistance() {
     let ball = RoundBody::new(0.17, 0.028_575, 0.4).unwrap();
     let scene = Roller::new(ball, 9.81, 0.0, -1.0).unwrap();
     let scene = scene.with(mu(0.0)).unwrap();
-    let motion = agreed(
-        &scene.with(RollingResistance::new(0.1).unwrap()).unwrap(),
-        times(),
-    );
+    let scene = scene.with(RollingResistance::new(0.1).unwrap()).unwrap();
+    let motion = agreed(&scene, times());
     assert_eq!(motion.rows[0].1.moment.rim_speed, 0.0);
 }

@@ -9,7 +9,7 @@ use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector};
 use crate::integrators::both_ways;
 use crate::kovalevskaya_top::{KovalevskayaTop, State as Turned};
-use crate::lagrange_top::{Exact, LagrangeTop};
+use crate::lagrange_top::{self, Exact, LagrangeTop};
 use crate::precise::{Extended, Number, power_of_two_below, sum_of_products};
 use crate::scene::Budget;
 
@@ -117,37 +117,59 @@ impl ClosedForm {
     }
 
     /// The additional relative error of an Ω much slower than the pace (both rad/s), as just after a release: a rounding of the pace, or the stated error in units of the pace.
-    pub(super) fn hardly_moving(&self, pace: f64, fastest: f64) -> f64 {
+    pub(super) fn hardly_moving(&self, pace: f64, fastest: impl Fn() -> f64) -> f64 {
+        let slowed = |fastest: f64| if fastest > 0.0 { pace / fastest } else { 0.0 };
         match self {
-            Self::Lagrange(..) if fastest > 0.0 => f64::EPSILON * (pace / fastest),
-            Self::Kovalevskaya(top, _) if fastest > 0.0 => {
-                top.stated_error(0.0) * (pace / fastest - 1.0).max(0.0)
+            Self::Free(_) => 0.0,
+            Self::Lagrange(..) => f64::EPSILON * slowed(fastest()),
+            Self::Kovalevskaya(top, _) => {
+                top.stated_error(0.0) * (slowed(fastest()) - 1.0).max(0.0)
             }
-            _ => 0.0,
         }
     }
 
     /// Attitude and Ω at each of these times (s), in their order. Kovalevskaya's solution continues each time from the one before.
     pub(super) fn at(&self, times: &[f64], budget: &Budget) -> Result<Vec<(Attitude, BodyVector)>> {
-        let spent = |&t: &f64| budget.spend(1, t).map(|()| t);
         match self {
             Self::Free(top) => {
-                let state = |t| top.at(spent(t)?).map(|s| (s.attitude, s.omega));
-                times.iter().map(state).collect()
+                let fill = |times: &_, states: &mut _| top.states_at(times, states);
+                batched(times, budget, top.at(0.0)?, fill, |s| (s.attitude, s.omega))
             }
             Self::Lagrange(top, axes) => {
-                let state = |t| top.at(spent(t)?).map(|s| axes.outward(s.attitude, s.omega));
-                times.iter().map(state).collect()
+                let fill = |times: &_, states: &mut _| top.states_at(times, states);
+                let outward = |s: &lagrange_top::State| axes.outward(s.attitude, s.omega);
+                batched(times, budget, top.at(0.0)?, fill, outward)
             }
             // Outward from the start: on its way back a continuation would lose more digits.
             Self::Kovalevskaya(top, axes) => both_ways(times, |times| {
                 let states = top.states(times.iter().copied()).zip(times);
                 let outward = |s: Turned| axes.outward(s.attitude, s.omega);
-                let counted = |(state, t)| spent(t).and(state).map(outward);
+                let counted = |(state, &t)| budget.spend(1, t).and(state).map(outward);
                 states.map(counted).collect()
             }),
         }
     }
+}
+
+/// How many states are filled in one go: a few kilobytes, which stay in the cache.
+const BATCH: usize = 32;
+
+/// The states that `fill` gives at these times, a batch at a time, each turned outward; `any` state, to begin with.
+fn batched<S: Copy>(
+    times: &[f64],
+    budget: &Budget,
+    any: S,
+    fill: impl Fn(&[f64], &mut [S]) -> Result<()>,
+    outward: impl Fn(&S) -> (Attitude, BodyVector),
+) -> Result<Vec<(Attitude, BodyVector)>> {
+    let (mut all, mut batch) = (Vec::with_capacity(times.len()), [any; BATCH]);
+    for times in times.chunks(BATCH) {
+        times.iter().try_for_each(|&t| budget.spend(1, t))?;
+        let states = &mut batch[..times.len()];
+        fill(times, states)?;
+        all.extend(states.iter().map(&outward));
+    }
+    Ok(all)
 }
 
 impl Axes {

@@ -359,8 +359,8 @@ impl Top {
         within(told)?;
         let states = closed.at(request.times(), &request.budget())?;
         let start = self.start.omega(self.body.moments)?.norm();
-        let rates = states.iter().map(|(_, omega)| omega.norm());
-        let fastest = rates.fold(start, f64::max);
+        let rates = || states.iter().map(|(_, omega)| omega.norm());
+        let fastest = || rates().fold(start, f64::max);
         let error = within(told + closed.hardly_moving(self.pace()?, fastest))?;
         let states = states
             .into_iter()

@@ -212,6 +212,10 @@ impl Scene for StruckPlanet {
             let speeds = [meteorite.velocity.norm(), planet.velocity.norm()];
             moves += meteorite.mass * speeds[0];
             turns += meteorite.mass * at.norm() * (speeds[0] + speeds[1]);
+            // Beside the moments of a stone far out those of the planet lose digits.
+            let reduced = 1.0 / (1.0 / meteorite.mass + 1.0 / planet.mass);
+            let [least, ..] = planet.inertia.principal_axes().moments;
+            error *= (reduced * at.dot(&at) / least).max(1.0);
         }
         let turning = "angular momentum about the origin";
         let states = rows.iter().map(|(state, _)| *state);

@@ -83,7 +83,7 @@ fn the_surface_may_be_turned_in_the_body() {
     let omega = |change| last(&changed(&stone, change), ["omega1", "omega2", "omega3"]);
     let exchanged = omega("[0.2, 0.03, 0.02] => [0.03, 0.2, 0.02]");
     let turned = omega("0.02] => 0.02]; surface_turn = 1.5707963267948966");
-    near!(exchanged[..], turned[..], 1e-7);
+    near!(exchanged[..], turned[..], 5e-12); // observed 7e-13
 }
 
 /// A free body of this shape, and its moments by L over Ω about each axis.

@@ -101,7 +101,7 @@ fn what_is_told_of_closed_forms() {
         let told = scene.simulate(&request).unwrap().error_estimate;
         let growth = amplified(scene.simulate(&request.to_accuracy(1e-15).unwrap()))[0];
         let off = [told, growth * f64::EPSILON].map(|x| relative(x, 2e-15 * (1.0 + angle)));
-        assert!(greatest(off) < 1e-12, "{line}: {told:e} {growth:e}");
+        assert!(greatest(off) < 1e-15, "{line}: {told:e} {growth:e}");
     }
 }
 
@@ -116,7 +116,7 @@ fn what_is_told_of_the_growth_of_a_change() {
     let skater = skater.with(BearingFriction::new(0.3).unwrap()).unwrap();
     let [growth, _] = amplified(skater.simulate(&asking([t], 1e-15)));
     let turned = 2.0_f64.sin() + 3.0_f64.sin() * spin * (1.0 - (-lambda * t).exp()) / lambda;
-    near!(growth, turned / 5.0_f64.sin().abs(), 1e-3);
+    near!(growth, turned / 5.0_f64.sin().abs(), 7e-6..=3e-4); // observed 4e-5
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! The Jacobi functions and the amplitude: of one argument, of one argument from scratch, and of many.
 
-use super::landen;
-use super::modulus::{Modulus, Reduction, Side};
+use super::landen::{self, Side};
+use super::modulus::{Modulus, Reduction};
 use super::parameter::Parameter;
 use super::theta::{Corrections, Series};
 use crate::error::{Result, same_length, within};

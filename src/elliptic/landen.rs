@@ -11,6 +11,15 @@ use crate::precise::{
     power_of_two_below, quick,
 };
 
+/// The side of m = 1/2 on which the parameter lies, and so the nome that is small.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Side {
+    /// m ≤ mc: sine and cosine with small corrections.
+    Circular,
+    /// m > mc: hyperbolic functions with small corrections.
+    Hyperbolic,
+}
+
 /// The moduli of the steps, and what follows from them.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Landen<N: Number> {
@@ -23,6 +32,7 @@ pub(crate) struct Landen<N: Number> {
     pub(crate) mean: Dd,
     /// The nome divided by k².
     pub(super) nome_over_square: Dd,
+    /// The lesser of m and mc, k².
     pub(super) parameter: N,
     /// The nome q = exp(−πK′/K); zero where it underflows.
     pub(crate) nome: Dd,

@@ -10,9 +10,9 @@
 )]
 
 use super::jacobi::{ScaledHyperbolic, SignedHyperbolic, circular_at, hyperbolic_at};
-use super::modulus::{Modulus, Side};
-use super::theta::Corrections;
-use super::turning::Theta;
+use super::landen::Side;
+use super::modulus::Modulus;
+use super::theta::{Corrections, Theta};
 use crate::error::{Result, same_length, too_long};
 use crate::precise::quick::{
     self, EXACT_COUNT, ROUNDER, in_quadrant, polynomial, reduced, select, sine_cosine,

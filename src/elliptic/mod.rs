@@ -54,8 +54,7 @@ pub(crate) mod landen;
 pub(crate) mod lanes;
 pub(crate) mod modulus;
 mod parameter;
-mod theta;
-pub(crate) mod turning;
+pub(crate) mod theta;
 
 pub use carlson::{rc, rd, rf, rg, rj};
 pub use integrals::{
@@ -64,6 +63,6 @@ pub use integrals::{
     inverse_sn,
 };
 pub use jacobi::{Jacobi, sn_cn_dn};
+pub(crate) use landen::Side;
 pub use modulus::Modulus;
-pub(crate) use modulus::Side;
 pub use parameter::{Characteristic, Parameter};

@@ -1,20 +1,11 @@
 //! The prepared modulus: quarter period to 101 bits and more, nome, and the constants that reduce an argument by quarter periods; and the
 //! modulus as an exact top prepares it, from m and mc in all their digits.
 
-use super::landen::{Landen, Mean, Nome, SMALL, quarter_next_to_zero};
+use super::landen::{Landen, Mean, Nome, SMALL, Side, quarter_next_to_zero};
 use super::parameter::Parameter;
 use super::theta::Series;
 use crate::precise::quick::{self, EXACT_COUNT};
 use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE};
-
-/// The side of m = 1/2 on which the parameter lies, and so the nome that is small.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Side {
-    /// m ≤ mc: sine and cosine with small corrections.
-    Circular,
-    /// m > mc: hyperbolic functions with small corrections.
-    Hyperbolic,
-}
 
 /// Everything about a modulus that does not depend on the argument: K to 101 bits, the nome, and the coefficients of
 /// the theta functions in powers of sin² or sinh².
@@ -169,8 +160,7 @@ impl Modulus {
 /// A modulus prepared from all the digits of m and mc, with the transformation that prepared it.
 #[derive(Clone, Copy)]
 pub(crate) struct Descent<N: Number> {
-    pub(crate) m: N,
-    pub(crate) mc: N,
+    mc: N,
     pub(crate) modulus: Modulus,
     /// Gauss's transformation of the lesser of m and mc.
     pub(crate) landen: Landen<N>,
@@ -214,7 +204,6 @@ impl<N: Number> Descent<N> {
         };
         let parameter = Parameter::from_both(m.narrow(), mc.narrow());
         Self {
-            m,
             mc,
             modulus: Modulus::assemble(parameter, side, quarter, landen.mean, series),
             landen,

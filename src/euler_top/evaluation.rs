@@ -25,7 +25,7 @@ use nalgebra::Quaternion;
 
 use crate::elliptic::Side;
 use crate::elliptic::lanes::{Course, LANES, Places, phase, turned};
-use crate::elliptic::turning::Turning;
+use crate::elliptic::theta::Turning;
 use crate::error::Result;
 use crate::frame::{Attitude, BodyVector};
 use crate::precise::quick::{in_quadrant, sine_cosine};

@@ -6,7 +6,7 @@ use super::evaluation::{Constants, Renumbering};
 use crate::elliptic::Side;
 use crate::elliptic::lanes::Course;
 use crate::elliptic::modulus::{Descent, Squares};
-use crate::elliptic::turning::{Elevation, Turning};
+use crate::elliptic::theta::{Elevation, Turning};
 use crate::error::{Result, refused};
 use crate::precise::{
     DoubleDouble, Extended, Number, RIGHT_ANGLE, exponent_of, power_of_two_below, sum_of_products,
@@ -256,7 +256,7 @@ fn constants<N: Number>(
     let aspect = c[0].root_of_quotient(c[1]);
     // sc η = √(c₁/c₃) against sc ξ = P₃/P₁.
     let elevation = Elevation::smaller([c[0], c[2], c[1]], [steady, wobble, c[1] * size_squared]);
-    let turning = Turning::new(&descent, &elevation);
+    let turning = Turning::new(descent.modulus.side, &descent.landen, &elevation);
     let lag = match descent.modulus.side {
         Side::Circular => DoubleDouble::from(0.0),
         Side::Hyperbolic => RIGHT_ANGLE - turning.lag,

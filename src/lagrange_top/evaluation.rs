@@ -17,7 +17,7 @@ use nalgebra::Quaternion;
 
 use crate::elliptic::Side;
 use crate::elliptic::lanes::{Course, LANES, Places, phase, turned};
-use crate::elliptic::turning::Turning;
+use crate::elliptic::theta::Turning;
 use crate::error::{Result, finite, not_negative, positive};
 use crate::frame::{Attitude, BodyVector};
 use crate::inertia::PrincipalMoments;

@@ -6,7 +6,7 @@ use super::evaluation::{Body, Complex, Constants, Parameter, Pull};
 use super::roots::{Distances, Integrals, Nutation, Place, Roots};
 use crate::elliptic::lanes::Course;
 use crate::elliptic::modulus::{Descent, Squares};
-use crate::elliptic::turning::{Elevation, Turning};
+use crate::elliptic::theta::{Elevation, Turning};
 use crate::error::{Result, positive, refused, within};
 use crate::frame::{Attitude, BodyVector};
 use crate::precise::{
@@ -325,7 +325,7 @@ impl<N: Number> Top<N> {
         } = self.integrals;
         let parameter = |x: N, elevation| Parameter {
             sense: if x.leading() > 0.0 { -1.0 } else { 1.0 },
-            turning: Turning::new(&descent, elevation),
+            turning: Turning::new(descent.modulus.side, &descent.landen, elevation),
         };
         let parameters = [parameter(sum, &lower), parameter(difference, &upper)];
         // The phases: α at u = K, where 1 + h is greatest, β at u = 0.

@@ -1,6 +1,6 @@
 //! The cost of each effect: every kind of scene with the effect and without it.
 //!
-//! The solver and the evaluations of the right-hand side are the same on every machine; `cargo bench -p lab --bench scenes -- --csv`
+//! The solver and the evaluations of the right-hand side are the same on every machine; `cargo bench -p book --bench prices`
 //! measures the time beside them, and the table it writes is the source of the figure and of the book's tables.
 
 use std::sync::LazyLock;

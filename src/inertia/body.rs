@@ -2,8 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::InertiaMatrix;
-use super::matrix::particle_term;
+use super::matrix::{InertiaMatrix, particle_term};
 use crate::error::{Error, Result, finite, positive, within};
 use crate::frame::{Attitude, BodyVector};
 

@@ -1,6 +1,6 @@
 //! The homogeneous ellipsoid that no dynamics can tell from the body (tutorial 2.4, 2.5).
 
-use super::PrincipalMoments;
+use super::moments::PrincipalMoments;
 use crate::error::{Result, finite, positive};
 use crate::precise::{Extended, Number};
 

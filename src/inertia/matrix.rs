@@ -23,8 +23,8 @@ impl TryFrom<[[f64; 3]; 3]> for InertiaMatrix {
     type Error = Error;
 
     fn try_from(rows: [[f64; 3]; 3]) -> Result<Self> {
-        // The widest slack of all constructors, that of a mesh, so that every matrix that was written can be read.
-        Self::with_slack(rows.into(), super::mesh::SLACK)
+        // The widest slack of all constructors, so that every matrix that was written can be read.
+        Self::with_slack(rows.into(), SLACK_OF_SUMS)
     }
 }
 
@@ -37,6 +37,8 @@ impl From<InertiaMatrix> for [[f64; 3]; 3] {
 
 /// Slack, in units of eps times the largest moment, for matrices that have been rounded entry by entry.
 const SLACK: f64 = 16.0 * f64::EPSILON;
+/// The same for a thin body whose moments come out of sums over many triangles.
+pub(super) const SLACK_OF_SUMS: f64 = 1e-12;
 
 impl InertiaMatrix {
     /// The inertia matrix with these entries, checked (2.4, 2.7).

@@ -2,7 +2,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::{InertiaMatrix, MassProperties};
+use super::body::MassProperties;
+use super::matrix::{InertiaMatrix, SLACK_OF_SUMS};
 use crate::error::{Error, Result, positive};
 use crate::frame::BodyVector;
 
@@ -13,9 +14,6 @@ mod sums;
 pub use formats::{mesh_of_obj, mesh_of_stl};
 pub use icosphere::{Mesh, icosphere};
 use sums::{PAIRS, Scale, Sums, Surface};
-
-/// Relative slack in I₁ + I₂ ≥ I₃ for a thin body whose moments come out of sums over many triangles.
-pub(super) const SLACK: f64 = 1e-12;
 
 /// Mass properties of the homogeneous body that a closed triangle mesh encloses (2.6, 2.7).
 ///
@@ -128,6 +126,6 @@ fn mass_properties(
     MassProperties::new(
         mass,
         BodyVector::from_components(center),
-        InertiaMatrix::with_slack(inertia, SLACK)?,
+        InertiaMatrix::with_slack(inertia, SLACK_OF_SUMS)?,
     )
 }

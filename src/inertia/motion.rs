@@ -1,6 +1,6 @@
 //! Momentum and energy of a body in motion, split as in tutorial 2.1 to 2.3.
 
-use super::MassProperties;
+use super::body::MassProperties;
 use crate::error::Result;
 use crate::frame::BodyVector;
 

@@ -10,7 +10,9 @@
 //! Errors, the same for all: [`Error::NotPositive`], [`Error::Negative`] or [`Error::NotFinite`] for an argument, and
 //! [`Error::NotFinite`] if a moment overflows.
 
-use super::{InertiaMatrix, MassProperties, PlatonicSolid};
+use super::body::MassProperties;
+use super::matrix::InertiaMatrix;
+use super::platonic::PlatonicSolid;
 use crate::error::{Error, Result, each_finite, finite, not_negative, positive, within};
 use crate::frame::BodyVector;
 

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::Mesh;
+use super::icosphere::Mesh;
 use crate::error::{Error, Result, each_finite};
 
 /// The mesh of an STL file, text or binary. Corners with the same coordinates become one vertex.

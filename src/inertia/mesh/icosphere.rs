@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::error::{Result, positive, within};
-use crate::inertia::PlatonicSolid;
+use crate::inertia::platonic::PlatonicSolid;
 
 /// Vertices and triangles of a mesh.
 pub type Mesh = (Vec<[f64; 3]>, Vec<[u32; 3]>);

@@ -11,6 +11,9 @@ use plotters_backend::{
     FontFamily, FontTransform,
 };
 
+/// A point of the design, units.
+pub type Point = [f64; 2];
+
 /// The meaning of a colour. A hue belongs to a quantity, never to a figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {

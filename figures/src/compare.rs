@@ -77,12 +77,8 @@ fn tag_tokens<'a>(tag: &'a str, found: &mut Vec<Token<'a>>) {
             continue;
         };
         if COORDINATES.contains(&name) {
-            found.extend(
-                value
-                    .split([' ', ','])
-                    .filter(|n| !n.is_empty())
-                    .map(Token::Coordinate),
-            );
+            let coordinates = value.split([' ', ',']).filter(|n| !n.is_empty());
+            found.extend(coordinates.map(Token::Coordinate));
         } else {
             found.extend(value.split_whitespace().map(Token::Other));
         }

@@ -6,11 +6,11 @@ use core::fmt::Write as _;
 use nalgebra::{Isometry3, Matrix3};
 use spinning_bodies::scene::{Around, Sight, Solid};
 
-use crate::finish::short;
+use crate::figure::Figure;
+use crate::finish::{Theme, short};
 use crate::plot::Axis;
 use crate::solid::{Vector, View, hull};
 use crate::style::*;
-use crate::{Figure, Theme};
 
 /// The drawing of a solid, along its own axes.
 ///

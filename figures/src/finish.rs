@@ -2,7 +2,10 @@
 
 use std::fmt::{Display, Write as _};
 
-use crate::Figure;
+use plotters_svg::SVGBackend;
+
+use crate::canvas;
+use crate::figure::Figure;
 use crate::style::{self, LEAST, Role, SCALE};
 
 /// The look of a file that is viewed on its own.
@@ -27,100 +30,105 @@ pub enum Theme {
 impl Theme {
     /// The colour of a role; of [`Role::Shade`], that of its gradient.
     pub const fn color(self, role: Role) -> &'static str {
-        match (self, role) {
-            (Theme::Light, Role::Ink | Role::Shade) => "#1c1e2a",
-            (Theme::Light, Role::Muted) => "#61667a",
-            (Theme::Light, Role::Omega) => "#0b6bcb",
-            (Theme::Light, Role::AngularMomentum) => "#b85300",
-            (Theme::Light, Role::Torque) => "#6b1a6b",
-            (Theme::Light, Role::Paper) => "#ffffff",
-            (Theme::Dark, Role::Ink | Role::Shade) => "#c8c9db",
-            (Theme::Dark, Role::Muted) => "#8f93a8",
-            (Theme::Dark, Role::Omega) => "#5aa9ff",
-            (Theme::Dark, Role::AngularMomentum) => "#ff9440",
-            (Theme::Dark, Role::Torque) => "#c064b4",
-            (Theme::Dark, Role::Paper) => "#161923",
+        let [light, dark] = match role {
+            Role::Ink | Role::Shade => ["#1c1e2a", "#c8c9db"],
+            Role::Muted => ["#61667a", "#8f93a8"],
+            Role::Omega => ["#0b6bcb", "#5aa9ff"],
+            Role::AngularMomentum => ["#b85300", "#ff9440"],
+            Role::Torque => ["#6b1a6b", "#c064b4"],
+            Role::Paper => ["#ffffff", "#161923"],
+        };
+        match self {
+            Self::Light => light,
+            Self::Dark => dark,
         }
     }
 }
 
-/// The finished document of a figure. `raw` is the backend's output, an element for each of its marks.
-pub fn finish(figure: &Figure, raw: &str) -> String {
-    let (name, claim, alt) = (figure.name, &figure.claim, &figure.alt);
-    let mut lines = raw.lines();
-    let view_box = lines
-        .next()
-        .and_then(|head| attribute(head, "viewBox"))
-        .unwrap_or_default();
-    let mut svg = String::with_capacity(raw.len());
-    let _ = writeln!(
-        svg,
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig\" id=\"fig-{name}-svg\" viewBox=\"{view_box}\" role=\"img\" \
-         aria-label=\"{}\" fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\" \
-         font-family=\"var(--figure-font, 'Latin Modern Roman', 'CMU Serif', 'Times New Roman', serif)\">",
-        escaped(alt)
-    );
-    let _ = writeln!(svg, "<title>{}</title>", escaped(claim));
-    if raw.contains(&stand_in(Role::Shade)) {
+impl Figure {
+    /// The picture, a complete SVG document whose colours are variables of the page around it.
+    pub fn svg(&self) -> String {
+        // An element for each mark.
+        let mut raw = String::new();
+        let mut backend = SVGBackend::with_string(&mut raw, self.size.into());
+        canvas::draw(self.marks(), &mut backend).expect("a string takes every letter");
+        drop(backend);
+        let (name, claim, alt) = (self.name, &self.claim, &self.alt);
+        let mut lines = raw.lines();
+        let head = lines.next().unwrap_or_default();
+        let view_box = attribute(head, "viewBox").unwrap_or_default();
+        let mut svg = String::with_capacity(raw.len());
         let _ = writeln!(
             svg,
-            "<defs><radialGradient id=\"fig-{name}-shade\" cx=\"50%\" cy=\"50%\" r=\"50%\" fx=\"34%\" fy=\"28%\">\
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig\" id=\"fig-{name}-svg\" viewBox=\"{view_box}\" role=\"img\" \
+         aria-label=\"{}\" fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\" \
+         font-family=\"var(--figure-font, 'Latin Modern Roman', 'CMU Serif', 'Times New Roman', serif)\">",
+            escaped(alt)
+        );
+        let _ = writeln!(svg, "<title>{}</title>", escaped(claim));
+        if raw.contains(&stand_in(Role::Shade)) {
+            let _ = writeln!(
+                svg,
+                "<defs><radialGradient id=\"fig-{name}-shade\" cx=\"50%\" cy=\"50%\" r=\"50%\" fx=\"34%\" fy=\"28%\">\
              <stop offset=\"0%\" stop-color=\"currentColor\" stop-opacity=\"0.02\"/>\
              <stop offset=\"62%\" stop-color=\"currentColor\" stop-opacity=\"0.13\"/>\
              <stop offset=\"100%\" stop-color=\"currentColor\" stop-opacity=\"0.3\"/>\
              </radialGradient></defs>"
-        );
-    }
-    let mut extras = figure.marks.iter().map(|(_, extra)| extra.as_str());
-    while let Some(line) = lines.next() {
-        if line.starts_with("</") {
-            continue;
+            );
         }
-        let extra = extras.next().unwrap_or_default();
-        if line.starts_with("<text") {
-            let body = lines.next().unwrap_or_default();
-            text_element(&mut svg, name, line, body, extra);
-        } else {
-            shape_element(&mut svg, name, line, extra);
+        let mut extras = self.marks.iter().map(|(_, extra)| extra.as_str());
+        while let Some(line) = lines.next() {
+            if line.starts_with("</") {
+                continue;
+            }
+            let extra = extras.next().unwrap_or_default();
+            if line.starts_with("<text") {
+                let body = lines.next().unwrap_or_default();
+                text_element(&mut svg, name, line, body, extra);
+            } else {
+                shape_element(&mut svg, name, line, extra);
+            }
         }
+        svg.push_str(&self.moving);
+        svg.push_str("</svg>\n");
+        svg
     }
-    svg.push_str(&figure.moving);
-    svg.push_str("</svg>\n");
-    svg
-}
 
-/// The figure as a file for any program: variables of the page replaced by the colours of the look, or by what they fall back on.
-pub fn plain(svg: &str, look: Look) -> String {
-    const VARIABLE: &str = "var(--";
-    let svg = Role::ALL.iter().fold(svg.to_owned(), |svg, &role| {
-        svg.replace(role.paint(), look.theme.color(role))
-    });
-    let mut parts = svg.split(VARIABLE);
-    let mut out = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        let (value, after) = part.split_once(')').unwrap_or((part, ""));
-        let fallback = value.split_once(',').map_or("", |(_, fallback)| fallback);
-        out.push_str(fallback.trim_start());
-        out.push_str(after);
+    /// What was drawn, without the document around it.
+    pub(crate) fn elements(&self) -> String {
+        let svg = self.svg();
+        let (_, inside) = svg.split_once("</title>\n").unwrap_or_default();
+        inside.trim_end().trim_end_matches("</svg>").to_owned()
     }
-    // A stroke has as many units in the file as it has pixels on the page.
-    let mut parts = out.split("style=\"stroke-width:calc(");
-    let mut lines = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        let (pixels, after) = part.split_once("px*1)\"").unwrap_or(("1", part));
-        let units = SCALE * pixels.parse().unwrap_or(1.0);
-        let _ = write!(lines, "stroke-width=\"{units:.0}\"");
-        lines.push_str(after.trim_start_matches(" vector-effect=\"non-scaling-stroke\""));
-    }
-    let (head, body) = lines.split_once("</title>\n").unwrap_or(("", &lines));
-    let paper = match look.transparent {
-        true => String::new(),
-        false => {
-            let paper = look.theme.color(Role::Paper);
-            format!("<style>svg:root{{background:{paper}}}</style>\n")
+
+    /// The picture as a file for any program: variables of the page replaced by the colours of the look, or by what they fall back on.
+    pub fn file(&self, look: Look) -> String {
+        let svg = Role::ALL.iter().fold(self.svg(), |svg, &role| {
+            svg.replace(role.paint(), look.theme.color(role))
+        });
+        let mut parts = svg.split("var(--");
+        let mut out = parts.next().unwrap_or_default().to_owned();
+        for part in parts {
+            let (value, after) = part.split_once(')').unwrap_or((part, ""));
+            let fallback = value.split_once(',').map_or("", |(_, fallback)| fallback);
+            out.push_str(fallback.trim_start());
+            out.push_str(after);
         }
-    };
-    format!("{head}</title>\n{paper}{body}")
+        // A stroke has as many units in the file as it has pixels on the page.
+        let mut parts = out.split("style=\"stroke-width:calc(");
+        let mut lines = parts.next().unwrap_or_default().to_owned();
+        for part in parts {
+            let (pixels, after) = part.split_once("px*1)\"").unwrap_or(("1", part));
+            let units = SCALE * pixels.parse().unwrap_or(1.0);
+            let _ = write!(lines, "stroke-width=\"{units:.0}\"");
+            lines.push_str(after.trim_start_matches(" vector-effect=\"non-scaling-stroke\""));
+        }
+        let (head, body) = lines.split_once("</title>\n").unwrap_or(("", &lines));
+        let paper = look.theme.color(Role::Paper);
+        let paper = format!("<style>svg:root{{background:{paper}}}</style>\n");
+        let paper = if look.transparent { "" } else { &paper };
+        format!("{head}</title>\n{paper}{body}")
+    }
 }
 
 fn stand_in(role: Role) -> String {

@@ -4,6 +4,7 @@ use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::{InertiaMatrix, PlatonicSolid, ellipsoid_of_inertia, shapes};
 
 use crate::prelude::*;
+use leaning::{LONG, MIDDLE, SHORT};
 
 mod leaning;
 
@@ -20,9 +21,6 @@ pub const FIGURES: &[Entry] = &[
 ];
 
 parameters! {
-    LONG: "long", "a", "m", "longest edge of the box", [4.0, 9.0], 6.0;
-    MIDDLE: "middle", "b", "m", "middle edge of the box", [2.0, 4.0], 4.0;
-    SHORT: "short", "c", "m", "shortest edge of the box", [0.5, 2.0], 2.0;
     MASS: "mass", "M", "kg", "mass of the box", [0.5, 10.0], 3.0;
 }
 

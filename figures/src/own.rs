@@ -1,6 +1,6 @@
 //! Diagrams of the reader's own motions: one number against another, in one panel for each pair.
 
-use crate::Figure;
+use crate::figure::Figure;
 use crate::plot::{Axis, Frame, Scale, apart, powers};
 use crate::style::*;
 

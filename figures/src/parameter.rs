@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::style::Point;
+use crate::canvas::Point;
 
 /// The spacing of the values in a range.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -145,7 +145,7 @@ macro_rules! parameters {
         $(#[$doc:meta])* $visible:vis $name:ident: $key:literal, $symbol:literal, $unit:literal, $meaning:literal, $range:expr, $default:expr
         $(, $how:ident $(($($by:expr),+))?)*;
     )+) => {
-        $($(#[$doc])* $visible const $name: $crate::Parameter = $crate::Parameter::new($key, $symbol, $unit, $meaning)
+        $($(#[$doc])* $visible const $name: $crate::parameter::Parameter = $crate::parameter::Parameter::new($key, $symbol, $unit, $meaning)
             .between($range, $default)
             $(.$how($($($by),+)?))*;)+
     };

@@ -5,6 +5,7 @@ mod slide;
 use spinning_bodies::rolling::RoundBody;
 
 use crate::prelude::*;
+pub use slide::KAPPA;
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
@@ -13,8 +14,6 @@ pub const FIGURES: &[Entry] = &[
 ];
 
 parameters! {
-    /// κ of a ball that rolls or bounces, whatever it is made of.
-    pub KAPPA: "kappa", r"\kappa", "", "moment of inertia of the ball over MR²", [0.3, 0.65], 0.4;
     CUE: "cue", "H/R", "", "height of one of the cues above the table, over the radius", [0.4, 1.9], 1.2, dragged(cue_place);
 }
 

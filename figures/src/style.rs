@@ -8,10 +8,11 @@ use core::borrow::Borrow;
 use plotters_backend::BackendCoord;
 use spinning_bodies::Result;
 
-use crate::Figure;
 pub use crate::canvas::Anchor::{self, End, Middle, Start};
+pub use crate::canvas::Point;
 pub use crate::canvas::Role::{self, AngularMomentum, Ink, Muted, Omega, Paper, Shade, Torque};
 use crate::canvas::{Mark, Paint};
+use crate::figure::{Data, Figure};
 
 /// Width of every figure, units.
 pub const WIDTH: f64 = 600.0;
@@ -31,9 +32,6 @@ pub const SECONDARY: f64 = 1.2;
 pub const AXIS: f64 = 0.8;
 /// Stroke of hairlines.
 pub const HAIR: f64 = 0.5;
-
-/// A point of the design, units.
-pub type Point = [f64; 2];
 
 /// The dashes of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -181,7 +179,7 @@ pub fn figure(
         details: words.details,
         alt: words.alt,
         values: Vec::new(),
-        data: crate::Data::default(),
+        data: Data::default(),
         size: [(WIDTH * SCALE) as u32, (height * SCALE).round() as u32],
         marks: pen.marks,
         moving: String::new(),

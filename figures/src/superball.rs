@@ -7,6 +7,7 @@ use spinning_bodies::superball::{Motion, Surface, UnderTable, bounce_with};
 
 use crate::prelude::*;
 use crate::rolling;
+use bounces::fraction_of;
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
@@ -42,16 +43,6 @@ const LEAVES: f64 = 1.2;
 fn place(x: f64, height: f64) -> Point {
     let (low, high) = (FLOOR - RADIUS, CEILING + RADIUS);
     [FIRST + FLIGHT * x, low + (high - low) * height]
-}
-
-/// A number of few digits as a fraction.
-fn fraction_of(value: f64) -> Option<Ratio<i128>> {
-    let with = |under: u32| {
-        let over = (value * f64::from(under)).round();
-        let near = (value * f64::from(under) - over).abs() < 1e-12;
-        near.then(|| Ratio::new(over as i128, i128::from(under)))
-    };
-    (1..=12).find_map(with)
 }
 
 /// Motions after floor, ceiling and floor.

@@ -26,7 +26,7 @@ fn told(figure: &Figure) -> [&str; 3] {
 
 /// All points of a mark are on the canvas.
 fn stays_on_the_canvas(figure: &Figure, about: &str) {
-    let [width, height] = figure.size().map(|side| side as i32);
+    let [width, height] = figure.size.map(|side| side as i32);
     let inside = |&(x, y): &(i32, i32)| (0..=width).contains(&x) && (0..=height).contains(&y);
     for mark in figure.marks() {
         let there = match mark {
@@ -144,7 +144,7 @@ fn a_hand_finds_the_value_it_takes() {
             let [x, y] = there.expect("within its range");
             let off = (x - place[0]).hypot(y - place[1]);
             assert!(off <= 1e-3, "{about}: found at {found}");
-            for (at, side) in place.into_iter().zip(drawn(entry, &values).size()) {
+            for (at, side) in place.into_iter().zip(drawn(entry, &values).size) {
                 let side = f64::from(side) / figures::style::SCALE;
                 assert!((0.0..=side).contains(&at), "{about}: off the canvas");
             }

@@ -8,7 +8,7 @@ use spinning_bodies::integrators::geometric::{
 };
 use spinning_bodies::integrators::{Effort, Method};
 
-use super::problem;
+use super::problem::problem;
 use crate::prelude::*;
 
 /// A sixteenth of a second, about a thirtieth of a turn.

@@ -3,7 +3,7 @@
 use lab::accuracy::{Candidate, candidates, measure, named};
 use spinning_bodies::integrators::Effort;
 
-use super::problem;
+use super::problem::problem;
 
 use Hardness::{StepsATurn, Tolerance};
 

@@ -5,7 +5,7 @@ use spinning_bodies::integrators::geometric::{
     DoubleDouble, Integrator, MoserVeselov, Real, VeselovOrder,
 };
 
-use super::problem;
+use super::problem::problem;
 use crate::prelude::*;
 
 /// Errors after ten turns against steps per turn.

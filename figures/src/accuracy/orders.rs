@@ -2,7 +2,7 @@
 
 use lab::accuracy::measured_order;
 
-use super::{points, problem, swept};
+use super::problem::*;
 use crate::prelude::*;
 
 const GENTLE: Stroke = inked(DATA);

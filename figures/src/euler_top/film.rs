@@ -2,8 +2,8 @@
 
 use spinning_bodies::euler_top::State;
 
+use super::body::triple;
 use super::racket::{Face, MOMENTS, TURNS, Throw, draw, face, view};
-use super::triple;
 use crate::prelude::*;
 
 /// Pictures, the first and the last included.

@@ -2,7 +2,7 @@
 
 use spinning_bodies::frame::{Attitude, BodyVector};
 
-use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, top_of, triple};
+use super::body::*;
 use crate::prelude::*;
 
 /// The results of well-known libraries, measured with the scripts next to the table.

@@ -3,7 +3,7 @@
 use spinning_bodies::euler_top::{EulerTop, Poinsot, Sector};
 use spinning_bodies::frame::{Attitude, BodyVector};
 
-use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, triple};
+use super::body::*;
 use crate::prelude::*;
 
 /// Where polhodes cross the plane of x₁ and x₃: shares of the way from x₁, and from x₃, to the separatrix, in the circle that

@@ -3,7 +3,7 @@
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::frame::{Attitude, BodyVector};
 
-use super::top_of;
+use super::body::top_of;
 use crate::prelude::*;
 
 /// Principal moments of a racket, kg m²: about the handle, across the handle in the plane of the strings, across the strings

@@ -3,7 +3,7 @@
 use spinning_bodies::euler_top::Regime;
 use spinning_bodies::frame::{Attitude, BodyVector};
 
-use super::{LARGEST, MIDDLE, SMALLEST, moments, remark, top_of, triple};
+use super::body::*;
 use crate::prelude::*;
 
 parameters! {

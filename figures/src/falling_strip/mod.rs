@@ -3,9 +3,10 @@
 mod animated;
 mod regimes;
 
-use spinning_bodies::falling_strip::{Coefficients, Fall, LongRun, Regime, Sheet, Start};
+use spinning_bodies::falling_strip::{Coefficients, Fall, Regime, Sheet, Start};
 
 use crate::prelude::*;
+use regimes::scan;
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
@@ -14,13 +15,6 @@ pub const FIGURES: &[Entry] = &[
     of("strip-regimes", &[], regimes::regimes),
     of("strip-rate", &[], rate),
 ];
-
-/// Long runs of all these mass ratios.
-fn scan(ratios: &[f64], coefficients: Coefficients) -> Result<Vec<LongRun>> {
-    tried(ratios, |&ratio| {
-        Fall::new(ratio, coefficients)?.long_run(Start::TILTED, 300.0, 300.0)
-    })
-}
 
 /// Panels: mass ratio, name of the motion, place, start and duration, units of time.
 const PANELS: [(f64, &str, Point, f64, f64); 6] = [

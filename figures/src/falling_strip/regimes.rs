@@ -2,15 +2,23 @@
 
 use core::f64::consts::FRAC_PI_4;
 
-use spinning_bodies::falling_strip::{Coefficients, MEASURED_FROUDE, Regime, Sheet, transition};
+use spinning_bodies::falling_strip::{
+    Coefficients, Fall, LongRun, MEASURED_FROUDE, Regime, Sheet, Start, transition,
+};
 
-use super::scan;
 use crate::prelude::*;
 
 const LINE: Axis = Axis::log([0.25, 12.0], [40.0, 580.0]);
 /// Widths of the strips that are drawn, cm, and units to a centimetre.
 const STRIPS: [f64; 4] = [30.0, 15.0, 5.0, 1.0];
 const CENTIMETRE: f64 = 3.0;
+
+/// Long runs of all these mass ratios.
+pub fn scan(ratios: &[f64], coefficients: Coefficients) -> Result<Vec<LongRun>> {
+    tried(ratios, |&ratio| {
+        Fall::new(ratio, coefficients)?.long_run(Start::TILTED, 300.0, 300.0)
+    })
+}
 
 /// Regimes against the mass ratio, for both sets of coefficients and for paper. It takes three hundred long runs, so the figure has no parameters.
 pub fn regimes(_: &Values) -> Result<Figure> {

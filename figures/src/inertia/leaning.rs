@@ -3,10 +3,12 @@
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::shapes;
 
-use super::{LONG, MIDDLE, SHORT};
 use crate::prelude::*;
 
 parameters! {
+    pub LONG: "long", "a", "m", "longest edge of the box", [4.0, 9.0], 6.0;
+    pub MIDDLE: "middle", "b", "m", "middle edge of the box", [2.0, 4.0], 4.0;
+    pub SHORT: "short", "c", "m", "shortest edge of the box", [0.5, 2.0], 2.0;
     DIRECTION: "direction", r"\varphi", "°", "direction of Ω, from the long edge to the short one", [0.0, 90.0], 20.0, dragged(|values| polar(CENTER, OMEGA, values.of(&DIRECTION).to_radians()));
 }
 /// The parameters; the tip of Ω is the handle of its direction.

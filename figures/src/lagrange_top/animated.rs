@@ -8,7 +8,7 @@ use core::fmt::Write as _;
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::lagrange_top::LagrangeTop;
 
-use super::{launch, launch_body, nose, pure_rates};
+use super::launch::*;
 use crate::finish::{self, short};
 use crate::prelude::*;
 

@@ -2,7 +2,7 @@
 
 use spinning_bodies::lagrange_top::{Cycloid, dip};
 
-use super::{launch, nose};
+use super::launch::*;
 use crate::prelude::*;
 
 parameters! {

@@ -2,7 +2,7 @@
 
 use spinning_bodies::lagrange_top::{LagrangeTop, Nutation};
 
-use super::{angles, launch, nose, pure_rates};
+use super::launch::*;
 use crate::prelude::*;
 
 /// cos θ of every start: 60 degrees.

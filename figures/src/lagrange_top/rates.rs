@@ -3,7 +3,7 @@
 use spinning_bodies::Error;
 use spinning_bodies::lagrange_top::Nutation;
 
-use super::{launch, pure_rates};
+use super::launch::*;
 use crate::prelude::*;
 
 // L₃ of the curves; two have their handle where the fast branch ends, for a hanging axis, the third on its rise: rings keep apart.

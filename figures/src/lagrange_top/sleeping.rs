@@ -2,7 +2,7 @@
 
 use spinning_bodies::lagrange_top::{Roots, tilt_after_kick};
 
-use super::launch;
+use super::launch::launch;
 use crate::prelude::*;
 
 parameters! {

@@ -3,7 +3,7 @@
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::lagrange_top::LagrangeTop;
 
-use super::{angles, nose};
+use super::launch::*;
 use crate::prelude::*;
 
 /// Moments, kg m², mass, kg, and the height of C above the tip, m.

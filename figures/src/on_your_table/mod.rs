@@ -5,38 +5,10 @@ use crate::prelude::*;
 mod chiral;
 mod paper;
 
+pub use paper::Paper;
+
 /// The figures of the chapter.
 pub(crate) const FIGURES: &[Entry] = &[of("printed-top", &[], chiral::section)];
-
-/// A size of paper.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Paper {
-    /// 210 mm by 297 mm.
-    A4,
-    /// 8.5 inches by 11.
-    Letter,
-}
-
-impl Paper {
-    /// All of them.
-    pub const ALL: [Self; 2] = [Self::A4, Self::Letter];
-
-    /// As it stands in the names of files.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::A4 => "a4",
-            Self::Letter => "letter",
-        }
-    }
-
-    /// Width and height, mm.
-    pub const fn size(self) -> [f64; 2] {
-        match self {
-            Self::A4 => [210.0, 297.0],
-            Self::Letter => [215.9, 279.4],
-        }
-    }
-}
 
 /// A file to print.
 #[derive(Debug, Clone)]

@@ -9,7 +9,6 @@ use spinning_bodies::phenomena::PaperCat;
 use spinning_bodies::scene::effects::{Air, Gravity};
 use spinning_bodies::scene::shape;
 
-use super::Paper;
 use crate::prelude::*;
 
 /// Mass of office paper, kg/m².
@@ -26,6 +25,36 @@ const BACK: Point = [90.0, 50.0];
 const LEG: Point = [15.0, 35.0];
 const HEAD: Point = [22.0, 22.0];
 const TAIL: Point = [36.0, 6.0];
+
+/// A size of paper.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Paper {
+    /// 210 mm by 297 mm.
+    A4,
+    /// 8.5 inches by 11.
+    Letter,
+}
+
+impl Paper {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::A4, Self::Letter];
+
+    /// As it stands in the names of files.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::A4 => "a4",
+            Self::Letter => "letter",
+        }
+    }
+
+    /// Width and height, mm.
+    pub const fn size(self) -> [f64; 2] {
+        match self {
+            Self::A4 => [210.0, 297.0],
+            Self::Letter => [215.9, 279.4],
+        }
+    }
+}
 
 /// A page in millimetres.
 struct Page {

@@ -1,5 +1,6 @@
 //! Bounces as reflections, and paths under the table for three balls (tutorial 4.6).
 
+use num_rational::Ratio;
 use spinning_bodies::superball::{BounceRotation, Motion, UnderTable, return_threshold};
 
 use crate::prelude::*;
@@ -19,6 +20,16 @@ parameters! {
 
 /// The parameters of the reflections.
 pub const MIRRORS: &[Parameter] = &[KAPPA, BOUNCES];
+
+/// A number of few digits as a fraction.
+pub fn fraction_of(value: f64) -> Option<Ratio<i128>> {
+    let with = |under: u32| {
+        let over = (value * f64::from(under)).round();
+        let near = (value * f64::from(under) - over).abs() < 1e-12;
+        near.then(|| Ratio::new(over as i128, i128::from(under)))
+    };
+    (1..=12).find_map(with)
+}
 
 const CENTER: Point = [300.0, 184.0];
 const SIZE: f64 = 150.0;
@@ -153,7 +164,7 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
     let told = |k: usize| comes_back(balls[k].0, &motions[k][2]);
     let threshold = number(return_threshold(0.4)?, 3);
     let last = motions.map(|of| number(of[2].velocity, 3)).join(", ");
-    let name = |kappa: f64| match super::fraction_of(kappa) {
+    let name = |kappa: f64| match fraction_of(kappa) {
         Some(exact) => exact.to_string(),
         None => short(kappa, 3),
     };

@@ -3,7 +3,7 @@
 use spinning_bodies::scene::contact::State;
 
 use super::ball::{cap_outline, table};
-use super::{ALPHA, GAMMA, SPIN, VISCOUS, degrees, run, tilts, tippe, tippe_scene};
+use super::toys::*;
 use crate::finish::{self, short};
 use crate::prelude::*;
 

@@ -2,7 +2,7 @@
 
 use spinning_bodies::scene::contact::passage;
 
-use super::{FRICTION, SPIN, chiral_scene, degrees, greatest_tilt, run, tilt_against_time, tilts};
+use super::toys::*;
 use crate::prelude::*;
 
 parameters! {
@@ -10,7 +10,7 @@ parameters! {
 }
 /// The parameters.
 pub const BOTH_SPINS: [Parameter; 3] = [
-    SPIN.between([60.0, 200.0], super::CHIRAL_SPIN),
+    SPIN.between([60.0, 200.0], CHIRAL_SPIN),
     RELEASE,
     FRICTION.between([0.1, 0.6], 0.3),
 ];

@@ -2,7 +2,7 @@
 
 use spinning_bodies::scene::contact::Support;
 
-use super::{ALPHA, FRICTION, SPIN, degrees, greatest_tilt, run, toy_scene};
+use super::toys::*;
 use crate::prelude::*;
 
 /// The parameters; in the book slow enough to be followed with the eye.

@@ -2,7 +2,7 @@
 
 use spinning_bodies::tippe_top::{Inversion, TippeTop};
 
-use super::{ALPHA, GAMMA, SPIN, degrees, run, tippe, tippe_scene};
+use super::toys::*;
 use crate::prelude::*;
 
 /// Spins of the other runs drawn, rad/s, and of the fastest top in the picture.

@@ -3,7 +3,7 @@
 use spinning_bodies::scene::contact::passage;
 
 use super::ball::table;
-use super::{FRICTION, TURNS, egg_scene, run};
+use super::toys::*;
 use crate::prelude::*;
 
 /// Half length and half thickness in the film, units.

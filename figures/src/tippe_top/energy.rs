@@ -2,7 +2,7 @@
 
 use spinning_bodies::scene::contact::{State, passage};
 
-use super::{ALPHA, GAMMA, SPIN, VISCOUS, degrees, greatest_tilt, run, tippe, tippe_scene};
+use super::toys::*;
 use crate::prelude::*;
 
 /// The parameters.
@@ -18,7 +18,7 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
     let rows = run(&scene, END, 400, 1e-3)?;
     let (first, last) = (rows[0].1, rows[rows.len() - 1].1);
     let half = passage(&rows, degrees, 90.0);
-    let weight = 0.02 * super::G_TIPPE;
+    let weight = 0.02 * G_TIPPE;
     let gain = weight * (last.position.z() - first.position.z());
     let loss = first.energy - last.energy;
     let ends = number(degrees(&last), 0);

@@ -3,7 +3,7 @@
 use spinning_bodies::tippe_top::bodies::{chiral_top, eccentric_ball};
 use spinning_bodies::tippe_top::{Regularised, quasi_steady};
 
-use super::{ALPHA, G};
+use super::toys::*;
 use crate::prelude::*;
 
 parameters! {

@@ -3,7 +3,7 @@
 use spinning_bodies::frame::SpaceVector;
 use spinning_bodies::tippe_top::HoopWithClay;
 
-use super::{ALPHA, TURNS, toy};
+use super::toys::*;
 use crate::prelude::*;
 
 const OFFSET: Parameter = ALPHA.between([0.25, 0.7], 0.42);

@@ -1,6 +1,6 @@
 //! Which releases turn the chiral top over: tilt and azimuth, both spins.
 
-use super::{CHIRAL_SPIN, chiral_scene, run};
+use super::toys::*;
 use crate::prelude::*;
 
 /// Tilts of the release, degrees, and azimuths per ring.

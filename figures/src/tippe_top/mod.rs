@@ -1,12 +1,4 @@
 //! Bodies that stand on a table (tutorial 4.7): hoop with clay, tippe top, egg, the chiral tippe top, the rattleback.
-//!
-//! Every run is a scene of the library; accuracies are chosen so that no line moves by a tenth of a unit.
-
-use spinning_bodies::frame::{Attitude, BodyVector};
-use spinning_bodies::scene::contact::{State, TableTop};
-use spinning_bodies::scene::effects::{Gravity, NoSlip, Regularised, Viscous};
-use spinning_bodies::scene::{Request, Scene};
-use spinning_bodies::tippe_top::{ConvexBody, HoopWithClay, Start, TippeTop, bodies};
 
 use crate::prelude::*;
 
@@ -26,6 +18,7 @@ mod rattleback;
 mod stone;
 mod strobe;
 mod tip_over;
+mod toys;
 mod twins;
 
 use chiral::BOTH_SPINS;
@@ -59,109 +52,3 @@ pub const RATTLEBACK: &[Entry] = &[
     of("rattleback", &rattleback::REVERSALS, rattleback::reversals),
     of("rattleback-stone", &stone::STONE, stone::two_pairs_of_axes),
 ];
-
-/// Gravity of the figures, m/s²; the tippe top's own is that of its source.
-const G: f64 = 9.81;
-const G_TIPPE: f64 = 9.82;
-/// Spin of the chiral top: six times √(g/R).
-const CHIRAL_SPIN: f64 = 132.9;
-
-type Rows = Vec<(f64, State)>;
-
-/// States at `samples` + 1 equal steps up to `end`.
-fn run(scene: &TableTop, end: f64, samples: u32, accuracy: f64) -> Result<Rows> {
-    let times: Vec<f64> = spaced([0.0, end], samples).collect();
-    let motion = scene.simulate(&Request::at(times)?.to_accuracy(accuracy)?)?;
-    Ok(motion.rows)
-}
-
-/// The tilt of a top, °.
-fn degrees(state: &State) -> f64 {
-    state.tilt().to_degrees()
-}
-
-/// The times of a run and its tilts, °.
-fn tilts(rows: &[(f64, State)]) -> impl Iterator<Item = Point> + Clone {
-    rows.iter().map(|(time, state)| [*time, degrees(state)])
-}
-
-/// The greatest of them, °.
-fn greatest_tilt(rows: &[(f64, State)]) -> f64 {
-    tilts(rows).map(|[_, tilt]| tilt).fold(0.0, f64::max)
-}
-
-parameters! {
-    ALPHA: "alpha", r"\alpha", "", "offset of the centre of mass over the radius", [0.05, 0.7], 0.3;
-    GAMMA: "gamma", r"\gamma", "", "moment of inertia across the axis over that about it", [0.6, 1.5], 131.0 / 140.0;
-    TURNS: "turns", "n", "turns/s", "spin at the start", [10.0, 100.0], 50.0;
-    SPIN: "spin", r"\Omega", "rad/s", "spin at the start", [20.0, 200.0], 155.0;
-    FRICTION: "friction", r"\mu", "", "coefficient of friction", [0.1, 1.0], 1.0 / 3.0;
-    VISCOUS: "friction", "c", "s/m", "coefficient of viscous friction", [0.1, 1.0], 0.3;
-}
-
-/// Ticks of a tilt.
-const TILTS: [f64; 5] = [0.0, 45.0, 90.0, 135.0, 180.0];
-
-/// The axes of a tilt (°) against time (s).
-fn tilt_against_time(pen: &mut Pen, frame: &Frame) {
-    let names = ["time, s", "tilt"];
-    frame.draw(pen, &frame.x.ticks(70.0), &marks(&TILTS, "°"), names);
-}
-
-/// The tutorial's toy in formulas, with this coefficient of friction.
-fn toy(alpha: f64, mu: f64) -> Result<HoopWithClay> {
-    HoopWithClay::new(0.02, 0.02, alpha, 0.4, mu, G)
-}
-
-/// The tutorial's toy by the full equations, spun about the vertical, 0.1 rad from its position of rest.
-fn toy_scene(alpha: f64, spin: f64, mu: f64) -> Result<TableTop> {
-    let body = bodies::hoop_with_clay(0.02, 0.02, alpha)?;
-    TableTop::new(body, Start::about_vertical(0.1, 0.0, spin)?)
-        .with(Gravity::new(G)?)?
-        .with(Regularised::new(mu, 1e-3)?)
-}
-
-/// The tippe top of Rauch-Wojciechowski and Rutstam, or one of another α and γ, in closed form.
-fn tippe(alpha: f64, gamma: f64) -> Result<TippeTop> {
-    let unit = 0.02 * 0.02 * 0.02 * 0.4;
-    TippeTop::new(0.02, 0.02, alpha, unit * gamma, unit, G_TIPPE)
-}
-
-/// The same by the full equations, spun about its own axis at a tilt of 0.1 rad, with this viscous friction (s/m).
-fn tippe_scene(top: &TippeTop, spin: f64, friction: f64) -> Result<TableTop> {
-    let start = Start::about_third_axis(0.1, 0.0, spin)?;
-    TableTop::new(top.body()?, start)
-        .with(Gravity::new(G_TIPPE)?)?
-        .with(Viscous::new(friction)?)
-}
-
-/// The chiral top, released about the vertical at this tilt and azimuth (rad).
-fn chiral_scene(spin: f64, tilt: f64, azimuth: f64, mu: f64) -> Result<TableTop> {
-    body_scene(bodies::chiral_top()?, spin, tilt, azimuth, mu)
-}
-
-/// The same with another body.
-fn body_scene(body: ConvexBody, spin: f64, tilt: f64, azimuth: f64, mu: f64) -> Result<TableTop> {
-    let start = Start::about_vertical(tilt, azimuth, spin)?;
-    TableTop::new(body, start)
-        .with(Gravity::new(G)?)?
-        .with(Regularised::new(mu, 1e-3)?)
-}
-
-/// A boiled egg of 60 g, 6 cm long and 4 cm thick, 2° from lying flat, spun at this many turns per second.
-fn egg_scene(turns: f64, mu: f64) -> Result<TableTop> {
-    let start = Start::about_vertical(88_f64.to_radians(), 0.0, turns * TAU)?;
-    TableTop::new(bodies::egg(0.06, 0.03, 0.02)?, start)
-        .with(Gravity::new(G)?)?
-        .with(Regularised::new(mu, 2e-3)?)
-}
-
-/// Kane and Levinson's rattleback, inclined by these angles (rad) about its long axis and about the axis across it.
-fn stone_scene(spin: f64, tilt: f64) -> Result<TableTop> {
-    let half = (0.5 * tilt).tan();
-    let attitude = Attitude::from_quaternion(1.0, half, half, 0.0)?;
-    let start = Start::spinning(attitude, BodyVector::new(0.0, 0.0, spin))?;
-    TableTop::new(bodies::rattleback()?, start)
-        .with(Gravity::new(G)?)?
-        .with(NoSlip)
-}

@@ -2,7 +2,7 @@
 
 use spinning_bodies::tippe_top::{Inversion, TippeTop};
 
-use super::{ALPHA, G_TIPPE, GAMMA, SPIN, TILTS, tippe};
+use super::toys::*;
 use crate::prelude::*;
 
 /// Spins of the other curves, rad/s: the first and the last set the scale.

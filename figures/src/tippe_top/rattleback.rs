@@ -3,7 +3,7 @@
 use spinning_bodies::Error;
 use spinning_bodies::scene::contact::{State, passage};
 
-use super::{Rows, SPIN, run, stone_scene};
+use super::toys::*;
 use crate::prelude::*;
 
 parameters! {

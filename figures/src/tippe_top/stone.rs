@@ -5,7 +5,7 @@ use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::InertiaMatrix;
 use spinning_bodies::tippe_top::{ConvexBody, Surface, rolling_growth_rates};
 
-use super::{G, SPIN};
+use super::toys::*;
 use crate::prelude::*;
 
 parameters! {

@@ -3,7 +3,8 @@
 use spinning_bodies::scene::contact::State;
 
 use super::ball::{ball, table};
-use super::{BOTH_SPINS, chiral_scene, degrees, run, tilts};
+use super::chiral::BOTH_SPINS;
+use super::toys::*;
 use crate::prelude::*;
 
 parameters! {

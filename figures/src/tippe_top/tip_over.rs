@@ -2,7 +2,7 @@
 
 use spinning_bodies::scene::contact::passage;
 
-use super::{FRICTION, TURNS, degrees, run, tilt_against_time, tilts, toy, toy_scene};
+use super::toys::*;
 use crate::prelude::*;
 
 parameters! {

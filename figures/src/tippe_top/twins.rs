@@ -5,7 +5,8 @@ use spinning_bodies::tippe_top::bodies;
 
 use super::ball::{ball, table};
 use super::beads::{inside, view};
-use super::{BOTH_SPINS, body_scene, degrees, greatest_tilt, run, tilts};
+use super::chiral::BOTH_SPINS;
+use super::toys::*;
 use crate::prelude::*;
 
 /// Duration of the motion, s; pictures of each top; radius of a picture.

@@ -6,7 +6,7 @@ use spinning_bodies::scene::effects::{AxleFriction, Gravity, Sleep};
 use spinning_bodies::scene::{Phase, Play, Request, Scene, YoYoState};
 use spinning_bodies::yo_yo::YoYo;
 
-use super::GRAVITY;
+use super::toy::GRAVITY;
 use crate::finish;
 use crate::prelude::*;
 

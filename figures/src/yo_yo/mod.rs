@@ -1,13 +1,15 @@
 //! The yo-yo (tutorial 4.9).
 
 mod animated;
+mod toy;
 mod turn;
 
 use spinning_bodies::scene::effects::{Gravity, TurnLoss};
 use spinning_bodies::scene::{Play, Request, Scene};
-use spinning_bodies::yo_yo::{Turn, Unwinding, YoYo};
+use spinning_bodies::yo_yo::{Turn, Unwinding};
 
 use crate::prelude::*;
+use toy::{AXLE, GRAVITY, LENGTH, MASS, toy};
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
@@ -17,24 +19,13 @@ pub const FIGURES: &[Entry] = &[
     of("yo-yo-string", &[AXLE, LENGTH, LEFT], string),
 ];
 
-const GRAVITY: f64 = 9.81;
 /// Seconds shown.
 const SHOWN: f64 = 12.0;
 
 parameters! {
-    AXLE: "axle", "r", "mm", "radius of the axle", [3.0, 9.0], 5.0;
-    LENGTH: "length", "L", "m", "length of the string", [0.4, 1.5], 1.0;
     LEFT: "spin_left", "e", "", "part of the spin that a turn leaves", [0.4, 1.0], 0.9;
     CORE: "thick_axle", "r_1", "mm", "radius of the axle under the thick string", [2.0, 5.0], 4.0;
     WOUND: "wound_to", "r_2", "mm", "radius of the thick string when it is wound up", [5.5, 20.0], 10.0;
-}
-
-/// Mass of the toy, kg.
-const MASS: f64 = 0.055;
-
-/// The toy of the chapter: 55 g, radius 29 mm, a metre of string on an axle of 5 mm.
-fn toy(values: &Values, axle: &Parameter) -> Result<YoYo> {
-    YoYo::disc(MASS, 0.029, values.of(&LENGTH), values.of(axle) / 1e3)
 }
 
 /// Depth and tension of a released yo-yo, against time.

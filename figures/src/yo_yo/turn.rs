@@ -2,7 +2,7 @@
 
 use spinning_bodies::yo_yo::{Turn, TurnState, Unwinding};
 
-use super::{AXLE, GRAVITY, LENGTH, MASS, toy};
+use super::toy::*;
 use crate::prelude::*;
 
 /// Design units per metre; the place of the end of the string; the longest arrow.

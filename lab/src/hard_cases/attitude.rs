@@ -1,6 +1,6 @@
 //! The angle that a body has turned: by the cosine, and by sine and cosine.
 
-use super::{Family, numbers};
+use super::family::{Family, numbers};
 use spinning_bodies::Result;
 use spinning_bodies::frame::Attitude;
 

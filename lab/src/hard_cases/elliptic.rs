@@ -1,6 +1,6 @@
 //! dn by its definition, and by Jacobi's functions of the complementary parameter.
 
-use super::{Family, numbers};
+use super::family::{Family, numbers};
 use spinning_bodies::elliptic::{Parameter, sn_cn_dn};
 
 pub(super) const QUARTER_PERIOD: Family = Family {

@@ -1,6 +1,6 @@
 //! The free top by 6.6 as printed, and by [`EulerTop`].
 
-use super::{Family, numbers};
+use super::family::{Family, numbers};
 use spinning_bodies::Result;
 use spinning_bodies::elliptic::{Parameter, sn_cn_dn};
 use spinning_bodies::euler_top::EulerTop;

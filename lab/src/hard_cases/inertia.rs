@@ -2,7 +2,7 @@
 
 use nalgebra::Matrix3;
 
-use super::{Family, numbers};
+use super::family::{Family, numbers};
 use spinning_bodies::Result;
 use spinning_bodies::frame::BodyVector;
 use spinning_bodies::inertia::{mesh_mass_properties, principal_axes_of};

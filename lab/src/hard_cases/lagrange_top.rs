@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use super::{Family, numbers};
+use super::family::{Family, numbers};
 use spinning_bodies::frame::{Attitude, BodyVector};
 use spinning_bodies::lagrange_top::{LagrangeTop, PurePrecession, dip, pure_precession};
 

@@ -1,6 +1,6 @@
 //! A ball without loss, after many bounces: by the angle of one bounce, and by a power in two words.
 
-use super::{Family, numbers};
+use super::family::{Family, numbers};
 use spinning_bodies::superball::{BounceRotation, Motion};
 
 pub(super) const MANY_BOUNCES: Family = Family {

@@ -5,7 +5,7 @@ use core::f64::consts::{PI, TAU};
 use nalgebra::{Matrix3, Unit, UnitQuaternion, Vector3};
 
 use super::holonomy::ShapePlane;
-use super::quadrature::periodic;
+use super::quadrature::integral;
 use crate::error::{Error, Result, positive, within};
 use crate::frame::{Attitude, BodyVector, finite_vector};
 use crate::integrators::halved;
@@ -336,7 +336,8 @@ impl EqualHalves {
     /// ```
     pub fn turn_of_uneven_swing(&self, forward: f64, back: f64) -> Result<f64> {
         let (forward, back) = (bendable(forward)?, bendable(back)?);
-        periodic(|psi| self.turn_back(0.5 * (forward + back) + 0.5 * (forward - back) * psi.cos()))
+        let (mean, swing) = (0.5 * (forward + back), 0.5 * (forward - back));
+        integral(|psi| self.turn_back(mean + swing * psi.cos()), 0.0, TAU)
     }
 
     /// The bend γ_back, radians, with which the uneven swing turns the cat by half a turn, or `None` if no bend does. The turn grows with the bend, so

@@ -52,12 +52,8 @@ impl Strokes {
 
     /// The time at which the piece of the motion with this number begins, s; there are four a cycle.
     pub(crate) fn beginning(&self, number: u64) -> f64 {
-        let within = match number % 4 {
-            0 => 0.0,
-            1 => 0.5 * self.push,
-            2 => self.push,
-            _ => self.push + 0.5 * self.pull,
-        };
+        let (push, pull) = (self.push, self.pull);
+        let within = [0.0, 0.5 * push, push, push + 0.5 * pull][(number % 4) as usize];
         (number / 4) as f64 * self.cycle() + within
     }
 
@@ -76,11 +72,7 @@ impl Strokes {
         let acceleration = self.acceleration(number);
         // Counted from the end of the piece at which the rate is zero: the beginning of even pieces, the end of odd ones.
         let elapsed = time - self.beginning(number + number % 2);
-        let base = if wide(number) {
-            self.gap + self.length
-        } else {
-            self.gap
-        };
+        let base = self.gap + if wide(number) { self.length } else { 0.0 };
         Gap {
             gap: base + 0.5 * acceleration * elapsed * elapsed,
             rate: acceleration * elapsed,

@@ -1,7 +1,9 @@
 //! The geometric phase: turning by going round a loop of shapes (tutorial 1.1).
 
-use super::quadrature::{integral, periodic};
-use crate::error::{Result, finite};
+use core::f64::consts::TAU;
+
+use super::quadrature::integral;
+use crate::error::Result;
 
 /// A shape plane (x, ψ), and the law by which the body turns back when ψ grows.
 ///
@@ -51,7 +53,8 @@ pub enum Hub {
 /// The turn −∮ a dψ along a closed smooth path, s from 0 to 2π, radians. Observed error: 2e-16 of ∮ |a ψ′| ds.
 ///
 /// # Errors
-/// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Accuracy`](crate::Error::Accuracy) if the sum does not converge with 2^16 points.
+/// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Accuracy`](crate::Error::Accuracy) if forty halvings of the path do not suffice,
+/// [`Error::OutOfRange`](crate::Error::OutOfRange) after a million points.
 ///
 /// ```
 /// use spinning_bodies::phenomena::{EqualHalves, Step, turn_along};
@@ -67,7 +70,7 @@ pub fn turn_along(plane: &impl ShapePlane, path: impl Fn(f64) -> Step) -> Result
         let step = path(s);
         -plane.turn_back(step.shape[0]) * step.rate[1]
     };
-    periodic(rate)
+    integral(rate, 0.0, TAU)
 }
 
 /// The turn −∬ a′ dx dψ over the area that a closed smooth path encloses, radians: the same number as [`turn_along`], from the curvature alone.
@@ -87,22 +90,18 @@ pub fn turn_along(plane: &impl ShapePlane, path: impl Fn(f64) -> Step) -> Result
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn turn_within(plane: &impl ShapePlane, path: impl Fn(f64) -> Step, hub: Hub) -> Result<f64> {
-    finite("the turn along a path", path(0.0).shape[0])?;
     let ray = |s: f64| {
         let Step { shape, rate } = path(s);
         let (swept, density) = match hub {
             Hub::Point([x, psi]) => {
                 let (out, across) = (shape[0] - x, shape[1] - psi);
                 // dx dψ = ρ (out ψ′ − across x′) dρ ds.
-                let density = integral(|rho| rho * plane.curvature(x + rho * out), 0.0, 1.0, 0.0);
+                let density = integral(|rho| rho * plane.curvature(x + rho * out), 0.0, 1.0);
                 (out * rate[1] - across * rate[0], density)
             }
-            Hub::Pole => {
-                let along = integral(|x| plane.curvature(x), 0.0, shape[0], 0.0);
-                (rate[1], along)
-            }
+            Hub::Pole => (rate[1], integral(|x| plane.curvature(x), 0.0, shape[0])),
         };
         -swept * density.unwrap_or(f64::NAN)
     };
-    periodic(ray)
+    integral(ray, 0.0, TAU)
 }

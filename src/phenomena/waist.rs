@@ -34,8 +34,7 @@ impl Waist {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn swivel_angle(&self, twist: f64) -> Result<f64> {
-        let outstretched = positive("the upper moment with arms out", self.upper_arms_out)?;
-        let folded = positive("the upper moment with arms in", self.upper_arms_in)?;
+        let [outstretched, folded] = self.upper()?;
         let lower = not_negative("the lower moment", self.lower)?;
         let twist = finite("the twist", twist)?;
         // Quotients of similar magnitude, because a product of two moments could overflow.
@@ -58,15 +57,11 @@ impl Waist {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn phases(&self, twist: f64) -> Result<[f64; 2]> {
-        let outstretched = positive("the upper moment with arms out", self.upper_arms_out)?;
-        let folded = positive("the upper moment with arms in", self.upper_arms_in)?;
+        let upper = self.upper()?;
         let lower = not_negative("the lower moment", self.lower)?;
         let twist = finite("the twist", twist)?;
-        let plane = Swivel { lower };
-        Ok([
-            -twist * plane.turn_back(outstretched),
-            twist * plane.turn_back(folded),
-        ])
+        let [out, back] = upper.map(|moment| twist * Swivel { lower }.turn_back(moment));
+        Ok([-out, back])
     }
 
     /// The lower moment, kg m², for which these arms turn the body furthest: B = √(A_in A_out). The turn is then
@@ -82,9 +77,16 @@ impl Waist {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn best_lower(&self) -> Result<f64> {
-        let outstretched = positive("the upper moment with arms out", self.upper_arms_out)?;
-        let folded = positive("the upper moment with arms in", self.upper_arms_in)?;
+        let [outstretched, folded] = self.upper()?;
         Ok(outstretched.sqrt() * folded.sqrt())
+    }
+
+    /// The moments of the upper part, arms out and in.
+    fn upper(&self) -> Result<[f64; 2]> {
+        Ok([
+            positive("the upper moment with arms out", self.upper_arms_out)?,
+            positive("the upper moment with arms in", self.upper_arms_in)?,
+        ])
     }
 }
 

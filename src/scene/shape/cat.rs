@@ -154,7 +154,7 @@ impl Cat {
         };
         let turned = match self.turnover.map(|path| path.corners()) {
             None => 0.0,
-            Some([from, to, _]) => integral(back, from, t.clamp(from, to), 0.0)?,
+            Some([from, to, _]) => integral(back, from, t.clamp(from, to))?,
         };
         let bend = self.bend(t);
         let attitude = self.attitude.quaternion() * turn_x(bend.direction - turned);

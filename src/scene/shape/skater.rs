@@ -115,7 +115,7 @@ impl Skater {
         let angle = match self.draw.map(|draw| draw.corners()) {
             None => spin(t) * t,
             Some([begin, end]) => {
-                let moving = integral(spin, begin, t.clamp(begin, end), 0.0)?;
+                let moving = integral(spin, begin, t.clamp(begin, end))?;
                 spin(0.0) * t.min(begin) + moving + spin(t) * (t - end).max(0.0)
             }
         };

@@ -139,7 +139,7 @@ impl Swivel {
         )?;
         let passed = ((since / part) as usize).min(parts.len() - 2);
         let rate = |t: f64| self.lower_rate(self.angular_momentum, &path.at(t));
-        let rest = integral(rate, passed as f64 * part, since, 0.0)?;
+        let rest = integral(rate, passed as f64 * part, since)?;
         Ok(rounds * parts[parts.len() - 1] + (parts[passed] + rest))
     }
 
@@ -149,7 +149,7 @@ impl Swivel {
         let mut parts = vec![0.0];
         for n in 0..4_u8 {
             let [from, to] = [n, n + 1].map(|n| f64::from(n) * path.part());
-            parts.push(parts[usize::from(n)] + integral(rate, from, to, 0.0)?);
+            parts.push(parts[usize::from(n)] + integral(rate, from, to)?);
         }
         Ok(parts)
     }

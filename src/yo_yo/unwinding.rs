@@ -172,9 +172,10 @@ impl Unwinding {
         finite("the time down the string", self.time_at(self.toy.length)?)
     }
 
-    /// Depth (m) at a time after the upper end (s, between 0 and the [duration](Self::duration)).
+    /// Depth (m) and spin (rad/s) at a time after the upper end (s, between 0 and the [duration](Self::duration)).
     ///
-    /// Thin string: a formula. Thick string: Newton's method on the time, some microseconds.
+    /// Thin string: a formula. Thick string: Newton's method on the time, some microseconds. Close to rest the spin keeps digits that
+    /// it would lose if computed from the depth.
     ///
     /// # Errors
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) for a time outside the motion.
@@ -183,15 +184,10 @@ impl Unwinding {
     /// use spinning_bodies::yo_yo::{Unwinding, YoYo};
     /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
     /// let way = Unwinding::new(toy, 8.0, 0.0)?; // 8 m/s²/(1 + 3)
-    /// assert!((way.depth_at(0.5)? - 0.25).abs() < 1e-15);
+    /// assert!((way.at(0.5)?[0] - 0.25).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
-    pub fn depth_at(&self, time: f64) -> Result<f64> {
-        Ok(self.at(time)?[0])
-    }
-
-    /// Depth (m) and spin (rad/s) at a time after the upper end. Close to rest the spin keeps digits that it would lose if computed from the depth.
-    pub(crate) fn at(&self, time: f64) -> Result<[f64; 2]> {
+    pub fn at(&self, time: f64) -> Result<[f64; 2]> {
         let length = self.toy.length;
         let duration = self.duration()?;
         if within("the time on the way down", time, 0.0, duration)? == duration {

@@ -61,7 +61,7 @@ fn s4_9_the_thick_string_in_closed_form() -> Result<()> {
             let start = [0.0, throw];
             let run = order_eight(&system, Kept::Nothing, &start, &[1.0; 2], &times, effort);
             for (t, y) in times.iter().zip(run?.states) {
-                let depth = way.depth_at(*t)?;
+                let [depth, _] = way.at(*t)?;
                 // Observed: 4e-14, the error of order 8.
                 let bound = 2e-13;
                 near!(depth, y[0], bound);
@@ -260,7 +260,7 @@ fn what_is_no_yo_yo_is_refused() {
     assert!(Unwinding::new(toy(), 0.0, 0.0).is_err());
     assert!(Unwinding::new(toy(), G, -1.0).is_err());
     assert!(let_go(toy()).time_at(1.1).is_err());
-    assert!(let_go(toy()).depth_at(-1e-9).is_err());
+    assert!(let_go(toy()).at(-1e-9).is_err());
     assert!(Turn::new(toy(), G, 0.0).is_err());
     assert!(Turn::new(toy(), G, 1.0).is_err());
     let turn = Turn::new(toy(), 0.0, 1.0).unwrap();

@@ -281,6 +281,11 @@ pub(crate) const fn refused<T>(condition: &'static str, value: f64) -> Result<T>
     Err(Error::Condition { condition, value })
 }
 
+/// The error of a motion that could be followed only up to this time.
+pub(crate) const fn stopped<T>(reason: &'static str, time: f64) -> Result<T> {
+    Err(Error::Integration { reason, time })
+}
+
 /// Refuses an output slice whose length is not the number of results.
 pub(crate) fn same_length(wanted: usize, found: usize) -> Result<()> {
     if wanted == found {

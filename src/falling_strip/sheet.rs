@@ -4,7 +4,7 @@ use core::f64::consts::PI;
 
 use super::fall::{Coefficients, Fall, Regime, Start};
 use super::plate::Plate;
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Result, finite, positive, refused};
 use crate::integrators::halved;
 
 /// The Froude number at which flutter turns into tumbling: the measured value and its uncertainty.
@@ -27,7 +27,7 @@ impl Sheet {
     /// The strip of this width, mass per area, in this fluid, under this gravity.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::NotPositive`].
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive).
     ///
     /// ```
     /// use spinning_bodies::falling_strip::Sheet;
@@ -62,7 +62,7 @@ impl Sheet {
     /// The width at which a strip of this material has the given mass ratio: 4σ/(π ρ I*), m.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::NotPositive`].
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive).
     ///
     /// ```
     /// use spinning_bodies::falling_strip::Sheet;
@@ -143,7 +143,7 @@ impl Sheet {
 /// Cost: log₂((high − low)/accuracy) long runs.
 ///
 /// # Errors
-/// [`Error::Condition`] if the ends do not bracket the transition; as [`Fall::long_run`].
+/// [`Error::Condition`](crate::Error::Condition) if the ends do not bracket the transition; as [`Fall::long_run`].
 ///
 /// ```
 /// use spinning_bodies::falling_strip::{Coefficients, transition};
@@ -167,10 +167,9 @@ pub fn transition(
     };
     for (ratio, expected) in [(low, true), (high, false)] {
         if flutters(ratio)? != expected {
-            return Err(Error::Condition {
-                condition: "the plate must flutter at the lower end of the bracket and not at the upper one",
-                value: ratio,
-            });
+            let condition =
+                "the plate must flutter at the lower end of the bracket and not at the upper one";
+            return refused(condition, ratio);
         }
     }
     let [low, high] = halved([low, high], accuracy, flutters)?;

@@ -5,7 +5,7 @@ use nalgebra::Quaternion;
 use super::constants::{Phase, WidePhase};
 use super::taylor::{FullState, Series, about_third, shortest};
 use super::top::{KovalevskayaTop, LONGEST, Motion, State};
-use crate::error::{Error, Result};
+use crate::error::{Result, stopped};
 use crate::euler_equations::TopState;
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::precise::{DoubleDouble, Number};
@@ -144,10 +144,9 @@ impl<'a> Walk<'a> {
             grown[n] + (DoubleDouble::from(rounded[n]) - self.wide[n]).value()
         });
         if !self.off.iter().all(|x| x.abs() < LOST) {
-            return Err(Error::Integration {
-                reason: "the motion has amplified rounding 10^17 times by then, more than 106 bits allow",
-                time: self.time / self.top.unit,
-            });
+            let reason =
+                "the motion has amplified rounding 10^17 times by then, more than 106 bits allow";
+            return stopped(reason, self.time / self.top.unit);
         }
         let state = self.wide.map(DoubleDouble::value);
         let attitude = attitude / attitude.norm();

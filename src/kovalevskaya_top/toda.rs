@@ -5,7 +5,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::error::{Error, Result, each_finite, finite};
+use crate::error::{Result, each_finite, finite, refused};
 
 /// The ends of the line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,7 +28,7 @@ impl Lattice {
     /// The lattice with these positions and momenta.
     ///
     /// # Errors
-    /// [`Error::Condition`] for fewer than two particles (three if periodic) or lists of different length, [`Error::NotFinite`].
+    /// [`Error::Condition`](crate::Error::Condition) for fewer than two particles (three if periodic) or lists of different length, [`Error::NotFinite`](crate::Error::NotFinite).
     ///
     /// ```
     /// # use spinning_bodies::kovalevskaya_top::toda::{Ends, Lattice};
@@ -43,16 +43,13 @@ impl Lattice {
             Ends::Periodic => 3,
         };
         if positions.len() < least {
-            return Err(Error::Condition {
-                condition: "a Toda lattice must have at least two particles, three if it is periodic",
-                value: positions.len() as f64,
-            });
+            let condition =
+                "a Toda lattice must have at least two particles, three if it is periodic";
+            return refused(condition, positions.len() as f64);
         }
         if positions.len() != momenta.len() {
-            return Err(Error::Condition {
-                condition: "there must be as many momenta as positions",
-                value: momenta.len() as f64,
-            });
+            let condition = "there must be as many momenta as positions";
+            return refused(condition, momenta.len() as f64);
         }
         let all = positions.iter().chain(momenta);
         each_finite("a position or momentum", all.copied())?;
@@ -141,7 +138,7 @@ impl Lattice {
     /// Error: a few eps times the greatest. Cost: one symmetric eigenvalue problem.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] if an exponential overflows.
+    /// [`Error::NotFinite`](crate::Error::NotFinite) if an exponential overflows.
     ///
     /// ```
     /// # use spinning_bodies::kovalevskaya_top::toda::{Ends, Lattice};
@@ -165,7 +162,7 @@ impl Lattice {
     /// It does not use the Lax matrix. Error O(step⁸); energy does not drift. Cost: 15 exponentials a bond and step.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for the step, or if positions or momenta overflow.
+    /// [`Error::NotFinite`](crate::Error::NotFinite) for the step, or if positions or momenta overflow.
     ///
     /// ```
     /// # use spinning_bodies::kovalevskaya_top::toda::{Ends, Lattice};

@@ -9,7 +9,7 @@ use super::pendulum::Pendulum;
 use super::precession::Precession;
 use super::separation::{Separation, Variables};
 use super::taylor::{FullState, about_third, shortest};
-use crate::error::{Error, Result, finite, not_negative, positive, too_long, within};
+use crate::error::{Result, finite, not_negative, positive, refused, too_long, within};
 use crate::euler_equations::{AxisMoments, HeavyTop, TopState};
 use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector, finite_vector};
@@ -101,8 +101,8 @@ impl KovalevskayaTop {
     /// Cost: 0.12 ms in the median of random starts; a quarter of a millisecond where z starts along axis 3, 4 µs for a pendulum.
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`]; [`Error::Condition`] for other ratios and for C off the plane;
-    /// [`Error::OutOfRange`] for |Ω_i| or √(Mg|C|/I₃) above 10³⁰⁷.
+    /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Condition`](crate::Error::Condition) for other ratios and for C off the plane;
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) for |Ω_i| or √(Mg|C|/I₃) above 10³⁰⁷.
     ///
     /// ```
     /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
@@ -138,7 +138,7 @@ impl KovalevskayaTop {
     /// `up` of any length but zero; if it points straight down, the body is turned over about axis 1.
     ///
     /// # Errors
-    /// As for [`new`](Self::new), and [`Error::ZeroVector`].
+    /// As for [`new`](Self::new), and [`Error::ZeroVector`](crate::Error::ZeroVector).
     ///
     /// ```
     /// use spinning_bodies::{frame::BodyVector, kovalevskaya_top::KovalevskayaTop};
@@ -178,19 +178,14 @@ impl KovalevskayaTop {
             let ratio = moment / axial;
             // An infinite quotient of finite moments is refused here too.
             if (ratio - 2.0).abs() > 2.0 * ROUNDED {
-                return Err(Error::Condition {
-                    condition: "I1/I3 and I2/I3 must be 2 for Kovalevskaya's top",
-                    value: ratio,
-                });
+                return refused("I1/I3 and I2/I3 must be 2 for Kovalevskaya's top", ratio);
             }
         }
         finite_vector("the lever MgC", lever)?;
         finite_vector("the angular velocity", omega)?;
         if lever.z() != 0.0 {
-            return Err(Error::Condition {
-                condition: "the centre of mass of Kovalevskaya's top must lie in the plane of axes 1 and 2, C3 = 0",
-                value: lever.z(),
-            });
+            let condition = "the centre of mass of Kovalevskaya's top must lie in the plane of axes 1 and 2, C3 = 0";
+            return refused(condition, lever.z());
         }
         let strength = finite("the lever over I3", lever.x().hypot(lever.y()) / axial)?;
         let fastest = omega.components().amax().max(strength.sqrt());
@@ -297,8 +292,8 @@ impl KovalevskayaTop {
     /// |K| = const. Error: see [the module](super). Cost: 1 µs in the median.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::OutOfRange`] for |t| beyond 10⁹ units of the motion (4096 by power series), the unit being 1/max(|Ω|, √(Mg|C|/I₃));
-    /// [`Error::Integration`] if, by power series, the motion has amplified rounding more than 10¹⁷ times by then, with the time at which it does.
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::OutOfRange`](crate::Error::OutOfRange) for |t| beyond 10⁹ units of the motion (4096 by power series), the unit being 1/max(|Ω|, √(Mg|C|/I₃));
+    /// [`Error::Integration`](crate::Error::Integration) if, by power series, the motion has amplified rounding more than 10¹⁷ times by then, with the time at which it does.
     ///
     /// ```
     /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
@@ -515,7 +510,7 @@ fn turned(angle: f64, [x, y]: [f64; 2]) -> [f64; 2] {
 /// b² = 5I₃/(2M), c² = 3b² and a² = b² − 5d², in 106 bits, so that nothing is lost for a body that is nearly a disc. Error: 1 ε. The moment about the longest axis is I₃.
 ///
 /// # Errors
-/// [`Error::NotFinite`]; [`Error::NotPositive`] for mass or moment; [`Error::Negative`] for d; [`Error::Condition`] unless 2Md² < I₃: otherwise a² would not be positive.
+/// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::NotPositive`](crate::Error::NotPositive) for mass or moment; [`Error::Negative`](crate::Error::Negative) for d; [`Error::Condition`](crate::Error::Condition) unless 2Md² < I₃: otherwise a² would not be positive.
 ///
 /// ```
 /// use spinning_bodies::kovalevskaya_top::ellipsoid;
@@ -531,10 +526,8 @@ pub fn ellipsoid(mass: f64, least_moment: f64, distance: f64) -> Result<[f64; 3]
     // I₃ − 2Md², which is small for a body that is nearly a disc.
     let rest = moment - (distant.square() * heavy).times(2.0);
     if rest.leading() <= 0.0 {
-        return Err(Error::Condition {
-            condition: "twice the mass times the square of the pivot's distance must be less than the least moment",
-            value: distance,
-        });
+        let condition = "twice the mass times the square of the pivot's distance must be less than the least moment";
+        return refused(condition, distance);
     }
     let axis = |square: Extended| {
         let square = square.times(2.5).quotient(heavy);

@@ -2,7 +2,7 @@
 
 use super::moment::{Contact, Happening, Load, Moment, State};
 use super::stretch::{Hold, Laws, Stretch};
-use crate::error::{Error, Result, each_finite, finite};
+use crate::error::{Result, each_finite, finite, stopped};
 
 /// An event of a course.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,8 +38,8 @@ impl Course {
     /// remains. Observed difference from DOP853 with events: 3e-15 of the largest speed. Cost: a few microseconds a course.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for the reaction or κ; [`Error::NotFinite`], also where a position, a speed or the heat overflows;
-    /// [`Error::Integration`] after a million events.
+    /// [`Error::NotPositive`](crate::Error::NotPositive) for the reaction or κ; [`Error::NotFinite`](crate::Error::NotFinite), also where a position, a speed or the heat overflows;
+    /// [`Error::Integration`](crate::Error::Integration) after a million events.
     ///
     /// ```
     /// use spinning_bodies::rolling::{Coulomb, Course, Load, Moment};
@@ -90,10 +90,7 @@ impl Course {
                 course.note(&stretch, what);
             }
         }
-        Err(Error::Integration {
-            reason: "more than a million events",
-            time: stretch.start,
-        })
+        stopped("more than a million events", stretch.start)
     }
 
     fn note(&mut self, stretch: &Stretch, what: Happening) {

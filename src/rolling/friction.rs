@@ -2,7 +2,7 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use crate::error::{Error, Result, not_negative, positive, within};
+use crate::error::{Result, not_negative, positive, refused, within};
 
 /// Coulomb's law: friction is μ times the reaction, against the slip; while the contact sticks it is up to `grip` times the reaction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,7 +17,7 @@ impl Coulomb {
     /// One coefficient μ (dimensionless) for slipping and sticking.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::Negative`].
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Negative`](crate::Error::Negative).
     ///
     /// ```
     /// use spinning_bodies::rolling::Coulomb;
@@ -31,7 +31,7 @@ impl Coulomb {
     /// A coefficient for slipping, and a greater one, for sticking, that has to be overcome first.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::Negative`]; [`Error::Condition`] if the grip is less than the sliding friction.
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Negative`](crate::Error::Negative); [`Error::Condition`](crate::Error::Condition) if the grip is less than the sliding friction.
     ///
     /// ```
     /// use spinning_bodies::rolling::Coulomb;
@@ -43,10 +43,10 @@ impl Coulomb {
         let kinetic = not_negative("the coefficient of friction", kinetic)?;
         let grip = not_negative("the coefficient of static friction", grip)?;
         if grip < kinetic {
-            return Err(Error::Condition {
-                condition: "static friction must not be less than sliding friction",
-                value: grip,
-            });
+            return refused(
+                "static friction must not be less than sliding friction",
+                grip,
+            );
         }
         Ok(Self { kinetic, grip })
     }
@@ -71,7 +71,7 @@ impl RollingResistance {
     /// The coefficient, dimensionless.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::Negative`].
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Negative`](crate::Error::Negative).
     ///
     /// ```
     /// use spinning_bodies::rolling::RollingResistance;
@@ -90,7 +90,7 @@ impl RollingResistance {
 /// positive only below μ = (κ + cos²θ)/(sin θ cos θ): at least 2√(κ(1+κ)), 4/3 for the uniform rod. Infinite for a rod that lies. Observed error: 1.4 ε.
 ///
 /// # Errors
-/// [`Error::NotFinite`], [`Error::NotPositive`] for κ, [`Error::OutOfRange`] for the angle.
+/// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive) for κ, [`Error::OutOfRange`](crate::Error::OutOfRange) for the angle.
 ///
 /// ```
 /// let tilt = 2f64.atan();

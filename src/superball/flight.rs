@@ -1,7 +1,7 @@
 //! A superball in flight (tutorial 4.6): from the hand to the floor, to the underside of a table, and so on, with the times of the bounces.
 
 use super::{BounceRotation, Motion, Restitution, Surface, bounce_with, gripping_bounce};
-use crate::error::{Error, Result, finite, not_negative, positive, refused, within};
+use crate::error::{Error, Result, finite, not_negative, positive, refused, stopped, within};
 use crate::precise::{DoubleDouble, Number};
 use crate::rolling::{Coulomb, Course, Load, Moment};
 
@@ -367,7 +367,7 @@ impl Flight {
                 return Ok(Some((time, ball, last)));
             }
         }
-        Err(too_many(time.value()))
+        too_many(time)
     }
 
     fn restitution(&self) -> [f64; 2] {
@@ -430,7 +430,7 @@ impl Flight {
                     break;
                 }
                 if ball.bounces - self.start.bounces >= MOST_BOUNCES {
-                    return Err(too_many(now.value()));
+                    return too_many(now);
                 }
                 now = then;
                 bounced(now.value())?;
@@ -511,9 +511,6 @@ impl Flight {
     }
 }
 
-const fn too_many(time: f64) -> Error {
-    Error::Integration {
-        reason: "too many bounces to follow one by one",
-        time,
-    }
+fn too_many<T>(time: DoubleDouble) -> Result<T> {
+    stopped("too many bounces to follow one by one", time.value())
 }

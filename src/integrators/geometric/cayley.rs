@@ -6,7 +6,7 @@
 use super::preprocessing::corrections;
 use super::stepper::{Run, Steps, checked_moments};
 use super::{Integrator, Phase, Stepper};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, stopped};
 use crate::integrators::real::{Real, cross, dot};
 
 /// Order of [`MoserVeselov`].
@@ -92,10 +92,8 @@ impl<T: Real> Integrator<T> for MoserVeselov {
             .iter()
             .any(|a| a.to_double().is_nan() || a.to_double() <= 0.0)
         {
-            return Err(Error::Integration {
-                reason: "the step is too long for moments of inertia that make up for it",
-                time: 0.0,
-            });
+            let reason = "the step is too long for moments of inertia that make up for it";
+            return stopped(reason, 0.0);
         }
         let moments = inverse.map(T::reciprocal);
         Ok(implicit_steps::<T, true>(moments, run, step))

@@ -1,14 +1,14 @@
 //! Samples of a motion by a geometric method.
 
 use super::{Integrator, Phase};
-use crate::error::{Error, Result, each_finite, positive};
+use crate::error::{Result, each_finite, positive, stopped};
 use crate::integrators::{Cost, Solution, both_ways};
 
 /// Phases at `times` (s, on either side of 0, in any order) of the motion that starts with `start` at time 0, by steps of one length between two samples,
 /// at most `step` (s). `watch` is called with the time and the cost so far at each sample and every 65,536 steps.
 ///
 /// # Errors
-/// [`Error::NotFinite`], [`Error::NotPositive`] for times and step; [`Error::Integration`] where the method fails; those of `watch`, which end the run.
+/// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive) for times and step; [`Error::Integration`](crate::Error::Integration) where the method fails; those of `watch`, which end the run.
 ///
 /// ```
 /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -36,10 +36,7 @@ pub fn follow(
             let leg = next - time;
             let count = (leg.abs() / step).ceil();
             if count > MOST_STEPS {
-                return Err(Error::Integration {
-                    reason: "more than 10^10 steps between two samples",
-                    time,
-                });
+                return stopped("more than 10^10 steps between two samples", time);
             }
             if count > 0.0 {
                 let (mut stepper, spent) = (method.start(&phase, leg / count)?, cost);

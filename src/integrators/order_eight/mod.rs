@@ -125,7 +125,7 @@ impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
             Effort::Step(longest) => {
                 let count = (self.left().abs() / longest).ceil();
                 if count > MOST_STEPS as f64 {
-                    return Err(too_many(leg.start.0));
+                    return too_many(leg.start.0);
                 }
                 self.left().abs() / count.max(1.0)
             }
@@ -138,7 +138,7 @@ impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
             };
             leg.system.reached(self.time.values[0])?;
             if self.cost.steps > MOST_STEPS {
-                return Err(too_many(taken.time));
+                return too_many(taken.time);
             }
             each_finite("the state after integration", self.state.values)?;
             fall = watch

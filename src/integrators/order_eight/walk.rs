@@ -2,7 +2,7 @@
 
 use super::leg::Leg;
 use super::tableau::{Between, Step, step};
-use crate::error::{Error, Result};
+use crate::error::{Result, stopped};
 use crate::integrators::real::Sums;
 use crate::integrators::{Cost, System};
 
@@ -86,10 +86,8 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
             most_growth = 1.0;
             let time = self.time.values[0];
             if self.length <= f64::EPSILON * time.abs() || self.length == 0.0 {
-                return Err(Error::Integration {
-                    reason: "the step became too small: the tolerance is below rounding, or the motion is not finite",
-                    time,
-                });
+                let reason = "the step became too small: the tolerance is below rounding, or the motion is not finite";
+                return stopped(reason, time);
             }
             self.leg.system.reached(time)?;
         }
@@ -173,9 +171,7 @@ const LEAST_GROWTH: f64 = 0.2;
 const MOST_GROWTH: f64 = 6.0;
 const STAGES: u64 = 12;
 
-pub(super) fn too_many(time: f64) -> Error {
-    Error::Integration {
-        reason: "it takes more than two hundred million steps",
-        time,
-    }
+/// The refusal of a run beyond [`MOST_STEPS`].
+pub(super) fn too_many<T>(time: f64) -> Result<T> {
+    stopped("it takes more than two hundred million steps", time)
 }

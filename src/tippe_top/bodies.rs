@@ -98,13 +98,6 @@ pub fn egg(mass: f64, long: f64, short: f64) -> Result<ConvexBody> {
     ConvexBody::new(mass, inertia, surface, BodyVector::zero())
 }
 
-/// The inertia matrix of [`chiral_top`], in units M R².
-fn chiral_inertia() -> Matrix3<f64> {
-    Matrix3::new(
-        0.480, 0.017, -0.008, 0.017, 0.420, 0.008, -0.008, 0.008, 0.530,
-    )
-}
-
 /// A chiral tippe top with a perfectly spherical surface: 20 g, R = 2 cm, α = 0.19, and a skew inertia matrix.
 ///
 /// Spun clockwise (seen from above) it turns over, spun anticlockwise it stays down. Its beads: [`beads`](super::beads).
@@ -120,7 +113,10 @@ fn chiral_inertia() -> Matrix3<f64> {
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn chiral_top() -> Result<ConvexBody> {
-    eccentric_ball(0.02, 0.02, 0.19, chiral_inertia())
+    let inertia = Matrix3::new(
+        0.480, 0.017, -0.008, 0.017, 0.420, 0.008, -0.008, 0.008, 0.530,
+    );
+    eccentric_ball(0.02, 0.02, 0.19, inertia)
 }
 
 /// A top of 20 g and R = 2 cm on an ellipsoidal end with semi-axes R(1+e), R(1−e), R, turned by `delta` (rad) about CK against the axes

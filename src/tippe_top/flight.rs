@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::body::ConvexBody;
 use super::equations::{Numbers, Pose, Table, Yielding};
 use super::friction::Friction;
-use crate::error::{Error, Result};
+use crate::error::{Result, stopped};
 use crate::euler_top::{FreeBody, State};
 use crate::frame::BodyVector;
 use crate::integrators::{Effort, Kept, Leg, System, Watched, halved};
@@ -88,15 +88,18 @@ impl Flight {
     /// that is over within a thousandth of a radian is missed.
     ///
     /// # Errors
-    /// Those of `looked`, which is called with every time that the search examines; [`Error::Integration`] where the next time is the same double.
+    /// Those of `looked`, which is called with every time that the search examines; [`Error::Integration`](crate::Error::Integration) where the next time is the same double.
     pub(crate) fn landing(
         &self,
         until: f64,
         looked: impl Fn(f64) -> Result<()>,
     ) -> Result<Option<f64>> {
         let Table { body, gravity, .. } = self.table;
-        let turning = Pose::of(&self.start).omega.norm() * body.slenderness();
-        let reach = body.reach();
+        // By the conservation of energy |Ω| grows by no more than the root of the ratio of the moments.
+        let [least, _, greatest] = body.inertia.principal_axes().moments;
+        let turning = Pose::of(&self.start).omega.norm() * (greatest / least).sqrt();
+        // The greatest distance of the surface from C.
+        let reach = body.center.norm() + body.surface.greatest();
         let natural = (gravity / reach).sqrt();
         let stride = 0.1 / (turning + natural);
         let start = self.takeoff.time;
@@ -127,25 +130,10 @@ impl Flight {
             let nearing = gap / (squared(height).sqrt() + turning * reach);
             after = (before + nearing.max(aloft).max(0.01 * stride)).min(until);
             if after == before {
-                return Err(Error::Integration {
-                    reason: "the body moves so fast that doubles do not resolve its time; end the run earlier",
-                    time: before,
-                });
+                let reason = "the body moves so fast that doubles do not resolve its time; end the run earlier";
+                return stopped(reason, before);
             }
         }
-    }
-}
-
-impl ConvexBody {
-    /// A bound on the distance of the surface from C, m.
-    fn reach(&self) -> f64 {
-        self.center.norm() + self.surface.greatest()
-    }
-
-    /// A bound on the growth of |Ω| in free flight, as a factor: it follows from the conservation of energy.
-    fn slenderness(&self) -> f64 {
-        let moments = self.inertia().principal_axes().moments;
-        (moments[2] / moments[0]).sqrt()
     }
 }
 
@@ -157,22 +145,19 @@ impl Table {
     /// v·n = 0, where K is the inverse effective mass of the point in contact. So an impact can only lose energy.
     ///
     /// # Errors
-    /// [`Error::Integration`] for an impact that is not finite; those of `spent`, which receives the evaluations of every step.
+    /// [`Error::Integration`](crate::Error::Integration) for an impact that is not finite; those of `spent`, which receives the evaluations of every step.
     pub(crate) fn landed(&self, y: &Numbers, climb: f64, spent: Spent<'_>) -> Result<Numbers> {
         let pose = Pose::of(y);
         let arm = self.body.arm(&pose.up);
         let contact = pose.level + pose.up * climb + pose.omega.cross(&arm);
-        let impact = Impact {
-            friction: self.friction,
-            yielding: Yielding {
-                matrix: self.body.yielding(&arm),
-                // An approach of 1: what follows from it is in proportion.
-                free: -pose.up,
-                up: pose.up,
-            },
-            spent,
+        let yielding = Yielding {
+            matrix: self.body.yielding(&arm),
+            // An approach of 1: what follows from it is in proportion.
+            free: -pose.up,
+            up: pose.up,
         };
-        Ok(self.body.struck(y, &pose, climb, impact.after(&contact)?))
+        let contact = yielding.after_impact(self.friction, &contact, spent)?;
+        Ok(self.body.struck(y, &pose, climb, contact))
     }
 
     /// The state after an impulse that brings the point in contact to rest.
@@ -183,43 +168,41 @@ impl Table {
     }
 }
 
-/// An impact of the point in contact on the table.
-struct Impact<'a> {
-    friction: Option<Friction>,
-    yielding: Yielding,
-    spent: Spent<'a>,
-}
-
-impl Impact<'_> {
-    /// The velocity of the point in contact after the impact; before it, it is `contact`.
-    fn after(&self, contact: &Vector3<f64>) -> Result<Vector3<f64>> {
-        let Yielding { matrix, up, .. } = &self.yielding;
+impl Yielding {
+    /// The velocity of the point in contact after an impact on the table; before it, it is `contact`.
+    fn after_impact(
+        &self,
+        friction: Option<Friction>,
+        contact: &Vector3<f64>,
+        spent: Spent<'_>,
+    ) -> Result<Vector3<f64>> {
+        let Self { matrix, up, .. } = self;
         let fall = -up.dot(contact);
         let slip = contact + up * fall;
         if fall <= 0.0 {
             return Ok(slip);
         }
-        match self.friction {
+        match friction {
             None => {
                 let push = matrix * up;
                 Ok(slip + (push / up.dot(&push) - up) * fall)
             }
             Some(Friction::NoSlip) => Ok(Vector3::zeros()),
             Some(friction @ Friction::Coulomb(law)) => {
-                let (slip, left) = self.slowed(friction, &slip, fall)?;
+                let (slip, left) = self.slowed(friction, &slip, fall, spent)?;
                 if left <= 0.0 {
                     return Ok(slip);
                 }
-                let push = self.yielding.holding();
+                let push = self.holding();
                 let normal = up.dot(&push);
                 if (push - up * normal).norm() <= law.grip * normal {
                     return Ok(Vector3::zeros());
                 }
-                let along = self.yielding.gives_way(law.kinetic);
+                let along = self.gives_way(law.kinetic);
                 let push = matrix * (up - along * law.kinetic);
                 Ok(along * (push.dot(&along) / up.dot(&push) * left))
             }
-            Some(friction) => Ok(self.slowed(friction, &slip, fall)?.0),
+            Some(friction) => Ok(self.slowed(friction, &slip, fall, spent)?.0),
         }
     }
 
@@ -234,8 +217,9 @@ impl Impact<'_> {
         friction: Friction,
         slip: &Vector3<f64>,
         fall: f64,
+        spent: Spent<'_>,
     ) -> Result<(Vector3<f64>, f64)> {
-        let (Yielding { matrix, up, .. }, size) = (&self.yielding, slip.norm());
+        let (Self { matrix, up, .. }, size) = (self, slip.norm());
         let sudden = matches!(friction, Friction::Coulomb(_));
         if sudden && size <= NO_SLIP * fall {
             return Ok((Vector3::zeros(), fall));
@@ -267,7 +251,7 @@ impl Impact<'_> {
         }
         let least = NO_SLIP * (size + fall);
         let leg = Leg {
-            system: &Watched(&rate, |_| (self.spent)(A_STEP), 0.0) as &dyn System<3>,
+            system: &Watched(&rate, |_| spent(A_STEP), 0.0) as &dyn System<3>,
             kept: Kept::Nothing,
             start: (0.0, &start),
             scales: &[least, least, fall],
@@ -319,23 +303,20 @@ impl ConvexBody {
 mod tests {
     use nalgebra::{Matrix3, Vector3};
 
-    use super::{Friction, Impact, Yielding};
+    use super::{Friction, Yielding};
     use crate::rolling::Coulomb;
     use crate::tippe_top::{Regularised, Viscous};
 
     /// The velocity of the contact after a plane impact with this slip and approach: of a mass of 1 with the moment 1/20 about C, the contact 1 below C and 0.8 to the side.
     fn after(law: impl Into<Friction>, slip: f64, approach: f64) -> [f64; 3] {
-        let impact = Impact {
-            friction: Some(law.into()),
-            yielding: Yielding {
-                matrix: Matrix3::new(A, 0.0, B, 0.0, 30.0, 0.0, B, 0.0, C),
-                free: -Vector3::z(),
-                up: Vector3::z(),
-            },
-            spent: &|_| Ok(()),
+        let yielding = Yielding {
+            matrix: Matrix3::new(A, 0.0, B, 0.0, 30.0, 0.0, B, 0.0, C),
+            free: -Vector3::z(),
+            up: Vector3::z(),
         };
         let contact = Vector3::new(slip, 0.0, -approach);
-        impact.after(&contact).unwrap().into()
+        let after = yielding.after_impact(Some(law.into()), &contact, &|_| Ok(()));
+        after.unwrap().into()
     }
 
     /// Entries of the inverse effective mass: along the table, mixed, and vertical.

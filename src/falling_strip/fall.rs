@@ -21,41 +21,28 @@ pub struct Coefficients {
 
 impl Coefficients {
     /// The coefficients of Andersen, Pesavento and Wang, for a thin elliptical plate: C_T = 1.2, C_R = π, A = 1.4, B = 1, μ₁ = μ₂ = 0.2, j = 1/4.
-    pub const PUBLISHED: Self = Self {
-        lift: Lift {
-            translational: 1.2,
-            rotational: PI,
-        },
-        drag: Drag {
-            mean: 1.4,
-            contrast: 1.0,
-        },
-        damping: RotationalDamping {
-            linear: 0.2,
-            quadratic: 0.2,
-        },
-        inertia_factor: 0.25,
-    };
+    pub const PUBLISHED: Self = Self::of([1.2, PI], [1.4, 1.0], [0.2, 0.2], 0.25);
 
     /// Our coefficients, for flat strips of paper: C_T = 1.7, C_R = 1.1, A = 1.7, B = 1, μ₁ = 0.05, μ₂ = 0.04, j = 1/3.
     ///
     /// Found by a random search among 12 500 sets for one that flutters below the measured transition, tumbles above it up to I* = 16, and glides
     /// at about 40 degrees. A fit, not a measurement; many neighbouring sets fit as well.
-    pub const PAPER: Self = Self {
-        lift: Lift {
-            translational: 1.7,
-            rotational: 1.1,
-        },
-        drag: Drag {
-            mean: 1.7,
-            contrast: 1.0,
-        },
-        damping: RotationalDamping {
-            linear: 0.05,
-            quadratic: 0.04,
-        },
-        inertia_factor: 1.0 / 3.0,
-    };
+    pub const PAPER: Self = Self::of([1.7, 1.1], [1.7, 1.0], [0.05, 0.04], 1.0 / 3.0);
+
+    /// C_T and C_R, A and B, μ₁ and μ₂, and j.
+    const fn of(lift: [f64; 2], drag: [f64; 2], damping: [f64; 2], inertia_factor: f64) -> Self {
+        let ([translational, rotational], [mean, contrast]) = (lift, drag);
+        let [linear, quadratic] = damping;
+        Self {
+            lift: Lift {
+                translational,
+                rotational,
+            },
+            drag: Drag { mean, contrast },
+            damping: RotationalDamping { linear, quadratic },
+            inertia_factor,
+        }
+    }
 }
 
 /// The start of a fall, at the origin.

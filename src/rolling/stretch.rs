@@ -76,10 +76,7 @@ impl<'a> Laws<'a> {
     fn pace(&self, law: Option<Coulomb>, state: &State, ground: f64) -> Pace {
         let [_, _, rim_speed, slip, ..] = *state;
         // What begins to go must go the way assumed.
-        let stalls = |hold, value: f64, rate: f64| match hold {
-            Hold::Goes(sign) => value == 0.0 && sign * rate <= 0.0,
-            _ => false,
-        };
+        let stalls = |hold, value: f64, rate: f64| matches!(hold, Hold::Goes(sign) if value == 0.0 && sign * rate <= 0.0);
         let mut first = None;
         for &slipping in candidates(law.is_some(), slip) {
             for &turning in candidates(self.resistance.is_some(), rim_speed) {

@@ -168,7 +168,7 @@ impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
     fn sample(&mut self, taken: &Step<N>, until: f64) {
         let times = &self.leg.times[self.states.len()..];
         let count = times.partition_point(|&t| (t - until) * self.sense <= 0.0);
-        let end = taken.time + taken.length;
+        let end = self.time.values[0];
         let inner = times[..count].partition_point(|&t| (t - end) * self.sense < 0.0);
         if inner > FEW {
             let between = self.between(taken);

@@ -1,6 +1,6 @@
 //! The body of a top and how it starts.
 
-use crate::error::{Error, Result, finite, not_negative, positive};
+use crate::error::{Result, finite, not_negative, positive, refused};
 use crate::euler_equations::AxisMoments;
 use crate::frame::finite_vector;
 use crate::frame::{Attitude, BodyVector};
@@ -39,7 +39,7 @@ struct Written {
 
 #[cfg(feature = "serde")]
 impl TryFrom<Written> for Body {
-    type Error = Error;
+    type Error = crate::Error;
 
     fn try_from(written: Written) -> Result<Self> {
         let along_principal_axes =
@@ -55,7 +55,7 @@ impl Body {
     /// The body with these moments (kg m², any order), without mass and lever: gravity does not turn it.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::Negative`], [`Error::TriangleInequality`].
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Negative`](crate::Error::Negative), [`Error::TriangleInequality`](crate::Error::TriangleInequality).
     ///
     /// ```
     /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{Request, Scene, top::{Body, Start, Top}}};
@@ -110,7 +110,7 @@ impl Body {
     /// The body held at `pivot` (m, along its own axes, from their origin).
     ///
     /// # Errors
-    /// As for [`new`](Self::new); [`Error::NotFinite`] for the point.
+    /// As for [`new`](Self::new); [`Error::NotFinite`](crate::Error::NotFinite) for the point.
     ///
     /// ```
     /// use spinning_bodies::{frame::BodyVector, inertia::shapes, scene::top::Body};
@@ -126,7 +126,7 @@ impl Body {
     /// Sets the mass (kg) and the centre of mass C, relative to the pivot, along the body's axes (m).
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::Negative`] for the mass.
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Negative`](crate::Error::Negative) for the mass.
     ///
     /// ```
     /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{Request, Scene, effects::Gravity, top::{Body, Start, Top}}};
@@ -176,7 +176,7 @@ impl Body {
     }
 
     /// # Errors
-    /// [`Error::NotPositive`] for an axis without moment.
+    /// [`Error::NotPositive`](crate::Error::NotPositive) for an axis without moment.
     pub(super) fn has_every_moment(&self) -> Result<()> {
         let quantity = "a principal moment of a body without a closed form";
         (self.moments.iter()).try_for_each(|&moment| positive(quantity, moment).map(|_| ()))
@@ -300,24 +300,15 @@ impl Start {
         match self.spin {
             Spin::Omega(omega) => finite_vector("the angular velocity", omega),
             Spin::AngularMomentum(l) => {
-                let l: [f64; 3] = finite_vector("the angular momentum", l)?
-                    .components()
-                    .into();
-                let mut omega = [0.0; 3];
-                for k in 0..3 {
-                    // About an axis without moment L must be zero, and Ω is taken as zero.
-                    if l[k] == 0.0 {
-                        continue;
-                    }
-                    if moments[k] == 0.0 {
-                        return Err(Error::Condition {
-                            condition: "the angular momentum about an axis without moment must be zero",
-                            value: l[k],
-                        });
-                    }
-                    omega[k] = finite("a component of the angular velocity", l[k] / moments[k])?;
-                }
-                Ok(BodyVector::new(omega[0], omega[1], omega[2]))
+                let l: [f64; 3] = finite_vector("the angular momentum", l)?.into();
+                let condition = "the angular momentum about an axis without moment must be zero";
+                // About such an axis Ω is taken as zero.
+                let rate = |k: usize| match (l[k], moments[k]) {
+                    (0.0, _) => Ok(0.0),
+                    (part, 0.0) => refused(condition, part),
+                    (part, moment) => finite("a component of the angular velocity", part / moment),
+                };
+                Ok(BodyVector::new(rate(0)?, rate(1)?, rate(2)?))
             }
         }
     }

@@ -4,7 +4,7 @@ use super::body::DOUBT;
 use super::ledger::Conserved;
 use super::{State, Top};
 use crate::error::Result;
-use crate::euler_equations::quaternion_rate;
+use crate::euler_equations::{AxisMoments, quaternion_rate};
 use crate::frame::{Attitude, BodyVector};
 use crate::integrators::geometric::Phase;
 use crate::integrators::{Kept, Stop};
@@ -122,26 +122,11 @@ impl Turning {
 
     /// Ω̇ along the body's axes, rad/s², at this attitude and Ω, before dry friction stops the spin; what that does about the third axis does not move C, which lies on it.
     pub fn acceleration(&self, attitude: &Attitude, omega: BodyVector) -> BodyVector {
-        let (q, omega) = (attitude.quaternion(), omega.components());
-        let y: [f64; 8] = core::array::from_fn(|n| match n {
-            0..3 => self.moments[n] * omega[n],
-            3 => q.w,
-            4..7 => q.imag()[n - 4],
-            _ => 0.0,
-        });
+        let l = AxisMoments::allowing_rods(self.moments).angular_momentum(omega);
+        let y = numbers(Phase::new(l, attitude));
         let [n1, n2, n3, ..] = Flow::<8>::rate(self, Spin::Spinning, 0.0, &y);
         let [j1, j2, j3] = self.inverse;
         BodyVector::new(j1 * n1, j2 * n2, j3 * n3)
-    }
-
-    /// L and the quaternion at the start.
-    fn numbers<const N: usize>(&self) -> [f64; N] {
-        let Phase { l, q } = self.start;
-        core::array::from_fn(|n| match n {
-            0..3 => l[n],
-            3..7 => q[n - 3],
-            _ => 0.0,
-        })
     }
 }
 
@@ -154,7 +139,7 @@ impl<const N: usize> Flow<N> for Turning {
         } else {
             Spin::Spinning
         };
-        Ok((spin, self.numbers()))
+        Ok((spin, numbers(self.start)))
     }
 
     fn scales(&self) -> [f64; N] {
@@ -191,20 +176,21 @@ impl<const N: usize> Flow<N> for Turning {
 
     /// L′ = L∧Ω + N, q′ = ½qΩ, and the power lost to resistance.
     fn rate(&self, spin: Spin, _: f64, numbers: &[f64; N]) -> [f64; N] {
-        let [a, b, c, w, x, y, z]: [f64; 7] = core::array::from_fn(|n| numbers[n]);
+        let phase = phase(numbers);
+        let [a, b, c] = phase.l;
         let [j1, j2, j3] = self.inverse;
         let omega = [j1 * a, j2 * b, j3 * c];
         let [d1, d2, d3] = self.difference;
         let mut torque = [d1 * (b * c), d2 * (c * a), d3 * (a * b)];
         if let Some([l1, l2, l3]) = self.lever {
             // The third row of the rotation matrix for |q| = 1; the equations are smooth off that norm, too, and every step restores it.
-            let up = phase(numbers).up();
+            let up = phase.up();
             torque[0] += up[1] * l3 - up[2] * l2;
             torque[1] += up[2] * l1 - up[0] * l3;
             torque[2] += up[0] * l2 - up[1] * l1;
         }
         let [o1, o2, o3] = omega;
-        let turned = quaternion_rate([w, x, y, z], BodyVector::new(o1, o2, o3));
+        let turned = quaternion_rate(phase.q, BodyVector::new(o1, o2, o3));
         let mut power = 0.0;
         // With seven components nothing resists.
         if N > 7 {
@@ -259,11 +245,20 @@ impl<const N: usize> Flow<N> for Turning {
 }
 
 /// L and the quaternion.
-fn phase<const N: usize>(y: &[f64; N]) -> Phase {
+pub(super) fn phase(y: &[f64]) -> Phase {
     Phase {
         l: [y[0], y[1], y[2]],
         q: [y[3], y[4], y[5], y[6]],
     }
+}
+
+/// L and the quaternion as components, without loss of energy.
+fn numbers<const N: usize>(Phase { l, q }: Phase) -> [f64; N] {
+    core::array::from_fn(|n| match n {
+        0..3 => l[n],
+        3..7 => q[n - 3],
+        _ => 0.0,
+    })
 }
 
 /// |Ω|, rad/s.

@@ -1,9 +1,9 @@
 //! The geometric methods for a top under gravity alone, when a request names one: steps of one length.
 
-use super::equations::Turning;
+use super::equations::{Turning, phase};
 use crate::error::{Error, Result, positive};
 use crate::integrators::geometric::{
-    FreeSplitting, HeavySplitting, Integrator, MoserVeselov, MuntheKaas, Phase, Weight, follow,
+    FreeSplitting, HeavySplitting, Integrator, MoserVeselov, MuntheKaas, Weight, follow,
 };
 use crate::integrators::{AnyLeg, Cost, Effort, Passage, Stop};
 use crate::scene::engine::{Flow, longest_step};
@@ -34,10 +34,7 @@ pub(super) fn steps(
         let (Effort::Step(step) | Effort::Tolerance(step)) = effort;
         let (mut now, y) = leg.start;
         budget.begin(leg.end);
-        let mut phase = Phase {
-            l: [y[0], y[1], y[2]],
-            q: [y[3], y[4], y[5], y[6]],
-        };
+        let mut phase = phase(y);
         let (mut states, mut cost) = (Vec::with_capacity(leg.times.len()), Cost::default());
         for &time in leg.times.iter().chain([&leg.end]) {
             let gap = time - now;

@@ -8,28 +8,23 @@ use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Error, Result, not_negative, positive};
 use crate::integrators::{Cost, Stop};
-use crate::rolling::Coulomb;
-use crate::superball::{Flight, InFlight, Restitution, Surface};
+use crate::superball::{Flight, InFlight, Surface};
 
 /// A ball that bounces on a floor or, if there is one, between floor and ceiling.
 ///
 /// | effect | what it does |
 /// |---|---|
 /// | [`Gravity`](super::effects::Gravity) | bends the flights; without it they are straight |
-/// | [`Restitution`] | reduces both contact speeds at a bounce; without it nothing is lost |
-/// | [`Coulomb`] | limits the tangential impulse; without it the contact never slips |
+/// | [`Restitution`](super::effects::Restitution) | reduces both contact speeds at a bounce; without it nothing is lost |
+/// | [`Coulomb`](super::effects::Coulomb) | limits the tangential impulse; without it the contact never slips |
 ///
 /// The plan is the [`Flight`]: closed forms, from bounce to bounce where bounces lose energy or slip. The equations are there for a request that
 /// chooses a solver with steps.
 #[derive(Debug, Clone, Copy)]
 pub struct Superball {
     mass: f64,
-    kappa: f64,
-    room: f64,
-    start: InFlight,
-    gravity: Option<f64>,
-    restitution: Option<Restitution>,
-    friction: Option<Coulomb>,
+    /// The ball's flight with its bounces, checked when the scene runs.
+    pub(super) flight: Flight,
 }
 
 impl Superball {
@@ -51,12 +46,7 @@ impl Superball {
     pub fn new(mass: f64, kappa: f64, start: InFlight) -> Result<Self> {
         Ok(Self {
             mass: positive("the mass", mass)?,
-            kappa,
-            room: f64::INFINITY,
-            start,
-            gravity: None,
-            restitution: None,
-            friction: None,
+            flight: Flight::alone(kappa, start),
         })
     }
 
@@ -73,11 +63,11 @@ impl Superball {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn under(mut self, room: f64) -> Self {
-        self.room = room;
+        self.flight.room = room;
         self
     }
 
-    /// Adds [`Gravity`](super::effects::Gravity), which here must not pull up, [`Restitution`], or [`Coulomb`]'s friction at the contacts.
+    /// Adds [`Gravity`](super::effects::Gravity), which here must not pull up, [`Restitution`](super::effects::Restitution), or [`Coulomb`](super::effects::Coulomb)'s friction at the contacts.
     ///
     /// # Errors
     /// [`Error::Negative`](crate::Error::Negative) for gravity; [`Error::Effect`](crate::Error::Effect) for any other effect.
@@ -93,25 +83,16 @@ impl Superball {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
+        let flight = &mut self.flight;
         match effect.into() {
             Effect::Gravity(gravity) => {
-                let strength = not_negative("the acceleration of gravity", gravity.value())?;
-                self.gravity = Some(strength);
+                flight.gravity = not_negative("the acceleration of gravity", gravity.value())?;
             }
-            Effect::Restitution(losses) => self.restitution = Some(losses),
-            Effect::Coulomb(law) => self.friction = Some(law),
+            Effect::Restitution(losses) => flight.losses = Some(losses),
+            Effect::Coulomb(law) => flight.grip = Some(law),
             other => return Err(other.refused("a superball", "gravity, restitution, friction")),
         }
         Ok(self)
-    }
-
-    /// The ball's flight with its bounces.
-    ///
-    /// # Errors
-    /// Those of [`Flight::new`].
-    pub(crate) fn flight(&self) -> Result<Flight> {
-        let effects = (self.gravity, self.restitution, self.friction);
-        Flight::new(self.kappa, self.room, effects, self.start)
     }
 }
 
@@ -154,9 +135,8 @@ impl Scene for Superball {
 
     fn plan(&self, request: &Request) -> Result<Plan> {
         request.forward()?;
-        let elastic = self.restitution.is_none() && self.friction.is_none();
         let plan = match request.choice {
-            Choice::Auto | Choice::Use(Solver::Exact) if elastic => {
+            Choice::Auto | Choice::Use(Solver::Exact) if self.flight.is_elastic() => {
                 Plan::exact("elastic and non-slipping: a rotation a bounce, closed form")
             }
             _ => Plan::events("bounces: closed form from one to the next"),
@@ -166,14 +146,14 @@ impl Scene for Superball {
 
     fn simulate(&self, request: &Request) -> Result<Motion<Bouncing>> {
         let plan = self.plan(request)?;
-        let flight = self.flight()?;
+        let flight = self.flight.checked()?;
         let (balls, done) = match plan.solver {
             Solver::Exact => {
                 let balls = request.times().iter().map(|&t| flight.exact(t));
                 let balls: Vec<_> = balls.collect::<Result<_>>()?;
                 (balls, (Cost::default(), 2.0 * OF_CLOSED_FORMS))
             }
-            Solver::Events => self.followed(&flight, request)?,
+            Solver::Events => followed(&flight, request)?,
             _ => {
                 let span = request.furthest;
                 let thrown = Thrown { flight, span };
@@ -182,12 +162,12 @@ impl Scene for Superball {
                 (balls.collect(), (trace.cost, trace.error))
             }
         };
-        let energy = |ball: &InFlight| self.mass * ball.energy(self.kappa, flight.gravity);
+        let energy = |ball: &InFlight| self.mass * ball.energy(flight.kappa, flight.gravity);
         // A ball that flew on through the floor would conserve its energy too.
-        let depth = |ball: &InFlight| (-ball.height).max(ball.height - self.room).max(0.0);
+        let depth = |ball: &InFlight| (-ball.height).max(ball.height - flight.room).max(0.0);
         let heights = balls.iter().map(|ball| ball.height.abs());
-        let highest = heights.fold(self.start.height, f64::max).min(self.room);
-        let (first, inside) = (energy(&self.start), depth(&self.start));
+        let highest = heights.fold(flight.start.height, f64::max).min(flight.room);
+        let (first, inside) = (energy(&flight.start), depth(&flight.start));
         let law = match flight.is_elastic() {
             true => Law::Conserved,
             false => Law::NonIncreasing,
@@ -204,8 +184,8 @@ impl Scene for Superball {
     }
 
     fn further(&self) -> Columns<Bouncing> {
-        let (mass, kappa) = (self.mass, self.kappa);
-        let weight = mass * self.gravity.unwrap_or(0.0);
+        let (mass, kappa) = (self.mass, self.flight.kappa);
+        let weight = mass * self.flight.gravity;
         columns! { |state: &Bouncing|
             "translation", "J", "kinetic energy of the centre" => {
                 let [along, up] = [state.ball.motion.velocity, state.ball.climb];
@@ -224,59 +204,57 @@ const MOVED: f64 = 1e-13;
 /// Rounding error of each bounce, and that of the start in units of its amplification: four times the observed ones.
 const ROUNDING: f64 = 1e-15;
 
-impl Superball {
-    /// The balls by closed forms from bounce to bounce, their cost, and their error relative to the greatest lengths and speeds of the motion.
-    ///
-    /// Twins that differ by [`MOVED`] show how rounding is amplified. They are compared after the same number of bounces, because a bounce makes the speeds
-    /// jump, a moment earlier or later. In one of the two twins the effects of the changes may cancel.
-    fn followed(&self, flight: &Flight, request: &Request) -> Result<(Vec<InFlight>, (Cost, f64))> {
-        let mut times = request.times().to_vec();
-        times.sort_by(f64::total_cmp);
-        let budget = request.budget();
-        let bounced = |time| budget.spend(1, time);
-        let mut counted: Vec<_> = times.iter().map(|&t| (t, None)).collect();
-        let ordered = flight.sampled(&counted, &bounced)?;
-        let counts = counted.iter_mut().zip(&ordered);
-        counts.for_each(|((_, count), ball)| *count = Some(ball.bounces));
-        let all = ordered.iter().chain([&self.start]).map(numbers);
-        let greatest = all.fold([f64::MIN_POSITIVE; 5], |most, ball| {
-            core::array::from_fn(|n| greater(most[n], ball[n].abs()))
-        });
-        let [x, height, speeds @ ..] = greatest;
-        let speed = speeds.into_iter().fold(0.0, f64::max);
-        let sizes = [x.max(height), x.max(height), speed, speed, speed];
-        let mut off = 0.0;
-        for sense in [1.0, -1.0] {
-            let mut twin = *self;
-            let start = &mut twin.start;
-            start.climb *= 1.0 + MOVED;
-            start.height *= 1.0 - 0.7 * MOVED;
-            start.motion.velocity *= 1.0 + 0.8 * sense * MOVED;
-            start.motion.rim_speed *= 1.0 - 0.9 * MOVED;
-            twin.gravity = self.gravity.map(|g| g * (1.0 - 0.6 * MOVED));
-            budget.begin(request.furthest);
-            let twins = twin.flight()?.sampled(&counted, &bounced)?;
-            let pairs = ordered.iter().zip(&twins);
-            off = pairs
-                .map(|(a, b)| apart(&numbers(a), &numbers(b), &sizes))
-                .fold(off, greater);
-        }
-        // All bounces of a ball that has come to lie on the floor are in a geometric sum, without rounding of each.
-        let bounces = |lies: bool| {
-            let balls = ordered.iter().filter(|ball| lies || ball.height > 0.0);
-            let most = balls.map(|ball| ball.bounces).max();
-            most.map_or(0, |most| most - self.start.bounces)
-        };
-        let cost = Cost {
-            evaluations: 0,
-            steps: bounces(true),
-        };
-        let error = ROUNDING * (1.0 + bounces(false) as f64 + off / MOVED);
-        let asked = request.times().iter();
-        let place = |t: &f64| times.partition_point(|earlier| earlier < t);
-        let balls = asked.map(|t| ordered[place(t)]).collect();
-        Ok((balls, (cost, error)))
+/// The balls by closed forms from bounce to bounce, their cost, and their error relative to the greatest lengths and speeds of the motion.
+///
+/// Twins that differ by [`MOVED`] show how rounding is amplified. They are compared after the same number of bounces, because a bounce makes the speeds
+/// jump, a moment earlier or later. In one of the two twins the effects of the changes may cancel.
+fn followed(flight: &Flight, request: &Request) -> Result<(Vec<InFlight>, (Cost, f64))> {
+    let mut times = request.times().to_vec();
+    times.sort_by(f64::total_cmp);
+    let budget = request.budget();
+    let bounced = |time| budget.spend(1, time);
+    let mut counted: Vec<_> = times.iter().map(|&t| (t, None)).collect();
+    let ordered = flight.sampled(&counted, &bounced)?;
+    let counts = counted.iter_mut().zip(&ordered);
+    counts.for_each(|((_, count), ball)| *count = Some(ball.bounces));
+    let all = ordered.iter().chain([&flight.start]).map(numbers);
+    let greatest = all.fold([f64::MIN_POSITIVE; 5], |most, ball| {
+        core::array::from_fn(|n| greater(most[n], ball[n].abs()))
+    });
+    let [x, height, speeds @ ..] = greatest;
+    let speed = speeds.into_iter().fold(0.0, f64::max);
+    let sizes = [x.max(height), x.max(height), speed, speed, speed];
+    let mut off = 0.0;
+    for sense in [1.0, -1.0] {
+        let mut twin = *flight;
+        let start = &mut twin.start;
+        start.climb *= 1.0 + MOVED;
+        start.height *= 1.0 - 0.7 * MOVED;
+        start.motion.velocity *= 1.0 + 0.8 * sense * MOVED;
+        start.motion.rim_speed *= 1.0 - 0.9 * MOVED;
+        twin.gravity *= 1.0 - 0.6 * MOVED;
+        budget.begin(request.furthest);
+        let twins = twin.checked()?.sampled(&counted, &bounced)?;
+        let pairs = ordered.iter().zip(&twins);
+        off = pairs
+            .map(|(a, b)| apart(&numbers(a), &numbers(b), &sizes))
+            .fold(off, greater);
     }
+    // All bounces of a ball that has come to lie on the floor are in a geometric sum, without rounding of each.
+    let bounces = |lies: bool| {
+        let balls = ordered.iter().filter(|ball| lies || ball.height > 0.0);
+        let most = balls.map(|ball| ball.bounces).max();
+        most.map_or(0, |most| most - flight.start.bounces)
+    };
+    let cost = Cost {
+        evaluations: 0,
+        steps: bounces(true),
+    };
+    let error = ROUNDING * (1.0 + bounces(false) as f64 + off / MOVED);
+    let asked = request.times().iter();
+    let place = |t: &f64| times.partition_point(|earlier| earlier < t);
+    let balls = asked.map(|t| ordered[place(t)]).collect();
+    Ok((balls, (cost, error)))
 }
 
 /// A ball in steps: position, height, velocity upward. A phase is a flight, or its falling half, named by its initial state.

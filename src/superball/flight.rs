@@ -43,13 +43,13 @@ impl InFlight {
 /// and the time of a flight is a root, taken without cancellation.
 #[derive(Debug, Clone, Copy)]
 pub struct Flight {
-    kappa: f64,
+    pub(crate) kappa: f64,
     /// Height from floor to ceiling less the ball's diameter; infinite without a ceiling.
     pub(crate) room: f64,
     /// Acceleration of gravity, m/s², 0 if there is none.
     pub(crate) gravity: f64,
-    losses: Option<Restitution>,
-    grip: Option<Coulomb>,
+    pub(crate) losses: Option<Restitution>,
+    pub(crate) grip: Option<Coulomb>,
     /// The start.
     pub(crate) start: InFlight,
 }
@@ -89,27 +89,44 @@ impl Flight {
         (gravity, losses, grip): (Option<f64>, Option<Restitution>, Option<Coulomb>),
         start: InFlight,
     ) -> Result<Self> {
-        positive("the inertia factor", kappa)?;
-        let gravity = not_negative("the acceleration of gravity", gravity.unwrap_or(0.0))?;
-        if room != f64::INFINITY {
-            positive("the height of the room", room)?;
+        let flight = Self {
+            room,
+            gravity: gravity.unwrap_or(0.0),
+            losses,
+            grip,
+            ..Self::alone(kappa, start)
+        };
+        flight.checked()
+    }
+
+    /// A ball without ceiling, gravity, losses and slip, not checked yet.
+    pub(crate) const fn alone(kappa: f64, start: InFlight) -> Self {
+        Self {
+            kappa,
+            room: f64::INFINITY,
+            gravity: 0.0,
+            losses: None,
+            grip: None,
+            start,
         }
-        start.checked()?;
+    }
+
+    /// # Errors
+    /// Those of [`new`](Self::new).
+    pub(crate) fn checked(self) -> Result<Self> {
+        positive("the inertia factor", self.kappa)?;
+        let gravity = not_negative("the acceleration of gravity", self.gravity)?;
+        if self.room != f64::INFINITY {
+            positive("the height of the room", self.room)?;
+        }
+        let start = self.start.checked()?;
         // The terms of the speeds at the contacts.
         let doubled = finite("twice the acceleration of gravity", 2.0 * gravity)?;
         let energy = start.climb * start.climb + doubled * start.height;
         finite("twice the energy of the ball per mass", energy)?;
-        Ok(Self {
-            kappa: within("the inertia factor", kappa, 0.0, 1.0)?,
-            room,
-            gravity,
-            losses,
-            grip,
-            start: InFlight {
-                height: within("the height", start.height, 0.0, room)?,
-                ..start
-            },
-        })
+        within("the inertia factor", self.kappa, 0.0, 1.0)?;
+        within("the height", start.height, 0.0, self.room)?;
+        Ok(self)
     }
 
     /// Whether energy is conserved and the bounces are reflections, so that [`Self::exact`] applies.

@@ -227,9 +227,9 @@ pub fn superball(
         return file.wrong("body.inertia_factor", told);
     }
     let ball = file.right("body.mass", Superball::new(file.body.mass, kappa, start))?;
-    file.right("initial.height, initial.climb", ball.flight())?;
+    file.right("initial.height, initial.climb", ball.flight.checked())?;
     let ball = ball.under(effects.ceiling.unwrap_or(f64::INFINITY));
-    file.right("effects.ceiling, initial.height", ball.flight())?;
+    file.right("effects.ceiling, initial.height", ball.flight.checked())?;
     let given = [effects.restitution, effects.tangential_restitution];
     let [normal, along] = given.map(|given| given.unwrap_or(1.0));
     file.right("effects.restitution", Restitution::new(normal, 1.0))?;

@@ -57,11 +57,11 @@ impl Course {
         until: f64,
     ) -> Result<Self> {
         let until = finite("the time", until)?.max(0.0);
-        Self::under(&Laws::new(kappa, load, contact)?, start, until)
+        Self::under(Laws::new(kappa, load, contact).checked()?, start, until)
     }
 
     /// The same under these laws.
-    pub(crate) fn under(laws: &Laws<'_>, start: Moment, until: f64) -> Result<Self> {
+    pub(crate) fn under(laws: &Laws, start: Moment, until: f64) -> Result<Self> {
         each_finite("the start", start.state())?;
         let mut course = Self {
             stretches: Vec::new(),

@@ -30,13 +30,13 @@ pub(crate) struct Pace {
 }
 
 /// The laws and constants of the motion.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Laws<'a> {
+#[derive(Debug, Clone)]
+pub(crate) struct Laws {
     pub kappa: f64,
     pub load: Load,
     pub friction: Option<Coulomb>,
     pub resistance: Option<RollingResistance>,
-    pub sheet: Option<&'a Sheet>,
+    pub sheet: Option<Sheet>,
 }
 
 /// A stretch of the motion with constant accelerations.
@@ -57,18 +57,25 @@ pub(crate) struct Stretch {
     about: f64,
 }
 
-impl<'a> Laws<'a> {
-    pub fn new(kappa: f64, load: Load, (friction, resistance, sheet): Contact<'a>) -> Result<Self> {
-        positive("the reaction of the ground", load.reaction)?;
-        finite("the pull", load.push)?;
-        finite("the twist", load.twist)?;
-        Ok(Self {
-            kappa: positive("the inertia factor", kappa)?,
+impl Laws {
+    pub fn new(kappa: f64, load: Load, (friction, resistance, sheet): Contact<'_>) -> Self {
+        Self {
+            kappa,
             load,
             friction,
             resistance,
-            sheet,
-        })
+            sheet: sheet.cloned(),
+        }
+    }
+
+    /// # Errors
+    /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite).
+    pub fn checked(&self) -> Result<&Self> {
+        positive("the reaction of the ground", self.load.reaction)?;
+        finite("the pull", self.load.push)?;
+        finite("the twist", self.load.twist)?;
+        positive("the inertia factor", self.kappa)?;
+        Ok(self)
     }
 
     /// The accelerations for this slip and rim speed, on ground with the acceleration `ground`: from the one assignment of "goes one way" and "is held" that
@@ -143,8 +150,8 @@ impl<'a> Laws<'a> {
     /// The first stretch; the slip of `start` is relative to the ground as it moves then.
     pub fn first(&self, start: Moment) -> Stretch {
         let mut state = start.state();
-        state[7] = self.sheet.map_or(0.0, |sheet| sheet.margin);
-        let on_sheet = self.sheet.map(|_| true);
+        state[7] = self.sheet.as_ref().map_or(0.0, |sheet| sheet.margin);
+        let on_sheet = self.sheet.as_ref().map(|_| true);
         self.begins((0.0, state), start.about_the_table(self.kappa), 0, on_sheet)
     }
 
@@ -158,7 +165,7 @@ impl<'a> Laws<'a> {
     ) -> Stretch {
         let (mut leg_ends, mut moves) = (f64::INFINITY, [0.0; 2]);
         let (mut law, mut ground) = (self.friction, 0.0);
-        if let Some(sheet) = self.sheet {
+        if let Some(sheet) = &self.sheet {
             let on_sheet = on_sheet == Some(true);
             let (mut from, mut to) = sheet.speeds.leg(leg);
             while to.0 <= start {

@@ -1,7 +1,6 @@
 //! Solvers, and the plan: which of them runs, and why.
 
 use core::fmt;
-use core::str::FromStr;
 
 use crate::integrators::Method;
 use crate::integrators::geometric::{Order, VeselovOrder};
@@ -97,19 +96,6 @@ impl Solver {
 impl fmt::Display for Solver {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
-    }
-}
-
-/// The error for a name that is not that of a solver.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct UnknownSolver;
-
-impl FromStr for Solver {
-    type Err = UnknownSolver;
-
-    fn from_str(name: &str) -> Result<Self, UnknownSolver> {
-        let found = Self::all().find(|solver| solver.name() == name);
-        found.ok_or(UnknownSolver)
     }
 }
 

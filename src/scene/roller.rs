@@ -1,4 +1,5 @@
-//! The scene `roller` (tutorial 4.3 and 4.5): a round body on a table, struck by a cue or on a sheet that is withdrawn.
+//! The scenes `roller` (tutorial 4.3 and 4.5), a round body on a table, struck by a cue or on a sheet that is withdrawn, and `spool` (4.4), pulled at its
+//! string.
 
 use super::columns::{Columns, columns};
 use super::effects::Effect;
@@ -8,19 +9,17 @@ use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Result, finite, positive};
 use crate::integrators::{Cost, Stop};
-use crate::rolling::Sheet;
 use crate::rolling::moment::State;
 use crate::rolling::stretch::{Laws, Stretch};
-use crate::rolling::{Coulomb, Course, Load, Moment, RollingResistance};
-use crate::rolling::{RoundBody, Shot};
+use crate::rolling::{Course, Load, Moment, RoundBody, Shot, Spool};
 
 /// A round body on a level table.
 ///
 /// | effect | what it does |
 /// |---|---|
-/// | [`Coulomb`] | friction against the slip, until the body rolls |
-/// | [`RollingResistance`] | a couple against the rotation, until the body rests |
-/// | [`Sheet`] | a moving ground under the body, until its edge has passed |
+/// | [`Coulomb`](super::effects::Coulomb) | friction against the slip, until the body rolls |
+/// | [`RollingResistance`](super::effects::RollingResistance) | a couple against the rotation, until the body rests |
+/// | [`Sheet`](super::effects::Sheet) | a moving ground under the body, until its edge has passed |
 ///
 /// Without any of them the body glides and turns uniformly. Between events every velocity is linear in time, so the plan is the
 /// [`Course`]: closed forms from event to event. The equations are there for a request that chooses a solver with steps.
@@ -40,12 +39,9 @@ use crate::rolling::{RoundBody, Shot};
 #[derive(Debug, Clone)]
 pub struct Roller {
     body: RoundBody,
-    /// Its weight and, for a [spool](super::spool), the pull at its string.
-    pub(super) load: Load,
-    pub(super) start: Moment,
-    pub(super) friction: Option<Coulomb>,
-    pub(super) resistance: Option<RollingResistance>,
-    sheet: Option<Sheet>,
+    /// Its weight and, for a [spool](TuggedSpool), the pull at its string; and the effects on it.
+    laws: Laws,
+    start: Moment,
 }
 
 impl Roller {
@@ -63,16 +59,13 @@ impl Roller {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(body: RoundBody, gravity: f64, velocity: f64, rim_speed: f64) -> Result<Self> {
+        let load = Load::weight(positive("the acceleration of gravity", gravity)?);
+        finite("the velocity", velocity)?;
+        finite("the rim speed", rim_speed)?;
         Ok(Self {
             body,
-            load: Load::weight(positive("the acceleration of gravity", gravity)?),
-            start: Moment::moving(
-                finite("the velocity", velocity)?,
-                finite("the rim speed", rim_speed)?,
-            ),
-            friction: None,
-            resistance: None,
-            sheet: None,
+            laws: Laws::new(body.inertia_factor, load, (None, None, None)),
+            start: Moment::moving(velocity, rim_speed),
         })
     }
 
@@ -95,7 +88,7 @@ impl Roller {
         Ok(roller)
     }
 
-    /// Adds [`Coulomb`]'s friction on the table, [`RollingResistance`], or a [`Sheet`] between body and table.
+    /// Adds [`Coulomb`](super::effects::Coulomb)'s friction on the table, [`RollingResistance`](super::effects::RollingResistance), or a [`Sheet`](super::effects::Sheet) between body and table.
     ///
     /// # Errors
     /// [`Error::Effect`](crate::Error::Effect) for any other effect.
@@ -111,19 +104,17 @@ impl Roller {
     /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         match effect.into() {
-            Effect::Coulomb(law) => self.friction = law.acts().then_some(law),
-            Effect::RollingResistance(law) => self.resistance = Some(law),
-            Effect::Sheet(sheet) => self.sheet = Some(sheet),
+            Effect::Coulomb(law) => self.laws.friction = law.acts().then_some(law),
+            Effect::RollingResistance(law) => self.laws.resistance = Some(law),
+            Effect::Sheet(sheet) => self.laws.sheet = Some(sheet),
             other => return Err(other.refused("a roller", "friction, rolling_resistance, sheet")),
         }
         Ok(self)
     }
 
-    pub(super) fn table(&self, span: f64) -> Result<OnTable<'_>> {
-        let effects = (self.friction, self.resistance, self.sheet.as_ref());
-        let laws = Laws::new(self.body.inertia_factor, self.load, effects)?;
-        let mut start = self.start;
-        if let Some(sheet) = &self.sheet {
+    fn table(&self, span: f64) -> Result<OnTable<'_>> {
+        let (laws, mut start) = (self.laws.checked()?, self.start);
+        if let Some(sheet) = &laws.sheet {
             start.slip -= sheet.speeds.points[0].1;
         }
         Ok(OnTable {
@@ -157,7 +148,7 @@ impl Tabulated for Rolling {
 }
 
 /// Columns of the position and motion of a round body.
-pub(super) fn along<S: 'static>(of: fn(&S) -> Moment) -> Columns<S> {
+fn along<S: 'static>(of: fn(&S) -> Moment) -> Columns<S> {
     columns! { |state: &S|
         "x", "m", "place of the centre along the table" => of(state).position;
         "velocity", "m/s", "velocity of the centre" => of(state).velocity;
@@ -170,8 +161,8 @@ impl Scene for Roller {
     type State = Rolling;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
-        let slides = self.friction.is_some() || self.sheet.is_some();
-        let reason = match (slides, self.resistance) {
+        let slides = self.laws.friction.is_some() || self.laws.sheet.is_some();
+        let reason = match (slides, self.laws.resistance) {
             (true, _) => Some("sliding friction: closed form from event to event"),
             (false, Some(_)) => Some("rolling resistance: closed form from event to event"),
             (false, None) => None,
@@ -196,7 +187,7 @@ impl Scene for Roller {
 }
 
 /// Further columns for the position and motion of a round body.
-pub(super) fn moments<S: 'static>(body: RoundBody, of: fn(&S) -> Moment) -> Columns<S> {
+fn moments<S: 'static>(body: RoundBody, of: fn(&S) -> Moment) -> Columns<S> {
     let (mass, kappa, radius) = (body.mass, body.inertia_factor, body.radius);
     columns! { |state: &S|
         "turned", "rad", "angle turned" => of(state).turned / radius;
@@ -209,11 +200,160 @@ pub(super) fn moments<S: 'static>(body: RoundBody, of: fn(&S) -> Moment) -> Colu
     }
 }
 
+/// A spool on a level table, at rest or already moving.
+///
+/// | effect | what it does |
+/// |---|---|
+/// | [`Tug`](super::effects::Tug) | pulls steadily at the string, which winds or unwinds |
+/// | [`Coulomb`](super::effects::Coulomb) | holds the contact, or rubs if the pull is too strong |
+/// | [`RollingResistance`](super::effects::RollingResistance) | brakes the rotation by a couple |
+///
+/// ```
+/// use spinning_bodies::rolling::{RoundBody, Spool};
+/// use spinning_bodies::scene::effects::{Coulomb, Tug};
+/// use spinning_bodies::scene::{Request, Scene, TuggedSpool};
+///
+/// let spool = Spool::new(RoundBody::new(0.2, 0.05, 0.5)?, 0.02)?;
+/// let tugged = TuggedSpool::new(spool, 9.81)?.with(Coulomb::new(0.5)?)?.with(Tug::new(0.3, 0.5)?)?;
+/// let motion = tugged.simulate(&Request::at([1.0])?)?;
+/// assert!(motion.rows[0].1.wound > 0.0); // a low tug winds up
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct TuggedSpool {
+    spool: Spool,
+    gravity: f64,
+    roller: Roller,
+}
+
+impl TuggedSpool {
+    /// A spool at rest under gravity (m/s²).
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite) for gravity.
+    ///
+    /// ```
+    /// use spinning_bodies::{rolling::{RoundBody, Spool}, scene::{Request, Scene, TuggedSpool}};
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// let motion = TuggedSpool::new(spool, 10.0)?.simulate(&Request::at([2.0])?)?;
+    /// assert_eq!(motion.rows[0].1.moment.velocity, 0.0);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn new(spool: Spool, gravity: f64) -> Result<Self> {
+        let roller = Roller::new(spool.body, gravity, 0.0, 0.0)?;
+        Ok(Self {
+            spool,
+            gravity,
+            roller,
+        })
+    }
+
+    /// Sets the initial velocity and rim speed (m/s).
+    ///
+    /// ```
+    /// use spinning_bodies::{rolling::{RoundBody, Spool}, scene::{Request, Scene, TuggedSpool}};
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// let motion = TuggedSpool::new(spool, 10.0)?.moving(1.5, 1.5).simulate(&Request::at([2.0])?)?;
+    /// assert_eq!(motion.rows[0].1.moment.velocity, 1.5);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn moving(mut self, velocity: f64, rim_speed: f64) -> Self {
+        self.roller.start = Moment::moving(velocity, rim_speed);
+        self
+    }
+
+    /// Adds a [`Tug`](super::effects::Tug), [`Coulomb`](super::effects::Coulomb)'s friction on the table, or
+    /// [`RollingResistance`](super::effects::RollingResistance).
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`](crate::Error::NotPositive) for the reaction if the tug lifts the spool; [`Error::Effect`](crate::Error::Effect) for any
+    /// other effect.
+    ///
+    /// ```
+    /// use spinning_bodies::{rolling::{RoundBody, Spool}, scene::{Request, Scene, TuggedSpool, effects::{Coulomb, Tug}}};
+    /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
+    /// let tugged = TuggedSpool::new(spool, 10.0)?.with(Tug::new(1.2, 0.0)?)?.with(Coulomb::new(0.3)?)?;
+    /// let motion = tugged.simulate(&Request::at([2.0])?)?;
+    /// // 0.2 m/s² for two seconds.
+    /// assert!((motion.rows[0].1.moment.velocity - 0.4).abs() < 1e-14);
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
+        let laws = &mut self.roller.laws;
+        match effect.into() {
+            Effect::Tug(tug) => laws.load = self.spool.load(tug, self.gravity)?,
+            Effect::Coulomb(law) => laws.friction = law.acts().then_some(law),
+            Effect::RollingResistance(law) => laws.resistance = Some(law),
+            other => return Err(other.refused("a spool", "tug, friction, rolling_resistance")),
+        }
+        Ok(self)
+    }
+}
+
+/// A spool at one time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Spooling {
+    /// Position and motion.
+    pub moment: Moment,
+    /// String wound on the axle since the start, m; negative if unwound.
+    pub wound: f64,
+    /// Kinetic energy, J.
+    pub energy: f64,
+    /// Heat so far, J.
+    pub heat: f64,
+    /// Work of the hand so far, J.
+    pub work: f64,
+}
+
+impl Tabulated for Spooling {
+    fn columns() -> Columns<Self> {
+        along(|state: &Self| state.moment).and(columns! { |state: &Self|
+            "wound", "m", "string wound up so far" => state.wound;
+            "energy", "J", "kinetic energy" => state.energy;
+            "heat", "J", "heat of friction and rolling resistance so far" => state.heat;
+            "work", "J", "work of the tug so far" => state.work;
+        })
+    }
+}
+
+impl Scene for TuggedSpool {
+    type State = Spooling;
+
+    fn plan(&self, request: &Request) -> Result<Plan> {
+        let laws = &self.roller.laws;
+        let free = laws.load == Load::weight(self.gravity) && laws.resistance.is_none();
+        let reason = match (laws.friction, free) {
+            (Some(_), _) => Some("dry friction: closed form from event to event"),
+            (None, false) => Some("steady forces: closed form from event to event"),
+            (None, true) => None,
+        };
+        rolling_plan(request, reason)
+    }
+
+    fn simulate(&self, request: &Request) -> Result<Motion<Spooling>> {
+        let plan = self.plan(request)?;
+        let table = self.roller.table(request.furthest)?;
+        let (mass, kappa) = (table.body.mass, table.body.inertia_factor);
+        table.motion(request, plan, |moment| Spooling {
+            moment,
+            wound: self.spool.wound(&moment),
+            energy: mass * moment.energy(kappa),
+            heat: mass * moment.heat,
+            work: mass * moment.work,
+        })
+    }
+
+    fn further(&self) -> Columns<Spooling> {
+        moments(self.spool.body, |state: &Spooling| state.moment)
+    }
+}
+
 /// The message for a solver that this kind of scene does not have.
 const SOLVERS: &str = "the solver of what rolls is `events`, `exact` where no force acts along the table, or one that steps";
 
 /// The plan of a rolling body: closed forms from event to event, for this reason, or a closed form without events.
-pub(super) fn rolling_plan(request: &Request, events: Option<&'static str>) -> Result<Plan> {
+fn rolling_plan(request: &Request, events: Option<&'static str>) -> Result<Plan> {
     request.forward()?;
     let reason = events.unwrap_or("no force along the table: closed form");
     let plan = match (request.choice, events) {
@@ -223,14 +363,14 @@ pub(super) fn rolling_plan(request: &Request, events: Option<&'static str>) -> R
     planned(request, plan, SOLVERS)
 }
 
-/// A round body on a table under any of its laws: for [`Roller`] and the [spool](super::spool).
+/// A round body on a table under any of its laws: for [`Roller`] and [`TuggedSpool`].
 #[derive(Clone, Copy)]
-pub(super) struct OnTable<'a> {
-    pub body: RoundBody,
-    pub laws: Laws<'a>,
-    pub start: Moment,
+struct OnTable<'a> {
+    body: RoundBody,
+    laws: &'a Laws,
+    start: Moment,
     /// The longest requested time, s.
-    pub span: f64,
+    span: f64,
 }
 
 /// Relative change of a twin, which shows how the motion amplifies rounding. Each number is changed by a fraction of its own of it, so that the effects of
@@ -267,7 +407,7 @@ impl OnTable<'_> {
             let moments = trace.samples.iter().map(|(_, y)| Moment::of(y));
             return Ok((moments.collect(), (trace.cost, trace.error)));
         }
-        let course = Course::under(&self.laws, self.start, self.span)?;
+        let course = Course::under(self.laws, self.start, self.span)?;
         let moments: Vec<Moment> = times.iter().map(|&t| course.at(t)).collect();
         let cost = Cost {
             evaluations: 0,
@@ -279,9 +419,8 @@ impl OnTable<'_> {
         let (sizes, mut off) = (self.sizes(&moments), 0.0);
         // In one of the two twins the effects of the changes may cancel.
         for sense in [1.0, -1.0] {
-            let sheet = self.laws.sheet.map(|sheet| sheet.moved(sense * MOVED));
-            let twin = self.twin(sense, sheet.as_ref());
-            let twin = Course::under(&twin.laws, twin.start, self.span)?;
+            let (laws, start) = self.twin(sense);
+            let twin = Course::under(&laws, start, self.span)?;
             let apart = |&t: &f64| apart(&course.state(t), &twin.state(t), &sizes);
             off = times.iter().map(apart).fold(off, greater);
         }
@@ -289,22 +428,21 @@ impl OnTable<'_> {
         Ok((moments, (cost, error)))
     }
 
-    /// A twin on this sheet: its reaction and the couple of the tug are a little greater, its push and its rim speed a little less; its velocity and its
-    /// inertia factor are greater for `sense` 1, less for −1.
-    fn twin<'b>(&'b self, sense: f64, sheet: Option<&'b Sheet>) -> OnTable<'b> {
-        let mut twin = *self;
-        twin.laws.sheet = sheet;
-        let (load, start) = (&mut twin.laws.load, &mut twin.start);
-        load.reaction *= 1.0 + MOVED;
-        load.push *= 1.0 - 0.7 * MOVED;
-        load.twist *= 1.0 + 0.6 * MOVED;
-        twin.laws.kappa *= 1.0 + 0.5 * sense * MOVED;
+    /// A twin's laws and start: its reaction and the couple of the tug are a little greater, its push and its rim speed a little less; the speeds of the
+    /// sheet are changed in turn, and its velocity and its inertia factor are greater for `sense` 1, less for −1.
+    fn twin(&self, sense: f64) -> (Laws, Moment) {
+        let (mut laws, mut start) = (self.laws.clone(), self.start);
+        laws.sheet = laws.sheet.map(|sheet| sheet.moved(sense * MOVED));
+        laws.load.reaction *= 1.0 + MOVED;
+        laws.load.push *= 1.0 - 0.7 * MOVED;
+        laws.load.twist *= 1.0 + 0.6 * MOVED;
+        laws.kappa *= 1.0 + 0.5 * sense * MOVED;
         let faster = 0.8 * sense * MOVED * start.velocity;
         let slower = -0.9 * MOVED * start.rim_speed;
         start.velocity += faster;
         start.rim_speed += slower;
         start.slip += faster - slower;
-        twin
+        (laws, start)
     }
 
     /// The greatest size of each component over the moments, at least its natural scale.
@@ -322,9 +460,9 @@ impl OnTable<'_> {
 
     /// The greatest speed that the start, the sheet, or pull and twist alone could give: where the two balance, what remains is rounding.
     fn speed(&self) -> f64 {
-        let Laws { load, sheet, .. } = &self.laws;
-        let points = sheet.map_or(&[][..], |sheet| &sheet.speeds.points);
-        let speeds = points.iter().map(|point| point.1.abs());
+        let Laws { load, sheet, .. } = self.laws;
+        let points = sheet.iter().flat_map(|sheet| &sheet.speeds.points);
+        let speeds = points.map(|point| point.1.abs());
         let own = self.start.velocity.abs().max(self.start.rim_speed.abs());
         let pulled = (load.push.abs() + load.twist.abs()) * self.span;
         speeds.fold(own.max(pulled), f64::max)
@@ -332,7 +470,7 @@ impl OnTable<'_> {
 
     /// Adds to the books what is conserved, or may only decrease.
     fn keep<S>(&self, books: &mut Books<S>, request: &Request, moments: &[Moment]) -> Result<()> {
-        let Laws { kappa, load, .. } = self.laws;
+        let &Laws { kappa, load, .. } = self.laws;
         let (mass, drive) = (self.body.mass, load.push + load.twist);
         let scale = |size: &dyn Fn(&Moment) -> f64| {
             let all = moments.iter().chain([&self.start]).map(size);

@@ -397,7 +397,8 @@ fn a_run_ends_with_its_budget_and_tells_how_far_it_came() {
 fn every_solver_is_found_by_its_name() {
     let all: Vec<Solver> = Solver::all().collect();
     for solver in &all {
-        assert_eq!(solver.name().parse(), Ok(*solver));
+        let found = all.iter().find(|other| other.name() == solver.name());
+        assert_eq!(found, Some(solver));
         let lines = format!("samples = 11\nsolver = \"{solver}\"");
         let text = RACKET.replace("samples = 11", &lines);
         assert!(parse("racket.toml", &text).is_ok(), "{solver}");

@@ -238,25 +238,18 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
                 };
                 self.leg(phase, &ahead, effort)
             };
-            let mut halved = None;
-            if let Some(&(same, Some([half, lasted]))) = halves.get(trace.halves.len())
-                && same == phase
-            {
+            let seen = halves.get(trace.halves.len());
+            let half = seen.and_then(|&(same, half)| half.filter(|_| same == phase));
+            let halved = half.and_then(|[half, lasted]| {
                 // The half steps are used if the phase ends by an event again; otherwise it is another phase.
-                let late = now + 2.0 * lasted;
-                let late = if late.abs() < until.abs() {
-                    late
-                } else {
-                    until
-                };
+                let later = now + 2.0 * lasted;
+                let ends_later = later.abs() < until.abs();
+                let late = if ends_later { later } else { until };
                 // Where steps of one length fail, the phase is followed with error control instead.
                 let passage = leg(late, Effort::Step(half)).ok();
-                halved = passage.filter(|p| p.stopped == Stop::AtTheEvent || late == until);
-            }
-            let passage = match halved {
-                Some(passage) => passage,
-                None => leg(until, self.effort)?,
-            };
+                passage.filter(|p| p.stopped == Stop::AtTheEvent || late == until)
+            });
+            let passage = halved.map_or_else(|| leg(until, self.effort), Ok)?;
             let (steps, lasted) = (passage.cost.steps, passage.time - now);
             let few = matches!(self.stepper, Stepper::OrderEight)
                 && (1..=FEW_STEPS).contains(&steps)
@@ -315,6 +308,17 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         let scales = flow.scales().map(sized_or_one);
         let ((now, y), times, end) = (ahead.start, ahead.times, ahead.end);
         let ends = flow.margin(phase, now, y).is_some();
+        let Stepper::Other(follow, _) = self.stepper else {
+            let leg = Leg {
+                system: &Watched(rate, reached, flow.growth_rate()) as &dyn System<N>,
+                kept: flow.kept(),
+                start: (now, y),
+                scales: &scales,
+                times,
+                end,
+            };
+            return leg.follow(ends.then_some(&margin), effort);
+        };
         let any_margin = |t: f64, y: &[f64]| margin(t, &sized(y));
         let any = AnyLeg {
             rate: &|t, y, rates| rates.copy_from_slice(&rate(t, &sized(y))),
@@ -325,20 +329,7 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
             times,
             end,
         };
-        let passage = match self.stepper {
-            Stepper::OrderEight | Stepper::Events => {
-                let leg = Leg {
-                    system: &Watched(rate, reached, flow.growth_rate()) as &dyn System<N>,
-                    kept: flow.kept(),
-                    start: (now, y),
-                    scales: &scales,
-                    times,
-                    end,
-                };
-                return leg.follow(ends.then_some(&margin), effort);
-            }
-            Stepper::Other(follow, _) => follow(&any, effort)?,
-        };
+        let passage = follow(&any, effort)?;
         Ok(Passage {
             states: passage.states.iter().map(|y| sized(y)).collect(),
             time: passage.time,

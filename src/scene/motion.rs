@@ -36,14 +36,9 @@ impl Request {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn of_times(&self, times: &[f64]) -> Result<Self> {
-        let Self {
-            times, furthest, ..
-        } = Self::at(times)?;
-        Ok(Self {
-            times,
-            furthest,
-            ..self.clone()
-        })
+        let (mut other, at) = (self.clone(), Self::at(times)?);
+        (other.times, other.furthest) = (at.times, at.furthest);
+        Ok(other)
     }
 
     /// A request for states at these times (s, any order), to a relative accuracy of 1e-10, by the solver of the scene's plan.

@@ -136,10 +136,6 @@ impl Strip {
         self.equations.drag.is_some() || self.equations.damping.is_some()
     }
 
-    fn in_a_vacuum(&self) -> bool {
-        !self.brakes() && self.equations.lift.is_none() && self.equations.added_mass.is_none()
-    }
-
     /// The state in the equations for this position, angle and velocity, with the spin of the start.
     fn numbers(&self, place: [f64; 2], angle: f64, velocity: [f64; 2]) -> [f64; 7] {
         let ([x, y], [vx, vy]) = (place, velocity);
@@ -254,10 +250,12 @@ impl Scene for Strip {
         if self.brakes() {
             request.forward()?;
         }
-        let plan = if self.in_a_vacuum() {
-            Plan::exact("a vacuum: closed form")
-        } else {
-            Plan::stepped("forces of a fluid: order 8")
+        let Equations {
+            lift, added_mass, ..
+        } = self.equations;
+        let plan = match (self.brakes(), lift, added_mass) {
+            (false, None, None) => Plan::exact("a vacuum: closed form"),
+            _ => Plan::stepped("forces of a fluid: order 8"),
         };
         planned(request, plan, SOLVERS)
     }

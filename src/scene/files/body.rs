@@ -58,8 +58,8 @@ impl Matter {
                 given(InertiaMatrix::from_matrix(matrix))
             }
             (None, None, None) => {
-                let told = " is missing: `moments` or `inertia` in kg m², or a `shape` is expected";
-                file.wrong("body.moments", told)
+                let expected = "`moments` or `inertia` in kg m², or a `shape`";
+                file.missing("body.moments", expected)
             }
             (Some(_), ..) => file.wrong(self.key(), FOLLOWS),
             (None, Some(_), Some(_)) => {
@@ -89,11 +89,10 @@ impl Matter {
             (None, Some(density), Some(measure)) => Some(density * measure),
             (None, Some(_), None) => file.wrong("body.density", " is of no use: beads have a mass"),
             (Some(_), Some(_), _) => file.wrong("body.density", " and `mass` exclude each other"),
-            (None, None, _) => {
-                let told =
-                    " is missing: the `mass` of the shape in kg, or its `density`, is expected";
-                file.wrong("body.mass", told)
-            }
+            (None, None, _) => file.missing(
+                "body.mass",
+                "the `mass` of the shape in kg, or its `density`,",
+            ),
         };
         file.right("body.shape", (shape.made)(mass?))
     }
@@ -105,8 +104,7 @@ impl Matter {
             Inertia::Matrix(matrix) => matrix,
         };
         let Some(mass) = self.mass else {
-            let told = " is missing: a mass in kg, positive, is expected";
-            return file.wrong("body.mass", told);
+            return file.missing("body.mass", "a mass in kg, positive,");
         };
         let made = MassProperties::new(mass, BodyVector::zero(), inertia);
         file.right(self.key(), made)

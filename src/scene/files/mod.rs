@@ -29,15 +29,14 @@
 mod body;
 mod changing;
 mod contact;
+mod falling;
 mod keys;
 mod look;
 mod reader;
 mod run;
-mod strip;
 mod table_top;
 mod top;
 mod values;
-mod yo_yo;
 
 pub use keys::KeyRow;
 pub(in crate::scene) use look::Look;
@@ -111,8 +110,8 @@ const KINDS: [(&str, Kind); 13] = [
     ("roller", |file| read(file, contact::roller)),
     ("spool", |file| read(file, contact::spool)),
     ("superball", |file| read(file, contact::superball)),
-    ("yo-yo", |file| read(file, yo_yo::yo_yo)),
-    ("strip", |file| read(file, strip::strip)),
+    ("yo-yo", |file| read(file, falling::yo_yo)),
+    ("strip", |file| read(file, falling::strip)),
     ("swivel", |file| read(file, changing::swivel)),
     ("skater", |file| read(file, changing::skater)),
     ("cat", |file| read(file, changing::cat)),

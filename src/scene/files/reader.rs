@@ -93,6 +93,11 @@ impl<'a> Reader<'a> {
         None
     }
 
+    /// Records that a key is missing.
+    pub fn missing<T>(&self, key: &str, expected: &str) -> Option<T> {
+        self.wrong(key, format_args!(" is missing: {expected} is expected"))
+    }
+
     /// The result of a constructor; its error is recorded for these keys.
     pub fn right<T, E: Display>(&self, keys: &str, given: Result<T, E>) -> Option<T> {
         given.map_or_else(|error| self.wrong(keys, format_args!(": {error}")), Some)
@@ -288,8 +293,7 @@ impl<'r> Table<'r> {
         let needed = |row: &&KeyRow| row.section == self.path && row.absent.is_none();
         for row in absent.iter().filter(needed) {
             if self.slip(row.key).is_none() {
-                let told = format!(" is missing: {} is expected", row.expected);
-                self.reader.wrong::<()>(&self.path_of(row.key), told);
+                (self.reader).missing::<()>(&self.path_of(row.key), &row.expected);
             }
         }
         let known = self.known.borrow();

@@ -67,10 +67,7 @@ impl Run {
             (Some(_), ..) => {
                 file.wrong("run.times", " and `until` or `samples` exclude each other")
             }
-            (None, None, _) => {
-                let told = " is missing: `times`, or `until` and `samples`, is expected";
-                file.wrong("run.times", told)
-            }
+            (None, None, _) => file.missing("run.times", "`times`, or `until` and `samples`,"),
         }
     }
 }

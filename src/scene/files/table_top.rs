@@ -130,10 +130,7 @@ fn surface(file: &Reader<'_>, body: &StandsOn) -> Option<Surface> {
         (Some(radius), None) => file.right("body.radius", Surface::sphere(radius)),
         (None, Some(axes)) => file.right("body.semi_axes", Surface::ellipsoid(axes)),
         (Some(_), Some(_)) => file.wrong("body.radius", " and `semi_axes` exclude each other"),
-        (None, None) => {
-            let told = " is missing: either `radius` or `semi_axes` in m is expected";
-            file.wrong("body.radius", told)
-        }
+        (None, None) => file.missing("body.radius", "either `radius` or `semi_axes` in m"),
     }?;
     if body.surface_turn == 0.0 {
         return Some(surface);

@@ -86,25 +86,21 @@ fn made(file: &Reader<'_>, body: &Body, heavy: bool) -> Option<(TopBody, Outline
             Some((made, outline(mass, center)))
         }
         (None, _) if heavy => {
-            let told = " is missing: gravity acts on the centre of mass, a mass in kg is expected";
-            file.wrong("body.mass", told)
+            let expected = "gravity acts on the centre of mass, a mass in kg";
+            file.missing("body.mass", expected)
         }
         (mass, _) => Some((made, outline(mass.unwrap_or(1.0), BodyVector::zero()))),
     }
 }
 
 fn start(file: &Reader<'_>, initial: &Initial) -> Option<Start> {
-    match (initial.omega, initial.angular_momentum) {
-        (Some(omega), None) => Some(Start::with_omega(omega, initial.attitude)),
-        (None, Some(l)) => Some(Start::with_angular_momentum(l, initial.attitude)),
-        (Some(_), Some(_)) => file.wrong(
-            "initial.omega",
-            " and `angular_momentum` exclude each other",
-        ),
+    let told = match (initial.omega, initial.angular_momentum) {
+        (Some(omega), None) => return Some(Start::with_omega(omega, initial.attitude)),
+        (None, Some(l)) => return Some(Start::with_angular_momentum(l, initial.attitude)),
+        (Some(_), Some(_)) => " and `angular_momentum` exclude each other",
         (None, None) => {
-            let told =
-                " is missing: either `omega` in rad/s or `angular_momentum` in kg m²/s is expected";
-            file.wrong("initial.omega", told)
+            " is missing: either `omega` in rad/s or `angular_momentum` in kg m²/s is expected"
         }
-    }
+    };
+    file.wrong("initial.omega", told)
 }

@@ -13,13 +13,11 @@
 
 mod cat;
 mod crawler;
+mod ice;
 mod paper_cat;
 pub(crate) mod path;
-mod skater;
-mod swivel;
 
 pub use cat::{Cat, CatState};
 pub use crawler::{Crawler, CrawlerState};
+pub use ice::{Skater, SkaterState, Swivel, SwivelState};
 pub use paper_cat::{PaperCat, PaperCatState, Righting};
-pub use skater::{Skater, SkaterState};
-pub use swivel::{Swivel, SwivelState};

@@ -2,7 +2,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::error::{Error, Result, not_negative, positive, within};
+use crate::error::{Result, not_negative, positive, refused, within};
 use crate::phenomena::{Bend, Waist};
 
 /// The progress of a stroke in its time: from 0 to 1, at rest at both ends.
@@ -118,7 +118,7 @@ impl FourPhases {
     /// Succeeds if a run by steps can take all the cycles up to this time.
     ///
     /// # Errors
-    /// [`Error::Condition`] for too many cycles.
+    /// [`Error::Condition`](crate::Error::Condition) for too many cycles.
     pub(super) fn passed_through(&self, time: f64) -> Result<()> {
         let condition = "a path of shapes must be asked for no more than 100000 rounds";
         no_more(time / self.duration, MOST_ROUNDS, condition)
@@ -241,11 +241,11 @@ impl Turnover {
 /// Succeeds if `value` does not exceed `most`.
 ///
 /// # Errors
-/// [`Error::Condition`] if it does.
+/// [`Error::Condition`](crate::Error::Condition) if it does.
 pub(super) fn no_more(value: f64, most: f64, condition: &'static str) -> Result<()> {
     match value <= most {
         true => Ok(()),
-        false => Err(Error::Condition { condition, value }),
+        false => refused(condition, value),
     }
 }
 

@@ -1,7 +1,7 @@
 //! The equations of a top in steps: L along the body's axes, the attitude's quaternion and, with resistance, the energy lost.
 
 use super::body::DOUBT;
-use super::ledger::Conserved;
+use super::ledger::{self, Conserved};
 use super::{State, Top};
 use crate::error::Result;
 use crate::euler_equations::{AxisMoments, quaternion_rate};
@@ -117,7 +117,7 @@ impl Turning {
         let quaternion = nalgebra::Quaternion::new(w, x, y, z);
         let omega: [f64; 3] = core::array::from_fn(|k| l[k] / self.moments[k]);
         let attitude = Attitude::from_unit(quaternion / quaternion.norm());
-        conserved.state(attitude, omega.into())
+        ledger::state(&conserved.heavy, attitude, omega.into())
     }
 
     /// Ω̇ along the body's axes, rad/s², at this attitude and Ω, before dry friction stops the spin; what that does about the third axis does not move C, which lies on it.

@@ -11,7 +11,7 @@ use crate::scene::motion::Books;
 /// A top and its start, with the scales for its ledger.
 pub(super) struct Conserved {
     /// The heavy top, which names its further integral.
-    heavy: HeavyTop,
+    pub heavy: HeavyTop,
     pub start: State,
     /// Size of the energies in the motion, J; positive.
     pub energy_scale: f64,
@@ -43,12 +43,6 @@ impl Conserved {
         finite("the energy", conserved.start.energy)?;
         finite("the angular momentum", conserved.momentum_scale)?;
         Ok(conserved)
-    }
-
-    /// The state with this attitude and Ω.
-    #[inline]
-    pub fn state(&self, attitude: Attitude, omega: BodyVector) -> State {
-        state(&self.heavy, attitude, omega)
     }
 
     /// Without resistance: E is conserved; L, or the component that gravity leaves; the fourth integral of tops that have one.
@@ -122,8 +116,9 @@ impl Conserved {
     }
 }
 
+/// The state with this attitude and Ω.
 #[inline]
-fn state(heavy: &HeavyTop, attitude: Attitude, omega: BodyVector) -> State {
+pub(super) fn state(heavy: &HeavyTop, attitude: Attitude, omega: BodyVector) -> State {
     let energy = match heavy.kind() {
         // Without a lever there is no potential energy.
         Integrability::Euler => heavy.moments.energy(omega),

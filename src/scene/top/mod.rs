@@ -24,7 +24,7 @@ use super::effects::Effect;
 use super::engine::{Stepper, greater, to_accuracy, vouched};
 use super::motion::Books;
 use super::{Budget, Choice, Columns, Geometric, Motion, Plan, Request, Scene, Solver, Tabulated};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, refused};
 use crate::frame::{Attitude, BodyVector};
 use crate::integrators::Cost;
 use crate::precise::power_of_two_below;
@@ -161,10 +161,9 @@ impl Top {
             Effect::Gravity(gravity) => self.gravity = Some(gravity),
             Effect::PivotFriction(friction) => self.pivot_friction = Some(friction),
             Effect::BearingFriction(_) if self.body.own.is_some() => {
-                return Err(Error::Condition {
-                    condition: "bearing friction is for bodies whose own axes are principal axes, all three products of inertia zero",
-                    value: self.body.own.map_or(0.0, |own| own.quaternion().angle()),
-                });
+                let condition = "bearing friction is for bodies whose own axes are principal axes, all three products of inertia zero";
+                let angle = self.body.own.map_or(0.0, |own| own.quaternion().angle());
+                return refused(condition, angle);
             }
             Effect::BearingFriction(friction) => self.bearing_friction = Some(friction),
             Effect::AirDrag(drag) => self.air_drag = Some(drag),
@@ -172,10 +171,8 @@ impl Top {
                 self.tip_friction = Some(friction);
             }
             Effect::TipFriction(_) => {
-                return Err(Error::Condition {
-                    condition: "tip friction is for bodies with I1 = I2 and the centre of mass on the third axis",
-                    value: self.body.moments[1] / self.body.moments[0],
-                });
+                let condition = "tip friction is for bodies with I1 = I2 and the centre of mass on the third axis";
+                return refused(condition, self.body.moments[1] / self.body.moments[0]);
             }
             other => {
                 let takes = "gravity, pivot_friction, bearing_friction, air_drag and tip_friction";
@@ -183,17 +180,6 @@ impl Top {
             }
         }
         Ok(self)
-    }
-
-    /// The closed form of the motion, if there is one.
-    ///
-    /// # Errors
-    /// Those of the closed form.
-    fn closed_form(&self) -> Result<Option<ClosedForm>> {
-        if self.resisting().next().is_some() {
-            return Ok(None);
-        }
-        ClosedForm::find(&self.body, self.g(), &self.start)
     }
 
     /// MgC, N m: with the upward unit vector z the torque about the pivot is z∧MgC (8.1).
@@ -260,10 +246,12 @@ impl Top {
     /// The plan, and the closed form if it uses one: the closed form if there is one, otherwise order 8; or the requested solver.
     fn planned(&self, request: &Request) -> Result<(Plan, Option<ClosedForm>)> {
         let resisting: Vec<&str> = self.resisting().collect();
-        let refused = |condition| Err(Error::Solver { condition });
+        let cannot = |condition| Err(Error::Solver { condition });
         let closed = match request.choice {
-            Choice::Auto | Choice::Use(Solver::Exact) => self.closed_form()?,
-            Choice::Use(_) => None,
+            Choice::Auto | Choice::Use(Solver::Exact) if resisting.is_empty() => {
+                ClosedForm::find(&self.body, self.g(), &self.start)?
+            }
+            _ => None,
         };
         let plan = match (request.choice, &closed) {
             (Choice::Auto, Some(closed)) => Plan::exact(closed.reason()),
@@ -272,19 +260,19 @@ impl Top {
                 Plan::stepped(format!("{}: no closed form", resisting.join(" and ")))
             }
             (Choice::Use(Solver::Exact), None) => {
-                return refused(
+                return cannot(
                     "the solver `exact` is for scenes with a closed form, this one has none",
                 );
             }
             (Choice::Use(Solver::Geometric(method)), _)
                 if method != Geometric::DormandPrince8 && !resisting.is_empty() =>
             {
-                return refused(
+                return cannot(
                     "the geometric solvers are for tops under gravity alone, and dormand-prince-8 for all",
                 );
             }
             (Choice::Use(Solver::Events), _) => {
-                return refused("the solver `events` is for scenes with contacts, a top has none");
+                return cannot("the solver `events` is for scenes with contacts, a top has none");
             }
             (Choice::Use(solver), _) => Plan::new(solver, "asked for"),
         };
@@ -362,9 +350,8 @@ impl Top {
         let rates = || states.iter().map(|(_, omega)| omega.norm());
         let fastest = || rates().fold(start, f64::max);
         let error = within(told + closed.hardly_moving(self.pace()?, fastest))?;
-        let states = states
-            .into_iter()
-            .map(|(q, omega)| conserved.state(q, omega));
+        let told = |(q, omega)| ledger::state(&conserved.heavy, q, omega);
+        let states = states.into_iter().map(told);
         let books = Books::of(request, plan, (Cost::default(), error), states);
         conserved.lossless(books)?.closed(request)
     }

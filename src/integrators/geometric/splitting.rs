@@ -333,11 +333,11 @@ fn about<T: Real, const AXIS: usize>(run: &mut Run<T>, half: T) {
     let (j, k) = ((AXIS + 1) % 3, (AXIS + 2) % 3);
     let l = run.l.values;
     let (s, v) = (half * l[AXIS]).turn();
-    // sin 2x and 1 − cos 2x, for L, which turns by twice the half angle.
+    // L turns by twice the half angle: 2s(1 − v) and 2s² are its sine and versine. They are not formed, for where all steps are alike, as with two equal
+    // moments, their rounding would turn L ever further against the attitude.
     let twice = s + s;
-    let (s2, v2) = (twice - twice * v, twice * s);
-    run.l.add(j, s2 * l[k] - v2 * l[j]);
-    run.l.add(k, -(s2 * l[j]) - v2 * l[k]);
+    run.l.add(j, twice * (l[k] - (v * l[k] + s * l[j])));
+    run.l.add(k, twice * ((v * l[j] - s * l[k]) - l[j]));
     let q = run.q.values;
     run.q.add(0, -(s * q[AXIS + 1]) - v * q[0]);
     run.q.add(AXIS + 1, s * q[0] - v * q[AXIS + 1]);

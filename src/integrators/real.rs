@@ -3,6 +3,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, Mul, Neg, Sub};
 
+use crate::precise::quick::{COSINE, SINE};
 use crate::precise::{DoubleDouble, Number};
 
 /// A number: `f32`, `f64` or [`DoubleDouble`].
@@ -79,21 +80,7 @@ const SHORT: f64 = 1.0 / 256.0;
 /// (π/4)².
 const LONG: f64 = 0.616_850_275_068_084_9;
 
-/// Coefficients of ((sin x)/x − 1)/x²: the minimax polynomial of Sun's fdlibm (k_sin.c), error below 2⁻⁵⁷.
-#[rustfmt::skip]
-const SINE: [f64; 6] = [
-    -1.666_666_666_666_663_2e-1,  8.333_333_333_322_49e-3,    -1.984_126_982_985_795e-4,
-     2.755_731_370_707_007e-6,   -2.505_076_025_340_686_3e-8,  1.589_690_995_211_55e-10,
-];
-
-/// Coefficients of ((1 − cos x)/x² − 1/2)/x² (k_cos.c), likewise.
-#[rustfmt::skip]
-const VERSINE: [f64; 6] = [
-    -4.166_666_666_666_66e-2,    1.388_888_888_887_411e-3, -2.480_158_728_947_673e-5,
-     2.755_731_435_139_066_3e-7, -2.087_572_321_298_175e-9,  1.135_964_755_778_819_5e-11,
-];
-
-/// ((sin x)/x − 1)/x² and ((1 − cos x)/x² − 1/2)/x² from z = x² ≤ (π/4)², the short form by Taylor's series; the sums are arranged to
+/// ((sin x)/x − 1)/x² and ((cos x − 1)/x² + 1/2)/x² from z = x² ≤ (π/4)², the short form by Taylor's series; the sums are arranged to
 /// shorten the chain of dependent operations.
 macro_rules! series {
     ($real:ty, $z:expr) => {{
@@ -102,14 +89,14 @@ macro_rules! series {
         if z < SHORT as $real {
             let sine =
                 (-1.0 / 6.0 + z * (1.0 / 120.0)) + w * (-1.0 / 5040.0 + z * (1.0 / 362_880.0));
-            let versine =
-                (-1.0 / 24.0 + z * (1.0 / 720.0)) + w * (-1.0 / 40_320.0 + z * (1.0 / 3_628_800.0));
-            (sine, versine)
+            let cosine =
+                (1.0 / 24.0 - z * (1.0 / 720.0)) + w * (1.0 / 40_320.0 - z * (1.0 / 3_628_800.0));
+            (sine, cosine)
         } else {
-            let (s, c) = (SINE.map(|x| x as $real), VERSINE.map(|x| x as $real));
+            let (s, c) = (SINE.map(|x| x as $real), COSINE.map(|x| x as $real));
             let sine = (s[0] + z * s[1]) + w * ((s[2] + z * s[3]) + w * (s[4] + z * s[5]));
-            let versine = (c[0] + z * c[1]) + w * ((c[2] + z * c[3]) + w * (c[4] + z * c[5]));
-            (sine, versine)
+            let cosine = (c[0] + z * c[1]) + w * ((c[2] + z * c[3]) + w * (c[4] + z * c[5]));
+            (sine, cosine)
         }
     }};
 }
@@ -151,10 +138,10 @@ macro_rules! machine {
                     let half = (0.5 * self).sin();
                     return (self.sin(), 2.0 * half * half);
                 }
-                let (sine, versine) = series!($real, square);
+                let (sine, cosine) = series!($real, square);
                 (
                     self + self * (square * sine),
-                    square * (0.5 + square * versine),
+                    square * (0.5 - square * cosine),
                 )
             }
 
@@ -165,8 +152,8 @@ macro_rules! machine {
                     let half = (0.5 * x).sin() / x;
                     return (x.sin() / x, 2.0 * half * half);
                 }
-                let (sine, versine) = series!($real, self);
-                (1.0 + self * sine, 0.5 + self * versine)
+                let (sine, cosine) = series!($real, self);
+                (1.0 + self * sine, 0.5 - self * cosine)
             }
 
             fn sine_and_cosine(x: DoubleDouble) -> (Self, Self) {

@@ -168,23 +168,8 @@ pub struct Solution<Y> {
     pub cost: Cost,
 }
 
-/// A quantity whose zero ends a run.
-pub trait Event<const N: usize> {
-    /// g(t, y); the run ends where g falls through zero.
-    ///
-    /// ```
-    /// use spinning_bodies::integrators::Event;
-    /// let height = |_: f64, y: &[f64; 2]| y[0];
-    /// assert_eq!(Event::value(&height, 0.0, &[1.0, 2.0]), 1.0);
-    /// ```
-    fn value(&self, t: f64, y: &[f64; N]) -> f64;
-}
-
-impl<const N: usize, F: Fn(f64, &[f64; N]) -> f64> Event<N> for F {
-    fn value(&self, t: f64, y: &[f64; N]) -> f64 {
-        self(t, y)
-    }
-}
+/// A quantity g(t, y); a run ends where it falls through zero.
+pub type Event<'a, const N: usize> = dyn Fn(f64, &[f64; N]) -> f64 + 'a;
 
 /// A run up to an event or to its end time.
 #[derive(Debug, Clone, PartialEq)]

@@ -7,13 +7,13 @@ use super::clock::{Clock, Timed, carried};
 
 /// A quantity that may fall through zero, as a function of phase.
 pub(super) struct Falling<'a, const N: usize> {
-    pub event: &'a dyn Event<N>,
+    pub event: &'a Event<'a, N>,
     pub clock: Clock,
 }
 
 impl<const N: usize> Falling<'_, N> {
     pub fn value(&self, phase: f64, y: &[f64; N]) -> f64 {
-        self.event.value(self.clock.time(phase), y)
+        (self.event)(self.clock.time(phase), y)
     }
 
     /// Whether the quantity can fall from the start on: it is positive, or zero and about to rise.

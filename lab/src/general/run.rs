@@ -109,7 +109,7 @@ impl<'a, const N: usize> Run<'a, N> {
         start: &[f64; N],
         times: &[f64],
         end_time: f64,
-        event: &dyn Event<N>,
+        event: &Event<'_, N>,
     ) -> Result<Passage<[f64; N]>> {
         finite("the time", end_time)?;
         for &component in start {
@@ -156,7 +156,8 @@ impl<'a, const N: usize> Run<'a, N> {
                     let scaled = Scaled::new(self.system, event, &sizes);
                     let run = Run::new(&scaled, &[1.0; N], self.method, self.effort);
                     let start = scaled.to_units(start);
-                    let driven = run.drive(make, clock, &start, times, &scaled);
+                    let value = |t: f64, y: &[f64; N]| scaled.value(t, y);
+                    let driven = run.drive(make, clock, &start, times, &value);
                     // A component that outgrows its size has rounding errors above that tolerance.
                     let stalled = matches!(driven, Err(Error::Integration { reason: STIFF, .. }));
                     if !stalled || sizes == scaled.sizes.get() {
@@ -180,7 +181,7 @@ impl<'a, const N: usize> Run<'a, N> {
         clock: Clock,
         start: &[f64; N],
         times: &[f64],
-        event: &dyn Event<N>,
+        event: &Event<'_, N>,
     ) -> Result<Passage<[f64; N]>>
     where
         M: OrdinaryNumericalMethod<f64, [f64; N]> + Interpolation<f64, [f64; N]>,

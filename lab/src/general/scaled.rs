@@ -8,7 +8,7 @@ use spinning_bodies::integrators::{Event, Passage, System};
 /// A system and its event with components in units of their scales, which are rounded to powers of two so that scaling causes no rounding.
 pub(super) struct Scaled<'a, const N: usize> {
     system: &'a dyn System<N>,
-    event: &'a dyn Event<N>,
+    event: &'a Event<'a, N>,
     units: [f64; N],
     /// The scales, each replaced by the greatest size reached at a step if that is more.
     pub sizes: Cell<[f64; N]>,
@@ -17,7 +17,7 @@ pub(super) struct Scaled<'a, const N: usize> {
 impl<'a, const N: usize> Scaled<'a, N> {
     pub(super) fn new(
         system: &'a dyn System<N>,
-        event: &'a dyn Event<N>,
+        event: &'a Event<'a, N>,
         scales: &[f64; N],
     ) -> Self {
         let units = scales.map(|scale| power_of_two_below(scale.abs()));
@@ -37,6 +37,15 @@ impl<'a, const N: usize> Scaled<'a, N> {
         core::array::from_fn(|n| y[n] * self.units[n])
     }
 
+    /// The event's quantity.
+    pub(super) fn value(&self, t: f64, y: &[f64; N]) -> f64 {
+        let y = self.out_of_units(y);
+        let sizes = self.sizes.get();
+        self.sizes
+            .set(core::array::from_fn(|n| sizes[n].max(y[n].abs())));
+        (self.event)(t, &y)
+    }
+
     pub(super) fn passage(&self, passage: Passage<[f64; N]>) -> Passage<[f64; N]> {
         let states = passage.states.iter().map(|y| self.out_of_units(y));
         Passage {
@@ -54,16 +63,6 @@ impl<const N: usize> System<N> for Scaled<'_, N> {
 
     fn reached(&self, time: f64) -> Result<()> {
         self.system.reached(time)
-    }
-}
-
-impl<const N: usize> Event<N> for Scaled<'_, N> {
-    fn value(&self, t: f64, y: &[f64; N]) -> f64 {
-        let y = self.out_of_units(y);
-        let sizes = self.sizes.get();
-        self.sizes
-            .set(core::array::from_fn(|n| sizes[n].max(y[n].abs())));
-        self.event.value(t, &y)
     }
 }
 

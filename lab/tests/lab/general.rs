@@ -31,7 +31,7 @@ fn swung(times: &[f64], method: Method, effort: Effort) -> Result<Solution<[f64;
 fn ended(
     (system, start): (&dyn System<2>, [f64; 2]),
     (times, last): (&[f64], f64),
-    event: &dyn Event<2>,
+    event: &Event<'_, 2>,
     (by, effort): (Method, Effort),
 ) -> Passage<[f64; 2]> {
     let run = Run::new(system, &[1.0; 2], by, effort);

@@ -6,7 +6,7 @@ use crate::integrators::{Event, System};
 
 /// The quantity of an event along a run.
 pub(super) struct Watch<'a, const N: usize> {
-    event: &'a dyn Event<N>,
+    event: &'a Event<'a, N>,
     /// Its value at the end of the last step. A fall counts only once it has been positive.
     value: f64,
     armed: bool,
@@ -20,12 +20,12 @@ const MOST_ROUNDS: usize = 100;
 const NEWTON: usize = 8;
 
 impl<'a, const N: usize> Watch<'a, N> {
-    pub fn new<S: System<N> + ?Sized>(event: &'a dyn Event<N>, walk: &Walk<'_, N, S>) -> Self {
+    pub fn new<S: System<N> + ?Sized>(event: &'a Event<'a, N>, walk: &Walk<'_, N, S>) -> Self {
         let (time, state) = walk.leg.start;
-        let value = event.value(time, state);
+        let value = event(time, state);
         let probe = PROBE * walk.left();
         let soon = core::array::from_fn(|n| state[n] + probe * walk.rate[n]);
-        let rises = || event.value(time + probe, &soon) > 0.0;
+        let rises = || event(time + probe, &soon) > 0.0;
         Self {
             event,
             value,
@@ -40,7 +40,7 @@ impl<'a, const N: usize> Watch<'a, N> {
         taken: &Step<N>,
     ) -> Option<(f64, [f64; N])> {
         let before = self.value;
-        let now = self.event.value(walk.time.values[0], &walk.state.values);
+        let now = (self.event)(walk.time.values[0], &walk.state.values);
         self.value = now;
         if !self.armed {
             self.armed = now > 0.0;
@@ -65,7 +65,7 @@ impl<'a, const N: usize> Watch<'a, N> {
     }
 
     fn value_at(&self, taken: &Step<N>, between: &Between<N>, part: f64) -> f64 {
-        self.event.value(taken.at(part), &between.at(part))
+        (self.event)(taken.at(part), &between.at(part))
     }
 
     /// Time and state at which the quantity is zero, in the sixteenth of the step that ends at `until`. Called at most once in a run.
@@ -81,13 +81,13 @@ impl<'a, const N: usize> Watch<'a, N> {
         let mut part = self.on_the_polynomial(between, taken, reach);
         let mut state = walk.short(taken, part * taken.length);
         for _ in 0..NEWTON {
-            let here = self.event.value(taken.at(part), &state);
+            let here = (self.event)(taken.at(part), &state);
             let rate = walk.leg.system.rate(taken.at(part), &state);
             walk.cost.evaluations += 1;
             // A difference towards the beginning of the step, where the quantity has not fallen yet.
             let h = -PROBE * taken.length;
             let moved = core::array::from_fn(|n| state[n] + h * rate[n]);
-            let slope = (here - self.event.value(taken.at(part) + h, &moved)) / PROBE;
+            let slope = (here - (self.event)(taken.at(part) + h, &moved)) / PROBE;
             let next = (part - here / slope).clamp(reach[0], until);
             let gain = (next - part).abs() * taken.length.abs();
             let falls = slope < 0.0;

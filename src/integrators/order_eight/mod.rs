@@ -54,7 +54,7 @@ impl<const N: usize, S: System<N> + ?Sized> Leg<'_, N, S> {
     /// ```
     pub fn follow(
         &self,
-        event: Option<&dyn Event<N>>,
+        event: Option<&Event<'_, N>>,
         effort: Effort,
     ) -> Result<Passage<[f64; N]>> {
         each_finite("the time", self.times.iter().copied())?;
@@ -113,7 +113,7 @@ pub fn order_eight<const N: usize, S: System<N> + ?Sized>(
 const FEW: usize = 2;
 
 impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
-    fn follow(mut self, event: Option<&dyn Event<N>>, effort: Effort) -> Result<Passage<[f64; N]>> {
+    fn follow(mut self, event: Option<&Event<'_, N>>, effort: Effort) -> Result<Passage<[f64; N]>> {
         let leg = self.leg;
         let first = leg.start.1;
         while leg.times.get(self.states.len()) == Some(&leg.start.0) {

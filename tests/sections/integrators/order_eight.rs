@@ -86,7 +86,7 @@ fn located<const N: usize>(
     system: &dyn System<N>,
     start: &[f64; N],
     end: f64,
-    event: &dyn Event<N>,
+    event: &Event<'_, N>,
 ) -> [(f64, u64); 2] {
     let scales = [1.0; N];
     let leg = leg(system, (start, &scales), (&[], end));
@@ -107,7 +107,7 @@ fn events_are_located_to_thirteen_digits() {
     let corner = |t: f64, y: &[f64; 2]| y[0].min(3.0 - t);
     // The radial velocity falls through zero at aphelion, after half a year.
     let radial = |_: f64, y: &[f64; 4]| y[0] * y[2] + y[1] * y[3];
-    let quarters = [&falling as &dyn Event<2>, &corner]
+    let quarters = [&falling as &Event<2>, &corner]
         .map(|event| (located(&pendulum, &START, 10.0, event), QUARTER));
     let aphelion = (located(&comet, &PERIHELION, 10.0, &radial), PI);
     for ([own, crates], time) in quarters.into_iter().chain([aphelion]) {
@@ -145,7 +145,7 @@ fn the_first_of_several_falls_is_found() {
     let leg = leg(&even, (&[0.0], &[1.0]), (&[], 2.0));
     let hidden = |_: f64, y: &[f64; 1]| dips(y[0]).min(rises(y[0]));
     let fallen = |_: f64, y: &[f64; 1]| hidden(0.0, y).min(falls(y[0]));
-    for event in [&hidden as &dyn Event<1>, &fallen] {
+    for event in [&hidden as &Event<1>, &fallen] {
         for step in [2.0, 1.0] {
             let run = leg.follow(Some(event), Effort::Step(step)).unwrap();
             assert_eq!(run.stopped, Stop::AtTheEvent);

@@ -322,14 +322,10 @@ impl Flight {
             };
             (motion, (flight * way).value())
         };
-        let surface = if ceiling.is_none() || count.is_multiple_of(2) {
-            first
-        } else {
-            first.opposite()
-        };
-        let speed = match (surface, ceiling) {
-            (Surface::Ceiling, Some(speed)) => speed,
-            _ => floor,
+        let above = (first == Surface::Ceiling) == count.is_multiple_of(2);
+        let (surface, speed) = match ceiling {
+            Some(speed) if above => (Surface::Ceiling, speed),
+            _ => (Surface::Floor, floor),
         };
         let ball = InFlight {
             position: arrived.position + way,

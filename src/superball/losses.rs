@@ -140,12 +140,10 @@ pub fn gripping_bounce(
     pressed: f64,
 ) -> Motion<f64> {
     let slip = before.contact_speed(surface);
-    let turned = (slip + restitution * slip) / (1.0 + kappa);
-    let turned = if kappa * turned.abs() > law.grip * pressed {
-        (law.kinetic * pressed / kappa).copysign(slip)
-    } else {
-        turned
-    };
+    let mut turned = (slip + restitution * slip) / (1.0 + kappa);
+    if kappa * turned.abs() > law.grip * pressed {
+        turned = (law.kinetic * pressed / kappa).copysign(slip);
+    }
     kicked(before, surface, kappa, turned)
 }
 

@@ -380,16 +380,11 @@ impl BounceRotation {
         // The modulus of g is 1; the modulus that rounding gives to the product of n factors is divided out.
         let modulus = p.mul_add(p, kappa * q * q).sqrt();
         let (p, q) = (p / modulus, q / modulus);
-        let along = p * start.velocity + kappa * q * start.rim_speed;
         let across = q * start.velocity - p * start.rim_speed;
-        let rim_speed = if bounces.is_multiple_of(2) {
-            -across
-        } else {
-            across
-        };
+        let even = bounces.is_multiple_of(2);
         Motion {
-            velocity: along,
-            rim_speed,
+            velocity: p * start.velocity + kappa * q * start.rim_speed,
+            rim_speed: if even { -across } else { across },
         }
     }
 

@@ -83,15 +83,10 @@ impl<T: Real> Integrator<T> for MoserVeselov {
 
     fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {
         let run = Run::new(phase, step)?;
-        let inverse = self
-            .moments
-            .map(|moment| T::from_double(moment).reciprocal());
+        let inverse = self.moments.map(T::from_double).map(T::reciprocal);
         let (factor, summand) = corrections(inverse, phase.l, step, self.order.terms());
         let inverse = inverse.map(|a| a + (a * factor + summand));
-        if inverse
-            .iter()
-            .any(|a| a.to_double().is_nan() || a.to_double() <= 0.0)
-        {
+        if !inverse.iter().all(|a| a.to_double() > 0.0) {
             let reason = "the step is too long for moments of inertia that make up for it";
             return stopped(reason, 0.0);
         }

@@ -391,7 +391,7 @@ impl OnTable<'_> {
         plan: Plan,
         state: impl Fn(Moment) -> S,
     ) -> Result<Motion<S>> {
-        let (moments, done) = self.moments(&plan, request)?;
+        let (moments, done) = self.followed(&plan, request)?;
         let states = moments.iter().copied().map(state);
         let mut books = Books::of(request, plan, done, states);
         self.keep(&mut books, request, &moments)?;
@@ -400,7 +400,7 @@ impl OnTable<'_> {
 
     /// The moments at the requested times by the solver of the plan, their cost, and their error: lengths relative to the radius or the greatest length, speeds
     /// and energies relative to the greatest of the motion.
-    fn moments(&self, plan: &Plan, request: &Request) -> Result<(Vec<Moment>, (Cost, f64))> {
+    fn followed(&self, plan: &Plan, request: &Request) -> Result<(Vec<Moment>, (Cost, f64))> {
         let times = request.times();
         if !matches!(plan.solver, Solver::Exact | Solver::Events) {
             let trace = to_accuracy(request, plan.solver, |_| Ok(*self))?;

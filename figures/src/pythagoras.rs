@@ -112,7 +112,7 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
     let sum = short(torques.iter().sum(), 2);
     let words = words!(
         "A box of gas does not start to turn by itself, and that is the {theorem}.",
-        "Sides $AR = {ar}$, $RB = {rb}$, $AB = {ab}$, $\\gamma = {angle}°$ at $R$. The gas pushes on each side with a force proportional to its length, \
+        "Sides $AR = {ar}$, $RB = {rb}$, $AB = {ab}$, $\\gamma = {angle}$° at $R$. The gas pushes on each side with a force proportional to its length, \
          at its middle; the arms about the hinge $A$ are {arm_ar}, {arm_rb} and {arm_ab}{half}. Torques \
          ${one}$, ${two}$ and ${third}$, {law}; the sum is ${sum}$.",
         "A triangle A R B with an angle of {angle} degrees at R and a hinge at A, filled with gas. Small arrows \

@@ -180,7 +180,7 @@ pub fn animated(_: &Values) -> Result<Figure> {
     let words = words!(
         "The sheet goes, the ball moves a little, and stops dead.",
         "A ball of 2 cm radius on a sheet that is jerked to the right at 3 m/s, twenty times slower than life. While the sheet is under it, it is dragged along and spun backward; \
-         the table undoes both at once. It ends {millimetres} mm from where it began (the mark). Rest the pointer on the picture to stop it.",
+         the table undoes both at once. It ends {millimetres} mm from where it began (the mark).",
         "A ball with a clock hand on a sheet of paper. The sheet slides out to the right; the ball creeps right while turning backward, the sheet's edge passes, and the ball \
          comes to rest, neither moving nor turning. Without motion: the ball as the sheet's edge comes."
     );

@@ -43,7 +43,7 @@ pub fn animated(_: &Values) -> Result<Figure> {
         "The racket turns over twice in a period, and each time shows the other face.",
         "The throw of the film strip, {slower:.1} times slower: two somersaults and two half twists in {period:.2} s, after which everything \
          repeats. Left, its axes: $x_1$ of the least moment, $x_2$ of the middle one, $x_3$ of the greatest. Below, $\\Omega_2$ \
-         goes from one value to its negative and back. Rest the pointer on the picture to stop it.",
+         goes from one value to its negative and back.",
         "A tennis racket turns head over handle about a horizontal angular momentum. In the middle of each somersault it \
          twists by half a turn about its handle, so that the bare face and the filled face change places and the dot on the \
          rim changes sides. A graph below shows the angular velocity about the middle axis going from one value to its negative \

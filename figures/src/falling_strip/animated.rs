@@ -72,7 +72,7 @@ pub fn animated(_: &Values) -> Result<Figure> {
     let (wide, narrow) = (number(slow(&films[0]), 1), number(slow(&films[1]), 0));
     let words = words!(
         "Of the same paper the wide strip flutters down, the narrow one spins and sails away.",
-        "Both seen along their length, each drawn in a scale of its own, paper of 80 g/m², coefficients fitted to paper; {wide} and {narrow} times slower than life. Rest the pointer on the picture to stop it.",
+        "Both seen along their length, each drawn in a scale of its own, paper of 80 g/m², coefficients fitted to paper; {wide} and {narrow} times slower than life.",
         "Two paths with a short line that moves along each. The line on the left swings from side to side and always shows the same face upward. The line on the right turns over \
          and over and slides down a straight slope to the right. Without motion: some of the positions on both paths."
     );

@@ -153,7 +153,7 @@ pub fn top_animated(_: &Values) -> Result<Figure> {
         "One push decides how the nose goes round: waves, cusps, loops, or a circle.",
         "Four tops start 60° from the vertical, $I_1 = Mg\\ell = 1,$ ten units of time in {seconds} s: pushed forward at \
          $\\varphi' = {forward}$, released from rest, pushed back at ${back}$, pushed at exactly the slow rate {slow}. The spins, \
-         $L_3 = {a}$, {b}, {c} and {d}, make every path close. Rest the pointer on the picture to stop it.",
+         $L_3 = {a}$, {b}, {c} and {d}, make every path close.",
         "Four spheres, in each a flywheel on an axle that stands on the centre and touches the sphere with its nose. The nose draws \
          a wavy line, a row of arches that meet in upright cusps, a row of loops, and a circle of latitude, while the flywheel spins \
          and the axle goes round the vertical. Each path closes after one turn. \

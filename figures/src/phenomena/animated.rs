@@ -29,7 +29,7 @@ pub fn cat_animated(_: &Values) -> Result<Figure> {
     let words = words!(
         "Let go on its back, the cat lands on its feet, and nothing has pushed it.",
         "Two cylinders with $I/J = {RATIO:.0}$ that bend by up to {forward}° turn by {turn:.4}°, with angular momentum 0 all the \
-         time. Slowed down about ten times; the fall itself is left out, for it changes nothing. Rest the pointer on the picture to stop it.",
+         time. Slowed down about ten times; the fall itself is left out, for it changes nothing.",
         "A cat of two round halves with head, legs and tail lies in the air on its back, bends, lets the bend run once round its spine, \
          straightens and has its feet below. Without motion: the cat half-way, bent to the side."
     );

@@ -11,7 +11,7 @@ const STEP: f64 = 30.0;
 
 parameters! {
     RIGID: "rigid", r"T_0", "days", "period of the wobble of a rigid body of these moments, I₁/(I₃ − I₁) of its days", [100.0, 600.0], 300.0, whole;
-    OBSERVED: "observed", "T", "days", "period of the wobble that is observed", [100.0, 600.0], 440.0, whole;
+    OBSERVED: "observed", "T", "days", "period of the wobble that is observed", [100.0, 600.0], 433.0, whole;
 }
 /// The parameters of the race of the poles.
 pub const CIRCLES: &[Parameter] = &[RIGID, OBSERVED];
@@ -102,7 +102,7 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
     };
     let longer = days + 1.0;
     let whose = match period == OBSERVED.default {
-        true => ", Chandler's at the tutorial's round figure",
+        true => ", Chandler's,",
         false => "",
     };
     let words = words!(

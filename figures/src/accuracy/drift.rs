@@ -69,8 +69,8 @@ pub fn energy_drift(_: &Values) -> Result<Figure> {
     });
     let words = words!(
         "Ten million steps: rk4 leaks energy without end, rotations borrow it and give it back, the discrete top keeps it.",
-        "Relative error of the energy of a free body, the largest so far, against the number of steps, 32 a turn. After $10^7$ of them: rk4 {rk4}, \
-         rotations of order 2 {rotations}, Moser and Veselov's discrete top {discrete}, a random walk of rounding.",
+        "Relative error of the energy of a free body, the largest so far, against the number of steps, 32 a turn. After $10^7$ of them it is {rk4} for rk4, \
+         {rotations} for rotations of order 2, and {discrete} for Moser and Veselov's discrete top, a random walk of rounding.",
         "Largest relative error of the energy against the number of steps, two thousand to ten million, on logarithmic axes. The line of rk4 rises \
          in proportion to the number of steps. That of rotations of order 2 is level, and rk4 crosses it after some two hundred thousand steps. That of the discrete top stays below ten to the minus 12."
     );

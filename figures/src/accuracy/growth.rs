@@ -36,7 +36,7 @@ const LINES: [Line; 4] = [
 
 /// Errors after 1, 10, … 10ⁿ turns, in one run that continues from each to the next.
 ///
-/// The reference is the closed form; for the closed form itself, the 32 digits given with the problems.
+/// The reference is the closed form; for the closed form itself, the table of 36 digits.
 fn errors(line: &Line, candidate: &Candidate, exact: &Candidate) -> Result<Vec<[f64; 2]>> {
     let (_, hardness, most, ..) = line;
     let first = problem("free-top/1")?;

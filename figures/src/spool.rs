@@ -61,8 +61,8 @@ fn tugged(pen: &mut Pen, center: Point, ratio: f64, (angle, foot, way): (f64, f6
 fn told(way: Way) -> &'static str {
     match way {
         Way::Stays => "does not roll",
-        Way::WindsUp => "comes, winds up",
-        Way::PaysOut => "goes, pays out",
+        Way::WindsUp => "comes and winds up",
+        Way::PaysOut => "goes and pays out",
     }
 }
 

@@ -50,7 +50,7 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
     let [behind, backward] = [2, 1].map(|digits| number(back.to_degrees(), digits));
     let charge = number(turn.abs(), 4);
     let words = words!(
-        "The turn is the shaded charge inside the loop of shapes.",
+        "The turn is the shading that the loop of shapes encloses.",
         "Left, the swivel: twist $\\psi$ to the right, moment $A$ of the upper body upward, density $B/(A+B)^2$, $B = {below}$ kg m²; the rectangle of one cycle, arms out {out} kg m² and in {near} kg m², holds {held}°. \
          Right, the cat seen along its spine: bend $\\gamma$ outward to {widest}°, direction $\\psi$ around; the loop goes {bent}° forward and {behind}° backward, and \
          holds {charge}°. The pace does not matter, only what the loop encloses.",

@@ -408,18 +408,13 @@ fn bad_input_is_refused_by_name_and_number() -> Result<()> {
         }
     }
     let text = |error: Option<Error>| error.map(|e| e.to_string()).unwrap_or_default();
-    assert_eq!(
-        text(Parameter::from_parameter(1.5).err()),
-        "parameter m must lie between 0 and 1, got 1.5"
-    );
-    assert_eq!(
-        text(Parameter::from_complement(-0.5).err()),
-        "complementary parameter mc must lie between 0 and 1, got -0.5"
-    );
-    assert_eq!(
-        text(Parameter::new(0.5, 0.4).err()),
-        "m + mc must be 1 to within 4 eps, got 0.9"
-    );
+    let told = text(Parameter::from_parameter(1.5).err());
+    assert_eq!(told, "parameter m must lie between 0 and 1, got 1.5");
+    let told = text(Parameter::from_complement(-0.5).err());
+    let between = "complementary parameter mc must lie between 0 and 1, got -0.5";
+    assert_eq!(told, between);
+    let told = text(Parameter::new(0.5, 0.4).err());
+    assert_eq!(told, "m + mc must be 1 to within 4 eps, got 0.9");
     let p = Parameter::from_parameter(0.3)?;
     // Beyond 2⁵³ quarter periods, and a slice too short.
     refused!(Modulus::new(p).jacobi(1e17), OutOfRange, "argument u");
@@ -449,10 +444,8 @@ fn bad_input_is_refused_by_name_and_number() -> Result<()> {
 #[test]
 fn values_without_room_and_integrals_that_are_not_real_are_refused() -> Result<()> {
     let text = |refused: Result<f64>| refused.expect_err("refused").to_string();
-    assert_eq!(
-        text(rd(1e-300, 1e-300, 1e-300)),
-        "the value of R_D must be finite, got inf"
-    );
+    let told = text(rd(1e-300, 1e-300, 1e-300));
+    assert_eq!(told, "the value of R_D must be finite, got inf");
     assert!(text(rj(0.0, 5e-324, 1.0, 5e-324)).starts_with("the value of R_J"));
     // x^(−3/2) and x^(−1/2) at the ends of the range.
     assert_eq!(rd(1e300, 1e300, 1e300)?, 0.0);

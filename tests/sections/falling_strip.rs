@@ -90,9 +90,8 @@ fn s4_10_the_tumbling_strip_drifts_and_the_fluttering_one_does_not() {
         // Roughly straight: never further than two half-widths from the mean slope.
         let fall = Fall::new(ratio, Coefficients::PUBLISHED).unwrap();
         let period = run.period.unwrap();
-        let times: Vec<f64> = (0..400)
-            .map(|k| 400.0 + f64::from(k) * period / 40.0)
-            .collect();
+        let time = |k: i32| 400.0 + f64::from(k) * period / 40.0;
+        let times: Vec<f64> = (0..400).map(time).collect();
         let path = fall.path(Start::TILTED, &times).unwrap();
         let slope = run.drift.hypot(run.descent);
         let off = greatest(path.iter().map(|y| {
@@ -129,9 +128,8 @@ fn s4_10_the_coefficients_for_paper() {
             rounded(run.rotation.abs() / run.drift.hypot(run.descent), 3, tip);
         });
     // No gap: from 0.54 to 16 it tumbles from either start.
-    let ratios: Vec<f64> = (0..40)
-        .map(|k| 0.54 * (16.0_f64 / 0.54).powf(f64::from(k) / 39.0))
-        .collect();
+    let ratio = |k: i32| 0.54 * (16.0_f64 / 0.54).powf(f64::from(k) / 39.0);
+    let ratios: Vec<f64> = (0..40).map(ratio).collect();
     ratios.par_iter().for_each(|&ratio| {
         let fall = Fall::new(ratio, Coefficients::PAPER).unwrap();
         for start in [Start::TILTED, Start::SPINNING] {

@@ -264,10 +264,8 @@ fn spool_refuses_what_is_no_tug() {
     refused!(Spool::new(body, 0.0), NotPositive);
     // Tugged back level, with r/R = κ: no friction is needed, and none is asked for; a line of force in the table meets it below the spool.
     let gentle = |friction| unit().largest_gentle_tension(PI, friction, 10.0);
-    assert_eq!(
-        [gentle(0.0), gentle(0.3)],
-        [unit().lift_off_tension(PI, 10.0), gentle(0.0)]
-    );
+    let level = unit().lift_off_tension(PI, 10.0);
+    assert_eq!([gentle(0.0), gentle(0.3)], [level, gentle(0.0)]);
     let even = Spool::new(body, 0.05).unwrap();
     assert_eq!(even.foot_of_the_line(0.0), Ok(0.0));
     let heavy = Spool::new(RoundBody::new(1e308, 1.0, 0.5).unwrap(), 0.5).unwrap();

@@ -138,9 +138,8 @@ fn s4_9_the_turn_against_its_equation_of_motion() {
         // n = m g r/(I + m r²).
         let pull = 20.0 * G / (0.005 * (1.0 + 16.82));
         let system = |_: f64, y: &[f64; 2]| [y[1], pull * y[0].cos()];
-        let times: Vec<f64> = (0..=10)
-            .map(|k| f64::from(k) / 10.0 * turn.duration)
-            .collect();
+        let time = |k: i32| f64::from(k) / 10.0 * turn.duration;
+        let times: Vec<f64> = (0..=10).map(time).collect();
         let effort = Effort::Tolerance(1e-14);
         let (start, scales) = ([0.0, omega], [1.0, omega]);
         let run = order_eight(&system, Kept::Nothing, &start, &scales, &times, effort);
@@ -214,10 +213,8 @@ fn s4_9_a_loop_lets_it_sleep() -> Result<()> {
         let times: Vec<f64> = (0..120).map(|k| 0.1 * f64::from(k)).collect();
         let request = Request::at(times)?.to_accuracy(1e-12)?;
         let rows = scene.simulate(&request)?.rows;
-        let asleep: Vec<_> = rows
-            .iter()
-            .filter(|(_, s)| s.phase == Phase::Asleep)
-            .collect();
+        let asleep = rows.iter().filter(|(_, s)| s.phase == Phase::Asleep);
+        let asleep: Vec<_> = asleep.collect();
         let (since, first) = asleep[0];
         for (t, state) in &asleep[1..] {
             // I ω' = −torque − c ω²: ω falls from the tangent of an angle in proportion to the time.

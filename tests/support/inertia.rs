@@ -102,9 +102,7 @@ pub fn assert_inertia(body: &MassProperties, entries: [f64; 6]) {
         .zip([(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)])
     {
         let difference = (matrix[(i, j)] - entry).abs();
-        assert!(
-            difference <= 16.0 * f64::EPSILON * size,
-            "{matrix} {i}{j} {entry}"
-        );
+        let same = difference <= 16.0 * f64::EPSILON * size;
+        assert!(same, "{matrix} {i}{j} {entry}");
     }
 }

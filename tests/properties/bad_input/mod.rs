@@ -56,16 +56,13 @@ fn numbers_in_refusals_can_be_read() {
         let refused = EulerTop::new(moments, vector([1.0; 3]), level());
         refused.expect_err("no body").to_string()
     };
-    assert_eq!(
-        told([5e-324, 1.0, f64::MAX]),
-        "principal moments must satisfy I1 + I2 >= I3, got 5e-324 + 1 < 1.7976931348623157e308; no body has these"
-    );
-    assert_eq!(
-        told([1.0, 1.0, -1e-300]),
-        "a principal moment must not be negative, got -1e-300"
-    );
-    assert_eq!(
-        told([1.0, 1.0, 123456.5]),
-        "principal moments must satisfy I1 + I2 >= I3, got 1 + 1 < 123456.5; no body has these"
-    );
+    let unequal = |got: &str| {
+        format!("principal moments must satisfy I1 + I2 >= I3, got {got}; no body has these")
+    };
+    let widest = unequal("5e-324 + 1 < 1.7976931348623157e308");
+    assert_eq!(told([5e-324, 1.0, f64::MAX]), widest);
+    let negative = "a principal moment must not be negative, got -1e-300";
+    assert_eq!(told([1.0, 1.0, -1e-300]), negative);
+    let wide = unequal("1 + 1 < 123456.5");
+    assert_eq!(told([1.0, 1.0, 123456.5]), wide);
 }

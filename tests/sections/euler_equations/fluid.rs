@@ -26,10 +26,8 @@ fn s5_2_the_matrix_is_the_sine_bracket() {
         let start = fluid(size);
         let waves = waves(size);
         let combine = |f: &TruncatedFluid, k: &TruncatedFluid, h: f64| {
-            let modes: Vec<_> = waves
-                .iter()
-                .map(|&m| (m, f.vorticity(m) + k.vorticity(m) * h))
-                .collect();
+            let mode = |&m: &[i32; 2]| (m, f.vorticity(m) + k.vorticity(m) * h);
+            let modes: Vec<_> = waves.iter().map(mode).collect();
             TruncatedFluid::new(size, &modes).unwrap()
         };
         let mut truth = start.clone();

@@ -109,10 +109,8 @@ fn s5_3_the_integrals_along_the_motion() {
         ([next, next, 1.0], 0.0),
         ([2.0, 2.0, 1.0], 0.1),
     ] {
-        assert_eq!(
-            heavy(moments, [1.0, 0.0, leaning]).kind(),
-            Integrability::None
-        );
+        let kind = heavy(moments, [1.0, 0.0, leaning]).kind();
+        assert_eq!(kind, Integrability::None);
     }
 
     let other = heavy([3.0, 3.0, 2.0], [1.0, 0.0, 0.0]);
@@ -161,9 +159,8 @@ fn s5_3_order_and_chaos() {
     let duration: f64 = 4000.0;
     let level = duration.ln() / duration;
     let exponent = |i, lever, start: &TopState| {
-        heavy(i, lever)
-            .lyapunov_exponent(start, duration, 0.02)
-            .unwrap()
+        let top = heavy(i, lever);
+        top.lyapunov_exponent(start, duration, 0.02).unwrap()
     };
     let x = [1.0, 0.0, 0.0];
     // ln T/T = 0.0021. Observed for the integrable tops: 0.0016 to 0.0020.

@@ -137,10 +137,8 @@ fn s2_2_l_is_not_parallel_to_omega() -> Result<()> {
     }
     assert_eq!(PrincipalMoments::new(2.0, 2.0, 2.0)?.greatest_angle(), 0.0);
     // With a negative zero, too; and a rod's are right angles.
-    assert_eq!(
-        PrincipalMoments::new(-0.0, -0.0, 0.0)?.greatest_angle(),
-        0.0
-    );
+    let nothing = PrincipalMoments::new(-0.0, -0.0, 0.0)?;
+    assert_eq!(nothing.greatest_angle(), 0.0);
     let rod = PrincipalMoments::new(-0.0, 1.0, 1.0)?;
     assert_eq!(rod.greatest_angle(), FRAC_PI_2);
     // A body that is all but round: sin 2φ δ/2 at the angle φ from the axis, to all digits.

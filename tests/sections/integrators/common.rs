@@ -56,11 +56,8 @@ pub fn heavy_methods_of(moments: [f64; 3], lever: [f64; 3]) -> Vec<Box<dyn Follo
         boxed(MuntheKaas::new(moments, weight)),
         boxed(GeneralMethod::new(moments, weight, Method::Rk4)),
     ];
-    Order::ALL
-        .map(splitting)
-        .into_iter()
-        .chain(others)
-        .collect()
+    let splittings = Order::ALL.map(splitting).into_iter();
+    splittings.chain(others).collect()
 }
 
 /// One sample after steps no longer than these.
@@ -88,8 +85,6 @@ pub fn distance(a: &Phase, b: &Phase) -> [f64; 2] {
 #[track_caller]
 pub fn close_to(a: &Phase, b: &Phase, most: f64, of: impl Debug) {
     let [angle, momentum] = distance(a, b);
-    assert!(
-        angle < most && momentum < most,
-        "{of:?} {angle:e} {momentum:e}"
-    );
+    let kept = angle < most && momentum < most;
+    assert!(kept, "{of:?} {angle:e} {momentum:e}");
 }

@@ -54,9 +54,8 @@ fn beside(begun: f64, times: &[f64], tolerance: f64) -> [(f64, u64); 2] {
 fn error_and_evaluations_are_no_more_than_those_of_dop853() {
     for (samples, starts) in [(1, 100), (10, 100), (3000, 1)] {
         let end = 5.0 * TAU;
-        let times: Vec<f64> = (1..=samples)
-            .map(|n| end * f64::from(n) / f64::from(samples))
-            .collect();
+        let time = |n: i32| end * f64::from(n) / f64::from(samples);
+        let times: Vec<f64> = (1..=samples).map(time).collect();
         for digits in [4, 6, 8, 10, 12, 13] {
             let ratios = (0..starts).map(|n| {
                 let begun = TAU * f64::from(n) / f64::from(starts);

@@ -110,12 +110,9 @@ fn infinite_events_and_components_without_a_scale() -> Result<()> {
     for scale in [f64::NAN, -1.0] {
         let scales = [1.0, scale];
         let run = leg(&aside, (&[1.0, 0.0], &scales), (&[], 1.0));
-        let run = run.follow(None, Effort::Tolerance(1e-12));
-        assert!(
-            run.unwrap_err()
-                .to_string()
-                .starts_with("the scale of a component")
-        );
+        let refused = run.follow(None, Effort::Tolerance(1e-12)).unwrap_err();
+        let told = refused.to_string();
+        assert!(told.starts_with("the scale of a component"), "{told}");
     }
     Ok(())
 }

@@ -38,6 +38,14 @@ fn ball() -> ConvexBody {
     bodies::hoop_with_clay(1.0, 0.03, 0.0).unwrap()
 }
 
+/// On a table with μ = 0.2, without spin, at this speed.
+fn skidding(ball: ConvexBody, attitude: Attitude, speed: f64) -> TableTop {
+    let mut start = Start::spinning(attitude, BodyVector::zero()).unwrap();
+    start.velocity = SpaceVector::new(speed, 0.0, 0.0);
+    let law = Coulomb::new(0.2).unwrap();
+    heavy(ball, start).with(law).unwrap()
+}
+
 fn same(a: &State, b: &State) -> bool {
     a.attitude == b.attitude && a.omega == b.omega && a.velocity == b.velocity
 }
@@ -123,10 +131,7 @@ fn energy_lost_is_what_the_contact_has_taken() -> Result<()> {
 #[test]
 fn a_struck_ball_slides_until_it_rolls() {
     // The billiard shot of 4.3: the transition is an event, and where it lies is known in closed form.
-    let mut start = Start::spinning(tilted().attitude, BodyVector::zero()).unwrap();
-    start.velocity = SpaceVector::new(0.7, 0.0, 0.0);
-    let law = Coulomb::new(0.2).unwrap();
-    let scene = heavy(ball(), start).with(law).unwrap();
+    let scene = skidding(ball(), tilted().attitude, 0.7);
     let body = RoundBody::new(1.0, 1.0, 0.4).unwrap();
     let known = body.slide_to_roll(0.7, 0.0, 0.2, G).unwrap();
     let phases = scene.phases(&asking([2.0], 1e-9)).unwrap();
@@ -216,11 +221,8 @@ fn a_body_hops_rather_than_be_pulled() -> Result<()> {
         assert!(phases >= 3 && aloft > 10);
     };
     let request = asking(times, 1e-8);
-    let (rough, dry) = (
-        table.with(Viscous::new(0.3)?)?,
-        table.with(Coulomb::new(0.3)?)?,
-    );
-    for scene in [rough, dry, table] {
+    let (rough, dry) = (Viscous::new(0.3)?, Coulomb::new(0.3)?);
+    for scene in [table.with(rough)?, table.with(dry)?, table] {
         check(scene.simulate(&request)?, scene.phases(&request)?.len());
     }
     // All that the search for a landing looks at is counted, the fifty halvings in which each is located too: without them it is 2985.
@@ -233,9 +235,7 @@ fn a_body_hops_rather_than_be_pulled() -> Result<()> {
 
 #[test]
 fn pure_rolling_ends_where_nothing_presses_and_a_level_force_is_needed() -> Result<()> {
-    let attitude = Start::about_vertical(0.0, 0.0, 0.0)?.attitude;
-    let start = Start::spinning(attitude, BodyVector::new(0.0, 90.0, 0.0))?;
-    let scene = heavy(rocker(), start).with(NoSlip)?;
+    let scene = rocking(90.0).with(NoSlip)?;
     let refused = scene.simulate(&asking([0.4], 1e-8)).unwrap_err();
     let Error::Integration { reason, time } = refused else {
         panic!("{refused}");
@@ -311,12 +311,7 @@ fn where_it_slips_and_rolls_a_smoothed_law_tends_to_coulombs_too() -> Result<()>
 /// To one digit the steps are off by more than the slip at which it counts as none: it has to come to rest all the same.
 #[test]
 fn sliding_turns_into_rolling_to_one_digit_too() {
-    let start = Start {
-        velocity: SpaceVector::new(1.0, 0.0, 0.0),
-        ..Start::about_vertical(0.0, 0.0, 0.0).unwrap()
-    };
-    let law = Coulomb::new(0.2).unwrap();
-    let scene = heavy(ball(), start).with(law).unwrap();
+    let scene = skidding(ball(), Attitude::identity(), 1.0);
     let others = [Method::Dopri5, Method::Dop853].map(Solver::General);
     for solver in others.into_iter().chain([OURS]) {
         let request = using(&asking([0.1, 1.0], 0.1), solver).within(100_000);
@@ -334,10 +329,7 @@ fn a_sliding_ball_rolls_at_every_accuracy() {
         let inertia = InertiaMatrix::diagonal(inertia, inertia, inertia).unwrap();
         let surface = Surface::sphere(radius).unwrap();
         let ball = ConvexBody::new(1.0, inertia, surface, BodyVector::zero()).unwrap();
-        let mut start = Start::spinning(Attitude::identity(), BodyVector::zero()).unwrap();
-        start.velocity = SpaceVector::new(speed, 0.0, 0.0);
-        let law = Coulomb::new(0.2).unwrap();
-        let scene = heavy(ball, start).with(law).unwrap();
+        let scene = skidding(ball, Attitude::identity(), speed);
         for digits in 2..14 {
             let asked = asking([1.0], 10.0_f64.powi(-digits));
             let motion = scene.simulate(&asked).unwrap();

@@ -57,6 +57,8 @@ fn every_mistake_is_told_at_once_each_in_its_line() {
         let told = format!("mine.toml:7: key {told}");
         assert_eq!(one_mistake(&format!("{RACKET}{more}")), told);
     }
+    let once = format!("{RACKET}columns = [\"l\", \"lx\"]");
+    assert_eq!(mistakes(&once), [""; 0]);
     // Each of them in the member of the list that is wrong.
     let told = mistakes(&RACKET.replace("[0.01, 1.0, 0.01]", "[\n\"a\",\n1.0,\ninf]"));
     assert!(told[0].starts_with("mine.toml:5: "), "{told:?}");
@@ -72,6 +74,7 @@ fn the_key_that_is_to_blame_is_named_first() {
         (superball, "height = 1", "height = -1", 5, "height"),
         (superball, "height = 1", "height = 3", 7, "ceiling"),
         (roller, "mass = 1", "mass = 0", 3, "mass"),
+        (roller, "ty = 1", "ty = -1", 6, "velocity"),
         (roller, "gravity = 9", "gravity = 0", 9, "gravity"),
         (roller, "n = 0.3", "n = 0.1", 11, "static_friction"),
         (roller, "friction = 0.2\n", "", 10, "static_friction"),
@@ -149,6 +152,7 @@ fn strange_texts_are_refused_and_nothing_panics() {
         }
         // Every key alone, and every key a table.
         for row in keys(kind).unwrap() {
+            assert!(row.expected.contains(' '), "{}: {}", row.key, row.expected);
             for value in values() {
                 let key = format!("[{}]\n{} = {value}", row.section, row.key);
                 let text = format!("kind = \"{kind}\"\n{key}\n[run]\nuntil = 1");
@@ -208,7 +212,7 @@ fn what_nothing_moves_stays() {
 
 #[test]
 fn numbers_of_a_file_are_found_and_set() {
-    let text = format!("{RACKET}samples = 3 # three\n");
+    let text = format!("{RACKET}samples = 3 # three\nsolver = \"auto\"\n");
     assert_eq!(numbers(&text).len(), 9);
     assert!(numbers(&text).contains(&"body.moments.2".to_owned()));
     let heavier = set(&text, "body.moments.2", 2.5).unwrap();

@@ -65,6 +65,8 @@ fn every_round_of_the_swivel_is_like_the_first() {
     let later = |round: f64| times.iter().map(move |t| t + 2.0 * round);
     let at = |times: Vec<f64>| rows(&swivel(), &Request::at(times).unwrap());
     let (first, round) = (at(times.clone()), at(vec![2.0])[0][0]);
+    // Halfway in, the arms have half the way behind them.
+    near!(at(vec![0.75])[0][2], 0.5 * (2.0 + 0.7), 1e-15);
     for whole in [1.0, 5.0] {
         for (a, b) in first.iter().zip(at(later(whole).collect())) {
             near!(a[0] + whole * round, b[0], 1e-14);

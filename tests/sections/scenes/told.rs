@@ -51,6 +51,14 @@ fn no_error_is_more_than_is_told() {
         if rough.error_estimate < 1e-5 && rough.cost.evaluations > 0 {
             better += 1;
         }
+        // Of steps ten tolerances are told, and something of every step: a tolerance is a fortieth of the accuracy over the angle.
+        let strict = request.clone().to_accuracy(1e-15).unwrap().within(1000);
+        let refused = scene.simulate(&strict.by(steps));
+        if let (Err(Error::Amplified { reached, .. }), 1..) = (refused, rough.cost.evaluations) {
+            let angle = (reached / 4e-16 - 10.0).max(2.0);
+            let (told, least) = (rough.error_estimate, 10.5 * 2.5e-7 / angle);
+            assert!(told > least, "{name}: {told:e} {least:e}\n{text}");
+        }
         let half = request.of_times(&times[..4]).unwrap();
         let half = half.to_accuracy(1e-5).unwrap();
         let sooner = scene.simulate(&half).unwrap().error_estimate;
@@ -103,6 +111,12 @@ fn what_is_told_of_closed_forms() {
         let off = [told, growth * f64::EPSILON].map(|x| relative(x, 2e-15 * (1.0 + angle)));
         assert!(greatest(off) < 1e-15, "{line}: {told:e} {growth:e}");
     }
+    // From event to event a phase is as much: ten strokes in halves, and more where a foot comes to rest.
+    let rough = parse("", &file_of_the_book("crawler.toml")).unwrap();
+    let request = rough.1.of_times(&[5.75]).unwrap();
+    let told = rough.0.simulate(&request).unwrap().error_estimate;
+    let phases = told / 2e-15 - 1.0 - TAU / 0.3 * 5.75;
+    assert!((20.0..41.0).contains(&phases), "{phases}");
 }
 
 /// The spin of a skater whose arms are still falls as e^−λt. What becomes of a change of its start, in the direction sin 2, sin 3, …, is told with the refusal of more
@@ -117,6 +131,31 @@ fn what_is_told_of_the_growth_of_a_change() {
     let [growth, _] = amplified(skater.simulate(&asking([t], 1e-15)));
     let turned = 2.0_f64.sin() + 3.0_f64.sin() * spin * (1.0 - (-lambda * t).exp()) / lambda;
     near!(growth, turned / 5.0_f64.sin().abs(), 7e-6..=3e-4); // observed 4e-5
+}
+
+/// Two runs that agree cost what each does alone, by tolerances of 2.5 of the accuracy over the angle and of a hundredth of that.
+#[test]
+fn what_two_runs_cost_is_what_each_costs() {
+    let fall = [0.02_f64.hypot(0.06) / 0.010, 0.06_f64.hypot(0.03) / 0.014];
+    let fall = vector([fall[0], fall[1], 0.03_f64.hypot(0.02) / 0.020]).norm();
+    let heavy = 2.0 * (86.0 + 9.80665 * fall).sqrt();
+    let tippe = 0.4 * (155.0 + (9.82_f64 / 0.02).sqrt());
+    for (name, t, angle) in [("heavy-body", 2.0, heavy), ("tippe-top", 0.4, tippe)] {
+        let (scene, _) = parse(name, &file_of_the_book(&format!("{name}.toml"))).unwrap();
+        let times: Vec<f64> = (1..9).map(|k| t * f64::from(k) / 8.0).collect();
+        let asked = using(&asking(times, 1e-6), OURS);
+        let cost = |asked| scene.simulate(&asked).unwrap().cost.evaluations as f64;
+        let alone = |part: f64| Effort::Tolerance(part * 2.5e-6 / angle);
+        let alone = [1.0, 0.01].map(|part| cost(asked.clone().in_one_run(alone(part))));
+        near!(cost(asked), alone[0] + alone[1], 0.01 * alone[0]);
+    }
+    // Of a ball that glides steps err by nothing: told are ten tolerances, and two of each step of the better run, which takes half or two thirds of all.
+    let ball = RoundBody::new(0.17, 0.03, 0.4).unwrap();
+    let ball = spinning_bodies::scene::Roller::new(ball, 9.81, 2.0, 0.7).unwrap();
+    let motion = ball.simulate(&using(&asking([3.0], 1e-2), OURS)).unwrap();
+    let told = motion.error_estimate / (2.5e-4 / 16.0) - 10.0;
+    let part = told / (2.0 * motion.cost.steps as f64);
+    assert!((0.49..0.7).contains(&part), "{part}");
 }
 
 #[test]

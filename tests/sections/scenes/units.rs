@@ -114,12 +114,9 @@ fn shapes() -> Vec<(String, String)> {
     };
     let mut names: Vec<_> = rows.iter().map(|row| row.section.as_str()).collect();
     names.dedup();
-    let files = names
-        .iter()
-        .map(|shape| (format!("a {shape}"), file(shape)));
-    files
-        .filter(|(name, text)| parse(name, text).is_ok())
-        .collect()
+    let files = names.iter().map(|name| (format!("a {name}"), file(name)));
+    let known = files.filter(|(name, text)| parse(name, text).is_ok());
+    known.collect()
 }
 
 /// What no scene of the book has: the name of one, a piece of its file, and the lines that take its place.

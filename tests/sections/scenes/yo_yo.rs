@@ -18,9 +18,8 @@ fn gravity() -> Gravity {
 
 /// Odd times that meet no event.
 fn times(until: f64) -> Vec<f64> {
-    (0..200)
-        .map(|k| until * (f64::from(k) + 0.123) / 200.0)
-        .collect()
+    let odd = |k| until * (f64::from(k) + 0.123) / 200.0;
+    (0..200).map(odd).collect()
 }
 
 fn run(scene: &impl Scene<State = YoYoState>, until: f64) -> Motion<YoYoState> {
@@ -185,9 +184,8 @@ fn what_it_sleeps_off_it_cannot_climb() {
 /// At rest there is nothing to compute, however long it hangs.
 #[test]
 fn what_hangs_costs_nothing() {
-    let airy = thrown(toy(), 0.0)
-        .with(AirDrag::new(1e-8).unwrap())
-        .unwrap();
+    let air = AirDrag::new(1e-8).unwrap();
+    let airy = thrown(toy(), 0.0).with(air).unwrap();
     let dead = airy.with(TurnLoss::new(0.0).unwrap()).unwrap();
     let spent = |t: f64| {
         let asked = Request::at([t]).unwrap();
@@ -200,8 +198,7 @@ fn what_hangs_costs_nothing() {
 #[test]
 fn requests_that_it_cannot_fulfil_are_refused() {
     let plain = thrown(toy(), 0.0);
-    let before = Request::at([1.0, -1.0]).unwrap();
-    refused!(plain.simulate(&before), OutOfRange);
+    refused!(plain.simulate(&asking([1.0, -1.0], 1e-10)), OutOfRange);
     let once = Request::at([1.0]).unwrap();
     refused!(plain.simulate(&using(&once, Solver::Exact)), Solver);
     let airy = plain.with(AirDrag::new(1e-8).unwrap()).unwrap();
@@ -211,8 +208,8 @@ fn requests_that_it_cannot_fulfil_are_refused() {
     assert!(TurnLoss::new(1.1).is_err());
     assert!(Hand::new(f64::NAN).is_err());
     assert!(plain.with(Gravity::new(-9.81).unwrap()).is_err());
-    let stranger = plain.with(AddedMass { factor: 1.0 });
-    refused!(stranger, Effect);
+    let added = AddedMass { factor: 1.0 };
+    refused!(plain.with(added), Effect);
     // Dead at the first turn, let go without weight: nothing to compute, nothing to fear.
     let dead = plain.with(TurnLoss::new(0.0).unwrap()).unwrap();
     assert_eq!(run(&dead, 10.0).rows[199].1.phase, Phase::Hanging);

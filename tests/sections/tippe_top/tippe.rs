@@ -59,10 +59,8 @@ fn the_least_spin_that_inverts_inverts() {
             let top = TippeTop::new(0.02, 0.02, alpha, MR2 * 0.4 * gamma, MR2 * 0.4, 9.82).unwrap();
             let spin = top.least_spin_to_invert().unwrap();
             let ends = |part: f64| top.final_tilt(top.jellett_of_spin(part * spin, 0.0), 0.0);
-            assert!(
-                ends(0.999).unwrap() < PI && ends(1.001).unwrap() == PI,
-                "{alpha} {gamma}"
-            );
+            let inverts = ends(0.999).unwrap() < PI && ends(1.001).unwrap() == PI;
+            assert!(inverts, "{alpha} {gamma}");
             assert!(spin >= top.least_spin_to_rise().unwrap());
         }
     }

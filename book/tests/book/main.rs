@@ -14,6 +14,7 @@ mod pages;
 mod scan;
 mod scene_prices;
 mod scenes;
+mod told;
 
 use press::drawings::{self, Drawing};
 use std::path::PathBuf;

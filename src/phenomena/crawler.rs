@@ -71,7 +71,10 @@ impl Strokes {
     pub(crate) fn at(&self, number: u64, time: f64) -> Gap {
         let acceleration = self.acceleration(number);
         // Counted from the end of the piece at which the rate is zero: the beginning of even pieces, the end of odd ones.
-        let elapsed = time - self.beginning(number + number % 2);
+        let rests = number + number % 2;
+        // Whole cycles are taken off before anything is rounded: beside many of them, the last digit of a clock is long.
+        let since = (-((rests / 4) as f64)).mul_add(self.cycle(), time);
+        let elapsed = since - self.beginning(rests % 4);
         let base = self.gap + if wide(number) { self.length } else { 0.0 };
         Gap {
             gap: base + 0.5 * acceleration * elapsed * elapsed,

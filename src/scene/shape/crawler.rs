@@ -180,7 +180,6 @@ impl Flow<5> for Crawler {
             Stop::AtTheEvent => {
                 if let Some((_, foot)) = self.rest(&leg, y[1], rate) {
                     feet[foot] = Foot::Holds;
-                    y[1] = self.body.holding(foot, rate);
                 }
                 piece
             }
@@ -195,7 +194,12 @@ impl Flow<5> for Crawler {
                 piece + 1
             }
         };
-        Ok((piece, self.leg(piece, t, feet, y)))
+        let leg = self.leg(piece, t, feet, y);
+        // A foot that slips on, the other way, leaves the velocity of the centre to the friction: the time of the event is rounded.
+        if let Some(foot) = leg.feet.iter().position(|&foot| foot == Foot::Holds) {
+            y[1] = self.body.holding(foot, rate);
+        }
+        Ok((piece, leg))
     }
 
     fn known(

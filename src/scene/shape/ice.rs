@@ -423,9 +423,10 @@ impl Scene for Skater {
         let mut books = trace.told(request, plan, |t, _, y| self.state(t, y));
         let l = self.angular_momentum();
         let start = self.state(0.0, &[0.0, self.spin, 0.0, 0.0]);
-        // The hands change the energy, and with it the rounding: drifts are relative to the greatest energy.
+        // The hands change the energy, and with it the rounding: drifts are relative to the greatest energy. Without spin it is that of the hands, between two rows perhaps.
+        let [.., scale, _] = self.scales();
         let energies = books.states().map(|state| state.energy);
-        let largest = energies.fold(start.energy, f64::max);
+        let largest = energies.fold(scale, f64::max);
         let momentum = |_: usize, state: &SkaterState| {
             let now = self.body.moment(state.reach) * state.spin;
             self.bearing_friction.map_or(now, |c| now + c * state.angle)

@@ -135,6 +135,10 @@ fn a_skater_without_effects_spins_evenly_and_friction_matters() -> Result<()> {
     let none = rows(&moving.with(BearingFriction::new(0.0)?)?, &asked);
     let off = apart(&rows(&moving, &asked), &none);
     assert!(off <= 1e-9, "{off:e}");
+    // Without spin the arms work too, and get back what they have given.
+    let standing = shape::Skater::new(grown(), 0.7, 0.0)?.with(DRAW)?;
+    let standing = standing.with(BearingFriction::new(0.1)?)?;
+    near!(rows(&standing, &asking([2.0], 1e-10))[0][4], 0.0, 1e-9);
     let rubbed = moving.with(BearingFriction::new(0.05)?)?;
     let motion = rubbed.simulate(&asked)?;
     let end = motion.rows[50].1;
@@ -324,6 +328,14 @@ fn every_cycle_of_a_crawler_that_comes_to_rest_is_like_the_first() {
             near!(later[foot] - now[foot], first, 1e-14);
         }
     }
+}
+
+/// On smooth ice its feet never rest: after a thousand cycles it goes on as fast, however late the clock.
+#[test]
+fn a_crawler_that_never_rests_is_as_fast_in_every_cycle() {
+    let times = [1e3, 2e5].map(|cycles| 1.15 * cycles);
+    let rows = rows(&on_the_ground(1e-3), &asking(times, 1e-6));
+    near!(rows[0][3], rows[1][3], 1e-12);
 }
 
 #[test]

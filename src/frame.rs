@@ -413,12 +413,14 @@ impl Attitude {
         Self(self.0.inverse())
     }
 
-    /// The quaternion.
+    /// The quaternion. Its matrix, whose columns are the body's axes in space, is nalgebra's `to_rotation_matrix`.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
     /// let quaternion = Attitude::about_axis(BodyVector::new(0.0, 1.0, 0.0), 1.0)?.quaternion();
     /// assert!((quaternion.w - 0.5_f64.cos()).abs() + (quaternion.j - 0.5_f64.sin()).abs() < 1e-15);
+    /// // Axis 3 leans towards the x axis of space.
+    /// assert!((quaternion.to_rotation_matrix()[(0, 2)] - 1.0_f64.sin()).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn quaternion(&self) -> UnitQuaternion<f64> {

@@ -50,6 +50,9 @@ impl Request {
     /// use spinning_bodies::scene::Request;
     /// assert_eq!(Request::at([0.0, 1.0])?.times(), [0.0, 1.0]);
     /// assert!(Request::at([]).is_err());
+    /// // Ten seconds, in a hundred equal steps.
+    /// let evenly: Vec<f64> = (0..=100).map(|k| f64::from(k) / 10.0).collect();
+    /// assert_eq!(Request::at(evenly)?.times().len(), 101);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn at(times: impl Into<Vec<f64>>) -> Result<Self> {

@@ -16,7 +16,7 @@ pub use sleep::{sleeping_spin, spin_after_waking};
 pub use turn::{Turn, TurnState};
 pub use unwinding::Unwinding;
 
-use crate::error::{Result, positive, within};
+use crate::error::{Result, finite, positive, within};
 
 /// A yo-yo: two discs on an axle, a string wound round it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,6 +46,8 @@ impl YoYo {
     /// use spinning_bodies::yo_yo::YoYo;
     /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
     /// assert!((toy.acceleration(0.0, 0.0, 8.0) - 2.0).abs() < 1e-15); // g/(1 + 3)
+    /// // r² overflows, or is nothing.
+    /// assert!(YoYo::new(1.0, 3e-4, 1e250, 1e200).is_err() && YoYo::new(1.0, 3e-4, 1.0, 1e-200).is_err());
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(mass: f64, inertia: f64, length: f64, axle: f64) -> Result<Self> {
@@ -57,7 +59,7 @@ impl YoYo {
             inertia: positive("the moment of inertia of the yo-yo", inertia)?,
             length,
             axle,
-            wound_squared: axle * axle,
+            wound_squared: positive("the square of the radius of the axle", axle * axle)?,
             slope: 0.0,
         })
     }
@@ -93,7 +95,7 @@ impl YoYo {
     pub fn wound_to(mut self, radius: f64) -> Result<Self> {
         let most = 0.5 * self.length;
         within("the radius of the wound string", radius, self.axle, most)?;
-        self.wound_squared = radius * radius;
+        self.wound_squared = finite("the square of the radius", radius * radius)?;
         self.slope = (radius - self.axle) * (radius + self.axle) / self.length;
         Ok(self)
     }

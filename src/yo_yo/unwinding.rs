@@ -38,12 +38,13 @@ impl Unwinding {
     /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
     /// let way = Unwinding::new(toy, 8.0, 0.0)?; // 8 m/s²/(1 + 3)
     /// assert!((way.duration()? - 1.0).abs() < 1e-15);
+    /// // As much energy for each kilogram as no double holds.
+    /// assert!(Unwinding::new(YoYo::new(1e-200, 3e-204, 1.0, 0.01)?, 8.0, 1e200).is_err());
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(toy: YoYo, gravity: f64, energy: f64) -> Result<Self> {
         let gravity = not_negative("gravity", gravity)?;
-        let energy = finite("the energy of the yo-yo", energy)?;
-        let e = energy / toy.mass;
+        let e = finite("the energy of the yo-yo", energy / toy.mass)?;
         let top = if e < 0.0 { -e / gravity } else { 0.0 };
         if (gravity == 0.0 && energy <= 0.0) || top >= toy.length {
             let condition = "the yo-yo must have enough energy to leave the end of the string";
@@ -102,7 +103,7 @@ impl Unwinding {
     /// Time from the upper end to this depth, s. Observed error: 1e-14.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`](crate::Error::OutOfRange) for a depth outside the motion.
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) for a depth outside the motion; [`Error::NotFinite`](crate::Error::NotFinite) where the time overflows.
     ///
     /// ```
     /// use spinning_bodies::yo_yo::{Unwinding, YoYo};
@@ -113,7 +114,7 @@ impl Unwinding {
     /// ```
     pub fn time_at(&self, depth: f64) -> Result<f64> {
         within("the depth of the yo-yo", depth, self.top, self.toy.length)?;
-        self.time_of(depth - self.top)
+        finite("the time down the string", self.time_of(depth - self.top)?)
     }
 
     /// The time from the upper end to the distance `way` below it, s.
@@ -169,7 +170,7 @@ impl Unwinding {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn duration(&self) -> Result<f64> {
-        finite("the time down the string", self.time_at(self.toy.length)?)
+        self.time_at(self.toy.length)
     }
 
     /// Depth (m) and spin (rad/s) at a time after the upper end (s, between 0 and the [duration](Self::duration)).

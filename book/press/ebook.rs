@@ -17,7 +17,7 @@ use mdbook_driver::config::Config;
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd, html::push_html};
 use std::io::{Cursor, Write};
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::Command;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
@@ -43,13 +43,8 @@ const BROWSERS: [&str; 6] = [
 /// # Errors
 /// [`Error::Failed`] if there is none.
 pub fn browser() -> Result<&'static str> {
-    let mut known = BROWSERS.into_iter();
-    let is_there = |name: &&str| {
-        let mut asked = Command::new(name);
-        let quiet = asked.arg("--version").stdout(Stdio::null());
-        quiet.stderr(Stdio::null()).status().is_ok()
-    };
-    known.find(is_there).ok_or_else(|| {
+    let is_there = |name: &&str| Command::new(name).arg("--version").output().is_ok();
+    BROWSERS.into_iter().find(is_there).ok_or_else(|| {
         Error::Failed(format!(
             "--pdf: a browser prints it, and none of these is installed: {}; any other can print book/build/print.html",
             BROWSERS[..5].join(", ")
@@ -72,7 +67,7 @@ pub fn pdf(browser: &str, pages: &Path, file: &Path) -> Result<()> {
     command.arg(format!("--print-to-pdf={}", printed.display()));
     command.arg(pages.join("print.html"));
     // Its output is about itself; the file shows whether it has printed.
-    let _ = command.stdout(Stdio::null()).stderr(Stdio::null()).status();
+    let _ = command.output();
     let bytes = std::fs::read(&printed)
         .map_err(|error| Error::Failed(format!("{browser} printed no PDF: {error}")))?;
     write_if_changed(file, &bytes).map(drop)

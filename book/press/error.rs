@@ -46,7 +46,8 @@ impl Error {
     }
 }
 
-/// The words of a message on a single line.
+/// The words of a message on a single line, without anything that a terminal would obey.
 pub fn one_line(message: &str) -> String {
-    message.split_whitespace().collect::<Vec<_>>().join(" ")
+    let told = message.replace(char::is_control, " ");
+    told.split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -55,10 +55,8 @@ pub fn build(root: &Path) -> Result<(PathBuf, usize)> {
     }
     let built = target.join(TARGET).join("live/live.wasm");
     let module = std::fs::read(&built).map_err(Error::file(&built))?;
-    let script = format!(
-        "window.liveModule = '{}';\n",
-        BASE64_STANDARD.encode(&module)
-    );
+    let letters = BASE64_STANDARD.encode(&module);
+    let script = format!("window.liveModule = '{letters}';\n");
     let committed = root.join("book/src/assets/live-module.js");
     write_if_changed(&committed, script.as_bytes())?;
     Ok((committed, module.len()))

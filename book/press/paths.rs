@@ -20,11 +20,10 @@ pub fn workspace_root() -> Result<PathBuf> {
 
 /// Every file in a folder and below, sorted by name; for a file, itself; an empty list if there is neither.
 pub fn files_below(folder: &Path) -> Result<Vec<PathBuf>> {
-    let mut files = Vec::new();
     if !folder.is_dir() {
-        files.extend(folder.exists().then(|| folder.to_owned()));
-        return Ok(files);
+        return Ok(Vec::from_iter(folder.exists().then(|| folder.to_owned())));
     }
+    let mut files = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(Error::file(folder))? {
         let path = entry.map_err(Error::file(folder))?.path();
         files.extend(files_below(&path)?);

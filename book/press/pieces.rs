@@ -108,17 +108,12 @@ pub fn unbroken(text: &str) -> String {
 
 /// Text without any Markdown: everything except letters, digits and spaces is written as an entity.
 pub fn inert(text: &str) -> String {
-    let mut out = String::with_capacity(4 * text.len());
-    for c in text.chars() {
-        match c {
-            ' ' | '\n' | '\t' | '\r' => out.push(' '),
-            c if c.is_ascii() && !c.is_ascii_alphanumeric() => {
-                out.push_str(&format!("&#{};", c as u32));
-            }
-            c => out.push(c),
-        }
-    }
-    out
+    let written = |c: char| match c {
+        ' ' | '\n' | '\t' | '\r' => " ".to_owned(),
+        c if c.is_ascii() && !c.is_ascii_alphanumeric() => format!("&#{};", c as u32),
+        c => c.to_string(),
+    };
+    text.chars().map(written).collect()
 }
 
 #[cfg(test)]

@@ -51,9 +51,7 @@ pub fn counted<T>(parts: usize, what: &str, work: impl FnOnce(&(dyn Fn() + Sync)
         let told = format!("{done} of {parts} {what}");
         (done as f64 / parts as f64, told)
     };
-    let count = || {
-        done.fetch_add(1, Ordering::Relaxed);
-    };
+    let count = || _ = done.fetch_add(1, Ordering::Relaxed);
     watched(how_far, || work(&count))
 }
 

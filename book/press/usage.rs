@@ -3,7 +3,7 @@
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{ArgAction, Args, Parser, Subcommand};
 use figures::on_your_table::Paper;
 use spinning_bodies::scene::{Solver, files};
 
@@ -148,10 +148,10 @@ pub struct Figures {
     #[arg(value_name = "NAME")]
     pub names: Vec<String>,
     /// Lists the figures instead of drawing them; for those named, with their parameters
-    #[arg(long, conflicts_with_all = ["out", "check", "set", "data", "theme", "transparent", "form"])]
+    #[arg(long, conflicts_with_all = ["out", "check", "set", "data", "theme", "transparent", "form", "width"])]
     pub list: bool,
     /// Form of the list; JSON has the claim and the parameters of each figure, for programs
-    #[arg(long, value_parser = ["text", "json"], default_value = "text", requires = "list", conflicts_with_all = ["out", "check", "set", "data", "theme", "transparent", "form"])]
+    #[arg(long, value_parser = ["text", "json"], default_value = "text", requires = "list", conflicts_with_all = ["out", "check", "set", "data", "theme", "transparent", "form", "width"])]
     pub format: String,
     /// Parameters of one figure with other values than the book's
     #[arg(long, value_name = "KEY=VALUE,…", value_delimiter = ',')]
@@ -169,13 +169,13 @@ pub struct Figures {
     #[arg(long = "as", value_enum, value_name = "FORM", default_value_t)]
     pub form: Form,
     /// Width of a PDF in points [default: 432], or of a PNG in pixels [default: 1200]
-    #[arg(long, value_name = "N", requires = "form", value_parser = clap::value_parser!(u16).range(16..=16384))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, requires = "form", value_parser = clap::value_parser!(u16).range(16..=16384))]
     pub width: Option<u16>,
     /// Folder for the files [default: figures/svg in the workspace; the current folder for a drawing that differs from the book's]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Writes nothing; compares fresh drawings with the files, to within one canvas unit
-    #[arg(long, conflicts_with_all = ["set", "data", "theme", "transparent", "form"])]
+    #[arg(long, conflicts_with_all = ["set", "data", "theme", "transparent", "form", "width"])]
     pub check: bool,
 }
 
@@ -215,7 +215,7 @@ pub struct Scene {
     #[arg(required_unless_present = "keys")]
     pub file: Option<PathBuf>,
     /// Prints the keys of a kind of scene, and reads no file
-    #[arg(long, value_name = "KIND", conflicts_with_all = ["file", "columns", "plot", "film", "frames", "format", "output"])]
+    #[arg(long, value_name = "KIND", exclusive = true)]
     pub keys: Option<String>,
     /// The columns of a row after the time; an unknown name prints the list of all [default: the usual ones of the kind]
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
@@ -230,7 +230,7 @@ pub struct Scene {
     #[arg(long, value_name = "RATE", allow_negative_numbers = true, requires = "film", conflicts_with_all = ["plot", "frames"])]
     pub speed: Option<f64>,
     /// Draws N pictures of the moving body into a new folder, at equal steps of time
-    #[arg(long, num_args = 2, allow_negative_numbers = true, value_names = ["DIR", "N"], conflicts_with_all = ["columns", "plot", "film", "format", "output"])]
+    #[arg(long, num_args = 2, action = ArgAction::Set, allow_negative_numbers = true, value_names = ["DIR", "N"], conflicts_with_all = ["columns", "plot", "film", "format", "output"])]
     pub frames: Vec<OsString>,
     /// Form of these pictures; all but svg need a build with `--features book/pictures`
     #[arg(long = "as", value_enum, value_name = "FORM", default_value_t, requires = "frames", conflicts_with_all = ["plot", "film"])]

@@ -4,7 +4,7 @@ use clap::ValueEnum;
 use std::fmt::Display;
 use std::fs::{File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, ErrorKind, Write};
-use std::path::{Path, PathBuf};
+use std::path::{Path, PathBuf, is_separator};
 
 use crate::interrupt::Unfinished;
 use crate::{Error, Result};
@@ -84,8 +84,8 @@ impl Place {
     fn of(path: &Path, input: Option<&Path>) -> Result<Self> {
         let refused = |told: &str| Err(Error::Input(format!("{}: {told}", path.display())));
         let there = std::fs::metadata(path).ok();
-        let is_folder = there.as_ref().map(Metadata::is_dir);
-        if is_folder.unwrap_or(path.file_name().is_none()) {
+        let named = path.to_string_lossy().ends_with(is_separator) || path.file_name().is_none();
+        if there.as_ref().map_or(named, Metadata::is_dir) {
             return refused("expected a file, this is a folder");
         }
         match &there {
@@ -163,11 +163,16 @@ pub fn whole(folder: &Path, written: impl FnOnce(&Path) -> Result<()>) -> Result
 /// Checks that files can be written into this folder, which need not exist yet; the trial leaves no trace.
 ///
 /// # Errors
-/// [`Error::File`].
+/// [`Error::Input`] for what is no folder, or would be in one that is none; [`Error::File`].
 pub fn can_be_written_into(folder: &Path) -> Result<()> {
     let there = folder.ancestors().find(|folder| folder.exists());
-    let there = there.filter(|there| *there != Path::new(""));
-    let tried = Unfinished::within(there.unwrap_or(Path::new(".")));
+    let there = there.unwrap_or(Path::new("."));
+    if !there.is_dir() {
+        let (folder, there) = (folder.display(), there.display());
+        let told = format!("{folder}: expected a folder, {there} is a file");
+        return Err(Error::Input(told));
+    }
+    let tried = Unfinished::within(there);
     tried.map(drop).map_err(Error::file(folder))
 }
 

@@ -44,10 +44,10 @@ impl Quantity {
             };
         }
         let greatest = low.abs().max(high.abs());
-        let first = self.values.first().copied().unwrap_or(0.0);
+        let first = self.values.iter().copied().find(|value| !value.is_nan());
         let hardly = high > low && high - low < 1e-6 * greatest;
         let (before, origin) = if hardly {
-            ("change of ", first)
+            ("change of ", first.unwrap_or(0.0))
         } else {
             ("", 0.0)
         };
@@ -408,9 +408,9 @@ mod tests {
 
     #[test]
     fn what_hardly_changes_is_drawn_as_its_change() {
-        let energy = quantity("energy", &[5.0, 5.0 + 4e-13, 5.0 - 4e-13]).drawn();
+        let energy = quantity("energy", &[f64::NAN, 5.0, 5.0 + 4e-13, 5.0 - 4e-13]).drawn();
         assert_eq!(energy.label, "change of energy, 10^{\u{2212}13} J");
-        assert!(energy.values[0] == 0.0 && energy.shown[1] > 3.9);
+        assert!(energy.values[1] == 0.0 && energy.shown[1] > 3.9);
         assert_eq!(quantity("energy", &[2.0, 2.0]).drawn().shown, [1.0, 3.0]);
         assert_eq!(quantity("energy", &[0.0, 0.0]).drawn().label, "energy, J");
     }

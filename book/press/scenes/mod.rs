@@ -194,10 +194,9 @@ pub fn simulate(path: impl AsRef<Path>) -> Result<(Table, f64)> {
 
 /// The file that a name stands for: a path, or a file of `book/scenes` with or without its ending.
 pub fn file(root: &Path, name: &Path) -> Option<PathBuf> {
-    let scenes = root.join("book/scenes");
-    let mut ending = name.as_os_str().to_owned();
-    ending.push(".toml");
-    let mut places = [name.to_owned(), scenes.join(name), scenes.join(ending)].into_iter();
+    let scene = root.join("book/scenes").join(name);
+    let ended = scene.with_added_extension("toml");
+    let mut places = [name.to_owned(), scene, ended].into_iter();
     places.find(|place| place.exists() && !place.is_dir())
 }
 

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use clap::ValueEnum;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use spinning_bodies::conservation::Law;
 use spinning_bodies::integrators::Cost;
 use spinning_bodies::scene::Table;
@@ -157,11 +157,11 @@ fn json(motion: &Motion, to: &mut dyn Write) -> io::Result<()> {
             if !long {
                 writeln!(to, "{told},")?;
             }
-            let mut units = Map::from_iter([("t".to_owned(), json!("s"))]);
-            for column in &table.columns {
-                units.insert(column.name.to_owned(), json!(column.unit));
-            }
-            let units = Value::Object(units);
+            let named = table
+                .columns
+                .iter()
+                .map(|column| (column.name, column.unit));
+            let units: Value = std::iter::once(("t", "s")).chain(named).collect();
             write!(to, "  \"units\": {units},\n  \"rows\": [")?;
         }
         for (t, numbers) in table.rows() {

@@ -7,7 +7,7 @@ use std::path::Path;
 use figures::Figure;
 use figures::own::{Quantity, diagram, map};
 use rayon::prelude::*;
-use serde_json::{Map, Value as Json, json};
+use serde_json::{Value as Json, json};
 use spinning_bodies::scene::{Column, files};
 
 use super::output::Format;
@@ -92,7 +92,10 @@ impl Over {
         let value = move |from: f64, to: f64| match part {
             0.0 => from,
             1.0 => to,
-            _ if self.logarithmic => rounded(from * (to / from).powf(part)),
+            _ if self.logarithmic => {
+                let [near, far] = [from, to].map(|end| end.abs().log10());
+                rounded(10_f64.powf(near + (far - near) * part)).copysign(from)
+            }
             _ if (to - from).is_finite() => rounded(from + (to - from) * part),
             _ => from * (1.0 - part) + to * part,
         };
@@ -309,7 +312,7 @@ impl Scan {
     /// Runs the scan and draws the first number asked for: a line over one range, a map over two.
     ///
     /// # Errors
-    /// [`Error::Input`] for more ranges or too large a map, [`Error::Failed`] if no point could be run.
+    /// [`Error::Input`] for more ranges, one without extent or too large a map, [`Error::Failed`] if no point could be run or has the number.
     pub fn picture(&self, done: impl Fn() + Sync) -> Result<Figure> {
         let refused = |told: String| Err(Error::Input(format!("--plot: {told}")));
         let count = self.points();
@@ -322,6 +325,10 @@ impl Scan {
             1 | 2 => (),
             more => return refused(format!("expected one --over, or two for a map, got {more}")),
         }
+        let mut drawn = self.overs.iter().map(|over| &over.ranges[0]);
+        if let Some((path, only, _)) = drawn.find(|(_, from, to)| from == to) {
+            return refused(format!("expected two ends of `{path}`, got {only:?} twice"));
+        }
         let (points, ran) = self.ran(done);
         ran?;
         let value = |(_, outcome): &Point| match outcome.as_deref() {
@@ -332,7 +339,11 @@ impl Scan {
         let tell = &self.tells[0];
         let is_time = matches!(tell.what, What::Crossing(_));
         let column = self.columns.first().filter(|_| !is_time);
-        let values = points.iter().map(value).collect();
+        let values: Vec<f64> = points.iter().map(value).collect();
+        if values.iter().all(|value| value.is_nan()) {
+            let told = format!("--plot: no point of the scan has a `{}`", tell.head);
+            return Err(Error::Failed(told));
+        }
         let told = quantity(&tell.head, column, values);
         let axis = |over: &Over| {
             let first = |place: usize| over.values(place).next();
@@ -375,11 +386,10 @@ impl Scan {
         for (varied, outcome) in points {
             let told = outcome.iter().flatten().map(|number| json!(number));
             let numbers = varied.iter().map(|number| json!(number)).chain(told);
-            let mut line: Map<String, Json> = heads.iter().cloned().zip(numbers).collect();
-            if let Err(error) = outcome {
-                line.insert("reason".to_owned(), json!(error.to_string()));
-            }
-            lines[usize::from(outcome.is_err())].push(Json::Object(line).to_string());
+            let reason = outcome.as_ref().map_err(|error| json!(error.to_string()));
+            let reason = reason.err().map(|reason| ("reason".to_owned(), reason));
+            let line: Json = heads.iter().cloned().zip(numbers).chain(reason).collect();
+            lines[usize::from(outcome.is_err())].push(line.to_string());
         }
         let [rows, refused] = lines.map(|lines| match lines.is_empty() {
             true => "[]".to_owned(),

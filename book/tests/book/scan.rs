@@ -139,6 +139,9 @@ fn a_scan_spans_all_doubles_and_whole_numbers() {
     let (lines, _) = scanned("0.01, 1.0,", "0.01, 1.0e3,", &[over]);
     let values: Vec<&str> = lines[1..].iter().map(|line| line[0].as_str()).collect();
     assert_eq!(values, ["-1e308", "0.0", "1e308"]);
+    let (lines, _) = scanned("", "", &["initial.omega.0=1e-300..1e300:5:log"]);
+    let values: Vec<&str> = lines[1..].iter().map(|line| line[0].as_str()).collect();
+    assert_eq!(values, ["1e-300", "1e-150", "1.0", "1e150", "1e300"]);
     // 2 and 4 are whole, 3.5 is none: its line says so.
     let (lines, _) = scanned("", "", &["run.samples=2..5:3"]);
     let [two, three, four] = [1, 2, 3].map(|k: usize| lines[k].last().unwrap().as_str());

@@ -9,10 +9,13 @@ use toml::de::{DeTable, DeValue};
 
 use super::keys::{Key, KeyRow};
 
-/// All mistakes in a file, in the order of its lines; each is one line with the file, the line, the key, and the expected value.
+/// All mistakes in a file, but a hundred unknown keys of a table at most, in the order of its lines; each is one line with the file, the line, the key, and the expected value.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{}", .0.join("\n"))]
 pub struct Mistakes(Vec<String>);
+
+/// Most unknown keys of a table that are told.
+const MOST: usize = 100;
 
 /// A file being read. A method that returns `None` has recorded the mistake.
 pub(super) struct Reader<'a> {
@@ -49,7 +52,7 @@ impl<'a> Reader<'a> {
         let Some(error) = errors.first() else {
             return Ok(reader);
         };
-        let mut told = one_line(error.message());
+        let mut told = error.message().to_owned();
         if told == "duplicate key" {
             let key = error.span().and_then(|place| text.get(place));
             told = format!("key `{}` stands twice", key.unwrap_or_default());
@@ -70,6 +73,8 @@ impl<'a> Reader<'a> {
 
     /// Records a mistake at this place of the text.
     fn add(&self, place: Option<Range<usize>>, told: String) {
+        // A key in quotes may have anything in it.
+        let told = told.replace(char::is_control, " ");
         let before = |place: Range<usize>| self.text.get(..place.start).unwrap_or_default();
         let line = place.map(|place| before(place).matches('\n').count() + 1);
         let mistake = match line {
@@ -88,8 +93,7 @@ impl<'a> Reader<'a> {
         let mut paths = keys.split(", ");
         let place = paths.find_map(|path| find(&self.entries, path));
         let place = place.or_else(|| find(&self.entries, keys.split('.').next()?));
-        let place = place.map(|(place, _)| place);
-        self.add(place, format!("{}{told}", named(keys)));
+        self.add(place.map(|found| found.0), format!("{}{told}", named(keys)));
         None
     }
 
@@ -106,12 +110,9 @@ impl<'a> Reader<'a> {
     /// A value as written in the file, shortened.
     pub fn shown(&self, value: &Spanned<DeValue<'_>>) -> String {
         let text = self.text.get(value.span()).unwrap_or_default();
-        one_line(text).chars().take(40).collect()
+        let words: Vec<&str> = text.split_whitespace().collect();
+        words.join(" ").chars().take(40).collect()
     }
-}
-
-fn one_line(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// A key and its value, by the path: "body.moments", or "body.moments.2" with places in a list counted from 0.
@@ -297,7 +298,8 @@ impl<'r> Table<'r> {
             }
         }
         let known = self.known.borrow();
-        for key in self.strangers().filter(|_| !self.takes_any.get()) {
+        let strangers = self.strangers().filter(|_| !self.takes_any.get());
+        for key in strangers.take(MOST) {
             let meant = meant(key, known.iter().copied());
             let told = match known.join(", ") {
                 all if all.is_empty() => " is unknown: no key is allowed here".to_owned(),

@@ -31,6 +31,9 @@ fn a_scan_is_drawn_over_one_range_or_two() {
     let thrice = book(&[&over[..], &second, &third, &["--plot", "tilt"]].concat());
     let told = "--plot: expected one --over, or two for a map, got 3";
     refused(&thrice, &[told]);
+    let never = book(&[&over[..], &["--plot", "crossing:energy=9"]].concat());
+    assert_eq!(never.status.code(), Some(1));
+    assert!(text(&never.stderr).contains("no point of the scan has a `crossing:energy=9.0`"));
     let column = book(&[&over[..], &["--plot", "tlt"]].concat());
     refused(&column, &["has no column `tlt` to tell"]);
 }

@@ -85,10 +85,7 @@ fn what_cannot_be_written_is_refused_before_any_work() {
     let file = folder.path().join("a-file");
     std::fs::write(&file, "").unwrap();
     let output = book(&["figures", "--out", file.join("svg").to_str().unwrap()]);
-    let told = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(1), "{told}");
-    assert_eq!(told.lines().count(), 1, "{told}");
-    assert!(told.contains("a-file"), "{told}");
+    refused(&output, &["a-file is a file"]);
 }
 
 #[test]

@@ -350,9 +350,7 @@ fn rows_at_the_moment_of_an_event_are_told() {
     let start = Start::spinning(Attitude::identity(), BodyVector::new(0.0, 80.0, 5.0)).unwrap();
     let scene = heavy(body, start).with(Coulomb::new(0.3).unwrap()).unwrap();
     let phases = |t: f64| scene.phases(&Request::at([t]).unwrap()).unwrap();
-    let [.., landing, rolling] = phases(0.2)[..] else {
-        panic!()
-    };
+    let [landing, rolling] = *phases(0.2).last_chunk().unwrap();
     let begun = [landing.support, rolling.support];
     assert_eq!(begun, [Support::Sliding, Support::Rolling]);
     for Phase { start, .. } in [landing, rolling] {

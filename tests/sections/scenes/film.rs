@@ -351,9 +351,8 @@ fn shapes_that_change_are_drawn_as_they_are() {
     let (table, sights) = seen("skater.toml", &text, &[0.0, 0.9, 1.2, 1.7]);
     for (row, sight) in sights.iter().enumerate() {
         let told = |name| number(&table, row, name);
-        let [core, left_arm, left, right_arm, right] = &sight.solids[..] else {
-            panic!()
-        };
+        let [core, left_arm, left, right_arm, right]: &[_; 5] =
+            sight.solids[..].try_into().unwrap();
         let (sine, cosine) = told("angle").sin_cos();
         let reach = Vector3::new(cosine, sine, 0.0) * told("reach");
         for (side, arm, hand) in [(-1.0, left_arm, left), (1.0, right_arm, right)] {
@@ -371,9 +370,7 @@ fn shapes_that_change_are_drawn_as_they_are() {
     let text = file_of_the_book("crawler.toml");
     let (table, sights) = seen("crawler.toml", &text, &[0.0, 0.5, 1.1]);
     for (row, sight) in sights.iter().enumerate() {
-        let [muscle, rear, front] = &sight.solids[..] else {
-            panic!()
-        };
+        let [muscle, rear, front]: &[_; 3] = sight.solids[..].try_into().unwrap();
         assert_eq!((place(muscle), end(muscle)), (place(rear), place(front)));
         let [behind, before] = ["rear", "front"].map(|name| number(&table, row, name));
         assert_eq!((place(rear).x, place(front).x), (behind, before));

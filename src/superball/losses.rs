@@ -1,10 +1,8 @@
 //! Imperfect superballs: restitution along and across the surface, and a contact that slips.
 
-use core::ops::{Add, Mul, Sub};
-
 use num_traits::Num;
 
-use super::{Motion, Surface};
+use super::{Motion, Surface, kicked};
 use crate::error::{Result, not_negative, positive, refused, within};
 use crate::integrators::halved;
 use crate::rolling::Coulomb;
@@ -145,21 +143,6 @@ pub fn gripping_bounce(
         turned = (law.kinetic * pressed / kappa).copysign(slip);
     }
     kicked(before, surface, kappa, turned)
-}
-
-/// The motion after a bounce that adds `turned` to the rim speed at the floor and subtracts it at the ceiling; V + κRΩ at the floor, V − κRΩ at the
-/// ceiling does not change.
-pub(super) fn kicked<T>(before: Motion<T>, surface: Surface, kappa: T, turned: T) -> Motion<T>
-where
-    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>,
-{
-    Motion {
-        velocity: before.velocity - kappa * turned,
-        rim_speed: match surface {
-            Surface::Floor => before.rim_speed + turned,
-            Surface::Ceiling => before.rim_speed - turned,
-        },
-    }
 }
 
 /// The tangential restitution below which a ball thrown under a table without spin does not come back after three bounces, but goes on with V₃ > 0.

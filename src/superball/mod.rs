@@ -26,7 +26,6 @@ use num_traits::{CheckedAdd, CheckedDiv, CheckedMul, CheckedSub, Num};
 
 use crate::error::{Result, finite, not_negative, positive, within};
 use crate::precise::DoubleDouble;
-use losses::kicked;
 
 /// Velocity and rim speed, which a bounce changes, in the same unit of speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -124,6 +123,21 @@ pub fn bounce<T: Num + Copy>(before: Motion<T>, surface: Surface, kappa: T) -> M
         rim_speed,
     }
     // ANCHOR_END: bounce
+}
+
+/// The motion after a bounce that adds `turned` to the rim speed at the floor and subtracts it at the ceiling; V + κRΩ at the floor, V − κRΩ at the
+/// ceiling does not change.
+fn kicked<T>(before: Motion<T>, surface: Surface, kappa: T, turned: T) -> Motion<T>
+where
+    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>,
+{
+    Motion {
+        velocity: before.velocity - kappa * turned,
+        rim_speed: match surface {
+            Surface::Floor => before.rim_speed + turned,
+            Surface::Ceiling => before.rim_speed - turned,
+        },
+    }
 }
 
 /// [`bounce`] for fractions of fixed-width integers: `None` where a numerator or denominator would overflow, or κ = −1.

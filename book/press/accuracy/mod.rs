@@ -13,29 +13,18 @@ use std::sync::{Mutex, PoisonError};
 
 use figures::Figure;
 use figures::own::{Curve, prices};
-use lab::accuracy::{JudgedScene, Measurement, NAMES, Problem, Trial, candidates, named, problems};
+use lab::accuracy::{JudgedScene, NAMES, Problem, Trial, candidates, named, problems};
 use spinning_bodies::scene::Solver;
 
 use crate::progress::watched;
 use crate::scenes::{self, Motion, output::Format};
 use crate::writer::{Target, tell};
 use crate::{Error, Result};
-use patience::PATIENCE;
+use patience::{PATIENCE, Swept};
 
 /// The header of the CSV file.
 pub const HEADER: &str =
     "problem,method,parameter,error_attitude,error_omega,evaluations,steps,seconds,status";
-
-/// One method on one problem.
-#[derive(Debug)]
-pub struct Swept {
-    /// Its measurements, from coarse to fine.
-    pub rows: Vec<Measurement>,
-    /// Its name.
-    pub method: String,
-    /// Number of finer efforts left out because they would have taken too long.
-    pub left_out: usize,
-}
 
 /// Measures a problem (or its lengths, or a scene file), or all of them; writes the CSV file, and gives the tables and curves.
 ///

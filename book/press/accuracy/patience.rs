@@ -6,7 +6,16 @@ use lab::accuracy::{Candidate, Measurement, Problem, Trial};
 use spinning_bodies::Error;
 use spinning_bodies::integrators::Effort;
 
-use super::Swept;
+/// One method on one problem.
+#[derive(Debug)]
+pub struct Swept {
+    /// Its measurements, from coarse to fine.
+    pub rows: Vec<Measurement>,
+    /// Its name.
+    pub method: String,
+    /// Number of finer efforts left out because they would have taken too long.
+    pub left_out: usize,
+}
 
 /// A run that would take longer is left out, s.
 pub const PATIENCE: f64 = 0.6;

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use lab::accuracy::measured::{Row, TARGETS, ranking};
 use lab::accuracy::{Measurement, Status};
 
-use super::Swept;
+use super::patience::Swept;
 
 /// The method that the others are compared with.
 const PEER: &str = "dop853";

@@ -30,7 +30,7 @@ pub struct AnyScene {
     simulation: Box<Simulation>,
     /// How it is drawn.
     #[cfg(feature = "scene-files")]
-    pub(super) look: Option<super::files::Look>,
+    pub(super) look: Option<super::sight::Look>,
 }
 
 impl core::fmt::Debug for AnyScene {
@@ -141,6 +141,24 @@ impl AnyScene {
         let places = names.iter().map(|name| place(&self.columns, name.as_ref()));
         self.told = places.collect::<core::result::Result<_, _>>()?;
         Ok(self)
+    }
+
+    /// The picture of the scene at a row of a table with these columns. Only a scene from a file has one: `None` for
+    /// any other.
+    ///
+    /// ```
+    /// use spinning_bodies::scene::files::parse;
+    /// let text = "[body]\nmoments = [1, 2, 3]\n[initial]\nomega = [0, 0, 2]\n[run]\ntimes = [1.0]\n";
+    /// let (scene, request) = parse("mine.toml", text)?;
+    /// let table = scene.simulate(&request).expect("a free top");
+    /// let sight = scene.sight(&table.columns, &table.row(0).1).expect("a scene from a file");
+    /// assert_eq!(sight.omega.norm(), 2.0);
+    /// # Ok::<(), spinning_bodies::scene::files::Mistakes>(())
+    /// ```
+    #[cfg(feature = "scene-files")]
+    pub fn sight(&self, columns: &[Column], row: &[f64]) -> Option<super::Sight> {
+        let look = self.look.as_ref()?;
+        Some(look(&super::sight::Told { columns, row }))
     }
 
     /// The motion at the requested times, as a table.

@@ -5,7 +5,7 @@
 
 use crate::error::{Error, Result, finite, not_negative, within};
 
-pub use super::shape::path::{Draw, FourPhases, Pace, Turnover};
+pub use super::path::{Draw, FourPhases, Pace, Turnover};
 pub use crate::falling_strip::{AddedMass, Drag, Lift, RotationalDamping};
 pub use crate::impacts::Impact;
 pub use crate::rolling::{Coulomb, RollingResistance, Sheet, Tug};

@@ -28,6 +28,7 @@ mod engine;
 pub mod files;
 mod meteorite;
 mod motion;
+mod path;
 mod plan;
 mod roller;
 pub mod shape;

@@ -2,15 +2,16 @@
 
 use nalgebra::Vector3;
 
+use super::file::{File, Made, listed, with};
 use super::keys::Bound::{NotNegative, Positive};
-use super::look::{Look, Outline, about, rolling};
+use super::look::{Outline, about, rolling};
 use super::reader::Reader;
 use super::values::{keys, section};
-use super::{File, Made, listed, with};
 use crate::falling_strip::Plate;
 use crate::scene::effects::{
     AddedMass, AirDrag, AxleFriction, Drag, Gravity, Hand, Lift, RotationalDamping, Sleep, TurnLoss,
 };
+use crate::scene::sight::Look;
 use crate::scene::{Around, Play, Solid, Strip, StripStart};
 use crate::yo_yo::YoYo;
 

@@ -5,51 +5,10 @@ use core::f64::consts::FRAC_PI_2;
 use nalgebra::{Isometry3, Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 use crate::inertia::principal_axes_of;
-use crate::scene::{AnyScene, Around, Column, Sight, Solid};
+use crate::scene::sight::{Look, Told};
+use crate::scene::{Around, Sight, Solid};
 
 type Vector = Vector3<f64>;
-
-/// The numbers of a row, by the names of their columns.
-#[derive(Debug)]
-pub(in crate::scene) struct Told<'a> {
-    columns: &'a [Column],
-    row: &'a [f64],
-}
-
-impl Told<'_> {
-    /// The number in the column with this name, if there is one.
-    pub fn number(&self, name: &str) -> Option<f64> {
-        let place = self.columns.iter().position(|column| column.name == name)?;
-        self.row.get(place).copied()
-    }
-
-    /// The numbers in the columns with these names; 0 for a missing column.
-    pub fn vector<const N: usize>(&self, names: [&str; N]) -> [f64; N] {
-        names.map(|name| self.number(name).unwrap_or(0.0))
-    }
-}
-
-/// The picture of a scene as a function of the numbers in a row.
-pub(in crate::scene) type Look = Box<dyn Fn(&Told<'_>) -> Sight + Send + Sync>;
-
-impl AnyScene {
-    /// The picture of the scene at a row of a table with these columns. Only a scene from a file has one: `None` for
-    /// any other.
-    ///
-    /// ```
-    /// use spinning_bodies::scene::files::parse;
-    /// let text = "[body]\nmoments = [1, 2, 3]\n[initial]\nomega = [0, 0, 2]\n[run]\ntimes = [1.0]\n";
-    /// let (scene, request) = parse("mine.toml", text)?;
-    /// let table = scene.simulate(&request).expect("a free top");
-    /// let sight = scene.sight(&table.columns, &table.row(0).1).expect("a scene from a file");
-    /// assert_eq!(sight.omega.norm(), 2.0);
-    /// # Ok::<(), spinning_bodies::scene::files::Mistakes>(())
-    /// ```
-    pub fn sight(&self, columns: &[Column], row: &[f64]) -> Option<Sight> {
-        let look = self.look.as_ref()?;
-        Some(look(&Told { columns, row }))
-    }
-}
 
 impl Solid {
     /// A ball of this radius, m.

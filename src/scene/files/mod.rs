@@ -21,6 +21,7 @@
 //! | `values` | the values of keys, and the declaration of tables |
 //! | `run` | times, accuracy, solver, columns |
 //! | `body` | the tables of a rigid body |
+//! | `file` | the tables of one kind, and how their effects are added |
 //! | `look` | the drawing of a scene |
 //! | one for each kind or several | the tables of the kind, and the scene made from them |
 //!
@@ -30,6 +31,7 @@ mod body;
 mod changing;
 mod contact;
 mod falling;
+mod file;
 mod keys;
 mod look;
 mod reader;
@@ -39,66 +41,18 @@ mod top;
 mod values;
 
 pub use keys::KeyRow;
-pub(in crate::scene) use look::Look;
 use reader::Open;
 pub use reader::{Mistakes, meant};
 pub use run::telling;
 
-use core::ops::Deref;
-
 use toml::de::{DeTable, DeValue};
 
-use super::effects::Effect;
 use super::{AnyScene, Request, Scene};
+use file::{File, Made};
 use keys::Key;
 use reader::{Reader, Section, Table, find, joined};
 use run::Run;
 use values::Word;
-
-/// The optional effects of a scene, as an array of [`Effect`]s.
-macro_rules! listed {
-    ($($effect:expr),* $(,)?) => {
-        [$($effect.map($crate::scene::effects::Effect::from)),*]
-    };
-}
-use listed;
-
-/// The contents of a file: the three tables of its kind.
-struct File<'a, B, I, E> {
-    reader: &'a Reader<'a>,
-    body: B,
-    initial: I,
-    effects: E,
-}
-
-impl<'a, B, I, E> Deref for File<'a, B, I, E> {
-    type Target = Reader<'a>;
-
-    fn deref(&self) -> &Reader<'a> {
-        self.reader
-    }
-}
-
-/// A scene made from a file, with its picture.
-type Made<S> = Option<(S, Look)>;
-
-/// The scene with those of the listed effects that are present.
-fn with<S>(
-    file: &Reader<'_>,
-    mut scene: S,
-    listed: impl IntoIterator<Item = Option<Effect>>,
-    add: impl Fn(S, Effect) -> crate::Result<S>,
-) -> Option<S> {
-    for effect in listed.into_iter().flatten() {
-        let keys = match effect {
-            Effect::TipFriction(_) => "effects.tip_friction, body.moments, body.center_of_mass",
-            Effect::Tug(_) => "effects.tension, effects.tug_angle, effects.gravity, body.mass",
-            _ => &format!("effects.{}", effect.name()),
-        };
-        scene = file.right(keys, add(scene, effect))?;
-    }
-    Some(scene)
-}
 
 /// Reads a kind of scene.
 type Kind = fn(&Reader<'_>) -> Option<(AnyScene, Request)>;

@@ -1,10 +1,10 @@
 //! `kind = "top"`, or no kind: a body with a fixed point.
 
 use super::body::{Inertia, Matter};
+use super::file::{File, Made, listed, with};
 use super::look::{Outline, free};
 use super::reader::Reader;
 use super::values::section;
-use super::{File, Made, listed, with};
 use crate::frame::{Attitude, BodyVector};
 use crate::scene::Around;
 use crate::scene::effects::{AirDrag, BearingFriction, Gravity, PivotFriction, TipFriction};

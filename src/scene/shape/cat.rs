@@ -4,7 +4,6 @@ use core::f64::consts::FRAC_PI_2;
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-use super::path::{Turnover, next_of};
 use crate::error::{Result, finite};
 use crate::frame::{Attitude, BodyVector, SpaceVector, finite_vector};
 use crate::integrators::Kept;
@@ -14,6 +13,7 @@ use crate::scene::columns::{Columns, columns};
 use crate::scene::effects::Effect;
 use crate::scene::engine::{AN_INTEGRAL, Flow, planned, solved};
 use crate::scene::motion::Books;
+use crate::scene::path::{Turnover, next_of};
 use crate::scene::{Motion, Plan, Request, Scene, Solver, Tabulated};
 
 /// A cat of two halves in free fall: attitude and angular momentum at the start, a path of shapes, and gravity.

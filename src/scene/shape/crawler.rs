@@ -2,7 +2,6 @@
 
 use core::f64::consts::TAU;
 
-use super::path::no_more;
 use crate::conservation::Law;
 use crate::error::{Result, not_negative};
 use crate::integrators::{Passage, Stop};
@@ -11,6 +10,7 @@ use crate::rolling::Coulomb;
 use crate::scene::columns::{Columns, columns, state};
 use crate::scene::effects::Effect;
 use crate::scene::engine::{Ahead, Flow, planned, solved};
+use crate::scene::path::no_more;
 use crate::scene::{Motion, Plan, Request, Scene};
 
 /// Two feet joined by a muscle, on the ground, initially at rest.

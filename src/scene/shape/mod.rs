@@ -15,7 +15,6 @@ mod cat;
 mod crawler;
 mod ice;
 mod paper_cat;
-pub(crate) mod path;
 
 pub use cat::{Cat, CatState};
 pub use crawler::{Crawler, CrawlerState};

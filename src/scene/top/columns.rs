@@ -1,8 +1,8 @@
 //! The columns of a top beside its usual ones.
 
+use super::effects::{State, Top};
 use super::equations::Turning;
 use super::ledger::{Conserved, up};
-use super::{State, Top};
 use crate::frame::{BodyVector, SpaceVector};
 use crate::scene::columns::{Columns, columns};
 

@@ -1,8 +1,8 @@
 //! The equations of a top in steps: L along the body's axes, the attitude's quaternion and, with resistance, the energy lost.
 
 use super::body::DOUBT;
+use super::effects::{State, Top};
 use super::ledger::{self, Conserved};
-use super::{State, Top};
 use crate::error::Result;
 use crate::euler_equations::{AxisMoments, quaternion_rate};
 use crate::frame::{Attitude, BodyVector};

@@ -1,6 +1,6 @@
 //! The quantities that a top conserves, or may only lose.
 
-use super::{State, Top};
+use super::effects::{State, Top};
 use crate::conservation::Law;
 use crate::error::{Result, finite};
 use crate::euler_equations::{HeavyTop, Integrability, TopState};

@@ -1,0 +1,217 @@
+//! The top, the effects on it, and its state.
+
+use super::body::{Body, Start};
+use crate::error::{Result, refused};
+use crate::frame::{Attitude, BodyVector};
+use crate::precise::power_of_two_below;
+use crate::scene::columns::columns;
+use crate::scene::effects::{
+    AirDrag, BearingFriction, Effect, Gravity, PivotFriction, TipFriction,
+};
+use crate::scene::{Columns, Tabulated};
+
+/// A top and the effects on it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "Written")
+)]
+pub struct Top {
+    pub(super) body: Body,
+    pub(super) start: Start,
+    pub(super) gravity: Option<Gravity>,
+    pub(super) pivot_friction: Option<PivotFriction>,
+    pub(super) bearing_friction: Option<BearingFriction>,
+    pub(super) air_drag: Option<AirDrag>,
+    pub(super) tip_friction: Option<TipFriction>,
+}
+
+/// A serialised top before its effects are checked.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Written {
+    body: Body,
+    start: Start,
+    gravity: Option<Gravity>,
+    pivot_friction: Option<PivotFriction>,
+    bearing_friction: Option<BearingFriction>,
+    air_drag: Option<AirDrag>,
+    tip_friction: Option<TipFriction>,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<Written> for Top {
+    type Error = crate::Error;
+
+    fn try_from(written: Written) -> Result<Self> {
+        let effects = [
+            written.gravity.map(Effect::from),
+            written.pivot_friction.map(Effect::from),
+            written.bearing_friction.map(Effect::from),
+            written.air_drag.map(Effect::from),
+            written.tip_friction.map(Effect::from),
+        ];
+        let alone = Self::of_principal_axes(written.body, written.start)?;
+        effects.into_iter().flatten().try_fold(alone, Self::with)
+    }
+}
+
+/// A top at one time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct State {
+    /// The attitude.
+    pub attitude: Attitude,
+    /// Ω along the body's axes, rad/s.
+    pub omega: BodyVector,
+    /// Kinetic energy plus potential energy relative to the pivot, J.
+    pub energy: f64,
+}
+
+impl Tabulated for State {
+    fn columns() -> Columns<Self> {
+        Columns::default()
+            .attitude(|state: &Self| state.attitude)
+            .omega(|state| state.omega)
+            .and(columns! { |state: &Self|
+                "energy", "J", "kinetic energy, and of the weight above the pivot" => state.energy;
+            })
+    }
+}
+
+impl Top {
+    /// The body without effects.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for the start.
+    ///
+    /// ```
+    /// use spinning_bodies::frame::{Attitude, BodyVector};
+    /// use spinning_bodies::scene::{Request, Scene, top::{AirDrag, Body, Gravity, Start, Top}};
+    /// let body = Body::new([2.0, 2.0, 1.0])?.with_center_of_mass(1.0, BodyVector::new(0.0, 0.0, 0.5))?;
+    /// let start = Start::with_omega(BodyVector::new(0.1, 0.0, 9.0), Attitude::identity());
+    /// let free = Top::new(body, start)?;
+    /// let heavy = free.with(Gravity::new(9.80665)?)?;
+    /// let rubbed = heavy.with(AirDrag::new(1e-3)?)?;
+    /// let request = Request::at([1.0])?;
+    /// assert_eq!(free.plan(&request)?.to_string(), "exact: no torque: closed form");
+    /// assert_eq!(heavy.plan(&request)?.to_string(), "exact: gravity on a symmetric top: closed form");
+    /// assert_eq!(rubbed.plan(&request)?.to_string(), "dormand-prince-8: air_drag: no closed form");
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn new(body: Body, start: Start) -> Result<Self> {
+        Self::of_principal_axes(body, start.inward(&body))
+    }
+
+    /// A top whose start is along the principal axes.
+    fn of_principal_axes(body: Body, start: Start) -> Result<Self> {
+        start.omega(body.moments)?;
+        Ok(Self {
+            body,
+            start,
+            gravity: None,
+            pivot_friction: None,
+            bearing_friction: None,
+            air_drag: None,
+            tip_friction: None,
+        })
+    }
+
+    /// Adds an effect, or replaces its value.
+    ///
+    /// # Errors
+    /// [`Error::Effect`] for one that has no meaning for a top. [`Error::Condition`] for tip friction unless I₁ = I₂ and C lies on the third axis, because
+    /// the spin of any other body would not stay at rest; for bearing friction of a body whose own axes are not principal.
+    ///
+    /// ```
+    /// use spinning_bodies::{frame::{Attitude, BodyVector}, scene::{effects::{AirDrag, TurnLoss}, top::{Body, Start, Top}}};
+    /// let start = Start::with_omega(BodyVector::new(0.0, 0.0, 2.0), Attitude::identity());
+    /// let free = Top::new(Body::new([1.0, 2.0, 3.0])?, start)?;
+    /// assert!(free.with(AirDrag::new(1e-6)?).is_ok());
+    /// assert!(free.with(TurnLoss::new(0.9)?).is_err());
+    /// # Ok::<(), spinning_bodies::Error>(())
+    /// ```
+    pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
+        match effect.into() {
+            Effect::Gravity(gravity) => self.gravity = Some(gravity),
+            Effect::PivotFriction(friction) => self.pivot_friction = Some(friction),
+            Effect::BearingFriction(_) if self.body.own.is_some() => {
+                let condition = "bearing friction is for bodies whose own axes are principal axes, all three products of inertia zero";
+                let angle = self.body.own.map_or(0.0, |own| own.quaternion().angle());
+                return refused(condition, angle);
+            }
+            Effect::BearingFriction(friction) => self.bearing_friction = Some(friction),
+            Effect::AirDrag(drag) => self.air_drag = Some(drag),
+            Effect::TipFriction(friction) if self.body.is_symmetric_about_third() => {
+                self.tip_friction = Some(friction);
+            }
+            Effect::TipFriction(_) => {
+                let condition = "tip friction is for bodies with I1 = I2 and the centre of mass on the third axis";
+                return refused(condition, self.body.moments[1] / self.body.moments[0]);
+            }
+            other => {
+                let takes = "gravity, pivot_friction, bearing_friction, air_drag and tip_friction";
+                return Err(other.refused("a top", takes));
+            }
+        }
+        Ok(self)
+    }
+
+    /// MgC, N m: with the upward unit vector z the torque about the pivot is z∧MgC (8.1).
+    pub(super) fn lever(&self) -> [f64; 3] {
+        let g = self.g();
+        self.body.arm().map(|component| component * g)
+    }
+
+    pub(super) fn g(&self) -> f64 {
+        self.gravity.map_or(0.0, Gravity::value)
+    }
+
+    /// Succeeds if every axis has a moment or nothing resists: resistance excludes the closed forms, and steps need all moments.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`].
+    #[cfg(feature = "scene-files")]
+    pub(in crate::scene) fn can_be_resisted(&self) -> Result<()> {
+        let mut resisting = self.resisting();
+        resisting.try_for_each(|_| self.body.has_every_moment())
+    }
+
+    /// The names of the resistances.
+    pub(super) fn resisting(&self) -> impl Iterator<Item = &'static str> {
+        let effects: [Option<Effect>; 4] = [
+            self.pivot_friction.map(Effect::from),
+            self.bearing_friction.map(Effect::from),
+            self.air_drag.map(Effect::from),
+            self.tip_friction.map(Effect::from),
+        ];
+        effects.into_iter().flatten().map(|effect| effect.name())
+    }
+
+    /// The pace, rad/s: the rate at which this top turns, or its weight would make it fall.
+    pub(super) fn pace(&self) -> Result<f64> {
+        let omega = self.start.omega(self.body.moments)?.norm();
+        Ok(omega.hypot(self.falling()).max(f64::MIN_POSITIVE))
+    }
+
+    /// The rate at which its weight would make it fall, rad/s; 0 without weight.
+    pub(super) fn falling(&self) -> f64 {
+        let moments = self.body.moments;
+        let [x, y, z] = self.lever();
+        let arms = [y.hypot(z), z.hypot(x), x.hypot(y)];
+        let ratio = |k: usize| {
+            if moments[k] > 0.0 {
+                arms[k] / moments[k]
+            } else {
+                0.0
+            }
+        };
+        let ratios = [0, 1, 2].map(ratio);
+        // In units of their size: their squares may leave the range of doubles.
+        let unit = power_of_two_below(ratios.into_iter().fold(0.0, f64::max));
+        let sum: f64 = ratios.map(|ratio| (ratio / unit).powi(2)).iter().sum();
+        (2.0 * (unit * sum.sqrt())).sqrt()
+    }
+}

@@ -742,23 +742,23 @@ impl Scene for TableTop {
         let Table { body, .. } = &self.table;
         let spin = body.inertia().matrix().amax() * flow.turning;
         let first = start.energy;
-        let mut books = trace.told(request, plan, |t, mode, y| flow.state(t, mode, y));
-        books.keep(("energy", Law::NonIncreasing, first), first, |_, s| {
+        let mut ledger = trace.told(request, plan, |t, mode, y| flow.state(t, mode, y));
+        ledger.keep(("energy", Law::NonIncreasing, first), first, |_, s| {
             s.energy
         })?;
         let both = "energy and what contact has taken";
-        books.conserved(both, first, first, |_, s| s.energy + s.dissipated)?;
+        ledger.conserved(both, first, first, |_, s| s.energy + s.dissipated)?;
         let no_couple = self.table.resistance.is_none();
         if self.table.gravity > 0.0 && no_couple && body.has_jellett_integral() {
             let scale = spin * body.surface.size;
-            books.conserved("Jellett's integral", scale, start.jellett, |_, s| s.jellett)?;
+            ledger.conserved("Jellett's integral", scale, start.jellett, |_, s| s.jellett)?;
         }
         if self.table.friction.is_none() && no_couple {
             let vertical = |s: &State| s.vertical_angular_momentum;
             let name = "vertical angular momentum";
-            books.conserved(name, spin, vertical(&start), |_, s| vertical(s))?;
+            ledger.conserved(name, spin, vertical(&start), |_, s| vertical(s))?;
         }
-        books.closed(request)
+        ledger.closed(request)
     }
 
     fn further(&self) -> Columns<State> {

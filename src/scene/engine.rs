@@ -5,7 +5,7 @@
 //! after the start ([`Run::at`]), repeats the run with smaller tolerances until two runs agree within the accuracy ([`to_accuracy`]), and, where no
 //! two do, measures how much the motion amplifies a change of its start. Every evaluation counts against the budget of the request.
 
-use super::motion::{Books, furthest};
+use super::motion::{OpenLedger, furthest};
 use super::{Budget, Choice, Plan, Request, Solver};
 use crate::error::{Error, Result, finite};
 use crate::integrators::{
@@ -166,10 +166,10 @@ impl<P, const N: usize> Trace<P, N> {
         request: &Request,
         plan: Plan,
         state: impl Fn(f64, &P, &[f64; N]) -> S,
-    ) -> Books<S> {
+    ) -> OpenLedger<S> {
         let samples = request.times().iter().zip(&self.samples);
         let states = samples.map(|(&t, (phase, y))| state(t, phase, y));
-        Books::of(request, plan, (self.cost, self.error), states)
+        OpenLedger::of(request, plan, (self.cost, self.error), states)
     }
 }
 

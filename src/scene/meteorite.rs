@@ -2,7 +2,7 @@
 
 use super::columns::{Columns, columns};
 use super::effects::{Effect, Impact};
-use super::motion::Books;
+use super::motion::OpenLedger;
 use super::top::{Body, Start, State, Top};
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
@@ -219,12 +219,12 @@ impl Scene for StruckPlanet {
         }
         let turning = "angular momentum about the origin";
         let states = rows.iter().map(|(state, _)| *state);
-        let mut books = Books::of(request, plan, (Cost::default(), error), states);
-        books.conserved("momentum", moves, p, |k, _| rows[k].1[0])?;
-        books.conserved(turning, turns, l, |k, _| rows[k].1[1])?;
+        let mut ledger = OpenLedger::of(request, plan, (Cost::default(), error), states);
+        ledger.conserved("momentum", moves, p, |k, _| rows[k].1[0])?;
+        ledger.conserved(turning, turns, l, |k, _| rows[k].1[1])?;
         let kinetic = ("kinetic energy", law, opening.energy);
-        books.keep(kinetic, opening.energy, |_, s| s.energy)?;
-        books.closed(request)
+        ledger.keep(kinetic, opening.energy, |_, s| s.energy)?;
+        ledger.closed(request)
     }
 
     fn further(&self) -> Columns<Flying> {

@@ -251,14 +251,14 @@ pub struct Motion<S> {
 }
 
 /// A motion with an open ledger, to which the conserved and monotone quantities are added one by one.
-pub(crate) struct Books<S> {
+pub(crate) struct OpenLedger<S> {
     motion: Motion<S>,
     /// The places of the rows read for the ledger, in the order of time.
     order: Vec<usize>,
 }
 
-impl<S> Books<S> {
-    /// The books of a motion: the solver's cost, the error estimate, and the states at the requested times.
+impl<S> OpenLedger<S> {
+    /// The open ledger of a motion: the solver's cost, the error estimate, and the states at the requested times.
     pub fn of(
         request: &Request,
         plan: Plan,
@@ -278,7 +278,7 @@ impl<S> Books<S> {
         Self { motion, order }
     }
 
-    /// The same books, reading at most this many rows, evenly chosen, and the last.
+    /// The same, reading at most this many rows, evenly chosen, and the last.
     pub fn reading(mut self, most: usize) -> Self {
         let every = self.order.len().div_ceil(most);
         let last = self.order.pop();

@@ -4,7 +4,7 @@
 use super::columns::{Columns, columns};
 use super::effects::Effect;
 use super::engine::{Flow, OF_CLOSED_FORMS, apart, greater, planned, to_accuracy};
-use super::motion::Books;
+use super::motion::OpenLedger;
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Result, finite, positive};
@@ -393,9 +393,9 @@ impl OnTable<'_> {
     ) -> Result<Motion<S>> {
         let (moments, done) = self.followed(&plan, request)?;
         let states = moments.iter().copied().map(state);
-        let mut books = Books::of(request, plan, done, states);
-        self.keep(&mut books, request, &moments)?;
-        books.closed(request)
+        let mut ledger = OpenLedger::of(request, plan, done, states);
+        self.keep(&mut ledger, request, &moments)?;
+        ledger.closed(request)
     }
 
     /// The moments at the requested times by the solver of the plan, their cost, and their error: lengths relative to the radius or the greatest length, speeds
@@ -468,8 +468,13 @@ impl OnTable<'_> {
         speeds.fold(own.max(pulled), f64::max)
     }
 
-    /// Adds to the books what is conserved, or may only decrease.
-    fn keep<S>(&self, books: &mut Books<S>, request: &Request, moments: &[Moment]) -> Result<()> {
+    /// Adds to the ledger what is conserved, or may only decrease.
+    fn keep<S>(
+        &self,
+        ledger: &mut OpenLedger<S>,
+        request: &Request,
+        moments: &[Moment],
+    ) -> Result<()> {
         let &Laws { kappa, load, .. } = self.laws;
         let (mass, drive) = (self.body.mass, load.push + load.twist);
         let scale = |size: &dyn Fn(&Moment) -> f64| {
@@ -490,18 +495,18 @@ impl OnTable<'_> {
             let first = mass * self.start.about_the_table(kappa);
             let own = |m: &Moment| m.velocity.abs() + kappa * m.rim_speed.abs();
             let size = scale(&own).max(mass * self.speed());
-            books.conserved(name, size, first, about)?;
+            ledger.conserved(name, size, first, about)?;
         }
         let pull = |m: &Moment| (load.push * m.position).abs() + (load.twist * m.turned).abs();
         let size = scale(&|m| m.energy(kappa) + m.heat + m.work.abs() + pull(m));
         let name = "energy plus heat less work";
         let balances = |row: usize, _: &S| balance(&moments[row]);
-        books.conserved(name, size, balance(&self.start), balances)?;
+        ledger.conserved(name, size, balance(&self.start), balances)?;
         if !self.driven() && self.laws.sheet.is_none() {
             let size = scale(&|m| m.energy(kappa));
             let account = ("kinetic energy", Law::NonIncreasing, size);
             let energies = |row: usize, _: &S| kinetic(&moments[row]);
-            books.keep(account, kinetic(&self.start), energies)?;
+            ledger.keep(account, kinetic(&self.start), energies)?;
         }
         Ok(())
     }

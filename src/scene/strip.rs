@@ -277,18 +277,18 @@ impl Scene for Strip {
         let opening = self.state(&first).energy;
         let across = |k: usize, _: &_| equations.impulse(&rows[k])[0];
         let up = |k: usize, _: &_| equations.impulse(&rows[k])[1] + weight * times[k];
-        let mut books = trace.told(request, plan, |_, _, y| self.state(y));
-        books.conserved("energy and heat", energy, opening, |_, s| s.energy + s.heat)?;
+        let mut ledger = trace.told(request, plan, |_, _, y| self.state(y));
+        ledger.conserved("energy and heat", energy, opening, |_, s| s.energy + s.heat)?;
         if self.brakes() {
-            books.keep(("heat", Law::NonDecreasing, energy), 0.0, |_, s| s.heat)?;
+            ledger.keep(("heat", Law::NonDecreasing, energy), 0.0, |_, s| s.heat)?;
         }
         // Without lift and drag only the weight changes the momentum of plate and fluid.
         if equations.lift.is_none() && equations.drag.is_none() {
             let vertical = "vertical impulse and that of the weight";
-            books.conserved("horizontal impulse", impulse, px, across)?;
-            books.conserved(vertical, impulse, py, up)?;
+            ledger.conserved("horizontal impulse", impulse, px, across)?;
+            ledger.conserved(vertical, impulse, py, up)?;
         }
-        books.closed(request)
+        ledger.closed(request)
     }
 
     fn further(&self) -> Columns<StripState> {

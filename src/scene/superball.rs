@@ -3,7 +3,7 @@
 use super::columns::{Columns, columns};
 use super::effects::Effect;
 use super::engine::{Flow, OF_CLOSED_FORMS, apart, greater, planned, to_accuracy};
-use super::motion::Books;
+use super::motion::OpenLedger;
 use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Error, Result, not_negative, positive};
@@ -176,11 +176,11 @@ impl Scene for Superball {
             ball: *ball,
             energy: energy(ball),
         });
-        let mut books = Books::of(request, plan, done, states);
-        books.keep(("energy", law, first), first, |_, s| s.energy)?;
+        let mut ledger = OpenLedger::of(request, plan, done, states);
+        ledger.keep(("energy", law, first), first, |_, s| s.energy)?;
         let name = "depth in floor or ceiling";
-        books.conserved(name, highest, inside, |_, s| depth(&s.ball))?;
-        books.closed(request)
+        ledger.conserved(name, highest, inside, |_, s| depth(&s.ball))?;
+        ledger.closed(request)
     }
 
     fn further(&self) -> Columns<Bouncing> {

@@ -525,12 +525,12 @@ impl Scene for Play {
             // In the turn the angle changes as fast as the spin, and the time itself is rounded.
             trace.error += fastest * OF_A_TIME * request.furthest;
         }
-        let mut books = trace.told(request, plan, |_, stage, y| playing.state(*stage, y));
+        let mut ledger = trace.told(request, plan, |_, stage, y| playing.state(*stage, y));
         let balance = |_: usize, s: &YoYoState| s.energy + s.heat - s.work;
         let name = "energy and heat less the work of the hand";
-        books.conserved(name, scale, playing.energy, balance)?;
-        books.keep(("heat", Law::NonDecreasing, scale), 0.0, |_, s| s.heat)?;
-        books.closed(request)
+        ledger.conserved(name, scale, playing.energy, balance)?;
+        ledger.keep(("heat", Law::NonDecreasing, scale), 0.0, |_, s| s.heat)?;
+        ledger.closed(request)
     }
 
     fn further(&self) -> Columns<YoYoState> {

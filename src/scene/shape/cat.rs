@@ -12,7 +12,7 @@ use crate::phenomena::{self, Bend, EqualHalves, ShapePlane};
 use crate::scene::columns::{Columns, columns};
 use crate::scene::effects::Effect;
 use crate::scene::engine::{AN_INTEGRAL, Flow, planned, solved};
-use crate::scene::motion::Books;
+use crate::scene::motion::OpenLedger;
 use crate::scene::path::{Turnover, next_of};
 use crate::scene::{Motion, Plan, Request, Scene, Solver, Tabulated};
 
@@ -270,9 +270,9 @@ impl Scene for Cat {
         let moments: f64 = self.body.halves.iter().map(|half| half.transverse).sum();
         let l = self.angular_momentum;
         let scale = (moments * fastest).max(l.norm());
-        let mut books = Books::of(request, plan, (trace.cost, trace.error), states);
-        books.conserved("angular momentum", scale, l, |_, s| s.angular_momentum)?;
-        books.closed(request)
+        let mut ledger = OpenLedger::of(request, plan, (trace.cost, trace.error), states);
+        ledger.conserved("angular momentum", scale, l, |_, s| s.angular_momentum)?;
+        ledger.closed(request)
     }
 
     fn further(&self) -> Columns<CatState> {

@@ -242,12 +242,12 @@ impl Scene for Crawler {
         let trace = solved((self, &plan, request), 1, |t| {
             Ok([0.0, 0.0, 0.0, 0.0, body.energy(0.0, gap(t).rate)])
         })?;
-        let mut books = trace.told(request, plan, |t, _, &[center, velocity, _, heat, work]| {
+        let mut ledger = trace.told(request, plan, |t, _, &[center, velocity, _, heat, work]| {
             let [rear, front] = body.feet(center, gap(t).gap);
             CrawlerState::of([rear, front, center, velocity, work, heat])
         });
         let [.., mass_speed, _, energy] = self.scales();
-        let spent = books.states().map(|state| state.heat).fold(0.0, f64::max);
+        let spent = ledger.states().map(|state| state.heat).fold(0.0, f64::max);
         let mass: f64 = body.masses.iter().sum();
         let impulse = |place: usize| trace.samples[place].1[2];
         let momentum = |place: usize, s: &CrawlerState| mass * s.velocity - impulse(place);
@@ -255,12 +255,12 @@ impl Scene for Crawler {
             body.energy(s.velocity, gap(request.times()[place]).rate) + s.heat - s.work
         };
         let given = "momentum less the impulse of friction";
-        books.conserved(given, mass_speed, 0.0, momentum)?;
+        ledger.conserved(given, mass_speed, 0.0, momentum)?;
         let left = "energy and heat less the work of the muscle";
-        books.conserved(left, energy + spent, 0.0, balance)?;
+        ledger.conserved(left, energy + spent, 0.0, balance)?;
         let heat = ("heat", Law::NonDecreasing, energy + spent);
-        books.keep(heat, 0.0, |_, s| s.heat)?;
-        books.closed(request)
+        ledger.keep(heat, 0.0, |_, s| s.heat)?;
+        ledger.closed(request)
     }
 
     fn further(&self) -> Columns<CrawlerState> {

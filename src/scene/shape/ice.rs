@@ -215,7 +215,7 @@ impl Scene for Swivel {
         let evaluations = self.path.map_or(1, |_| AN_INTEGRAL);
         let known = |t| Ok([self.turned(&parts, t)?, l]);
         let trace = solved((self, &plan, request), evaluations, known)?;
-        let mut books = trace.told(request, plan, |t, _, y| self.state(t, y));
+        let mut ledger = trace.told(request, plan, |t, _, y| self.state(t, y));
         let upper = |place: usize, state: &SwivelState| {
             let rate = state.rate + self.shape(request.times()[place]).rate;
             state.upper_moment * rate
@@ -226,10 +226,10 @@ impl Scene for Swivel {
             self.bearing_friction
                 .map_or(both, |c| both + c * state.lower)
         };
-        let largest = (books.states().enumerate()).map(|(place, state)| upper(place, state).abs());
+        let largest = (ledger.states().enumerate()).map(|(place, state)| upper(place, state).abs());
         let scale = largest.fold(l.abs(), f64::max);
-        books.conserved("angular momentum", scale, l, whole)?;
-        books.closed(request)
+        ledger.conserved("angular momentum", scale, l, whole)?;
+        ledger.closed(request)
     }
 
     fn further(&self) -> Columns<SwivelState> {
@@ -420,22 +420,22 @@ impl Scene for Skater {
         let plan = self.plan(request)?;
         let run = (self, &plan, request);
         let trace = solved(run, AN_INTEGRAL, |t| self.known(t))?;
-        let mut books = trace.told(request, plan, |t, _, y| self.state(t, y));
+        let mut ledger = trace.told(request, plan, |t, _, y| self.state(t, y));
         let l = self.angular_momentum();
         let start = self.state(0.0, &[0.0, self.spin, 0.0, 0.0]);
         // The hands change the energy, and with it the rounding: drifts are relative to the greatest energy. Without spin it is that of the hands, between two rows perhaps.
         let [.., scale, _] = self.scales();
-        let energies = books.states().map(|state| state.energy);
+        let energies = ledger.states().map(|state| state.energy);
         let largest = energies.fold(scale, f64::max);
         let momentum = |_: usize, state: &SkaterState| {
             let now = self.body.moment(state.reach) * state.spin;
             self.bearing_friction.map_or(now, |c| now + c * state.angle)
         };
         let balance = |_: usize, state: &SkaterState| state.energy + state.heat - state.work;
-        books.conserved("angular momentum", l.abs(), l, momentum)?;
+        ledger.conserved("angular momentum", l.abs(), l, momentum)?;
         let name = "energy less the work of the arms";
-        books.conserved(name, largest, start.energy, balance)?;
-        books.closed(request)
+        ledger.conserved(name, largest, start.energy, balance)?;
+        ledger.closed(request)
     }
 
     fn further(&self) -> Columns<SkaterState> {

@@ -237,7 +237,7 @@ impl Scene for PaperCat {
             Solver::Exact => 0.0,
             _ => self.rest(),
         };
-        let mut books = trace.told(request, plan, |_, _, y| {
+        let mut ledger = trace.told(request, plan, |_, _, y| {
             let mut numbers = *y;
             numbers[2] += rest;
             PaperCatState::of(numbers)
@@ -246,12 +246,12 @@ impl Scene for PaperCat {
             let kinetic = 0.5 * state.velocity * state.velocity;
             self.gravity.map_or(kinetic, |g| kinetic - g * state.fall)
         };
-        let squares = books.states().map(|state| state.velocity.powi(2));
+        let squares = ledger.states().map(|state| state.velocity.powi(2));
         let largest = squares.fold(0.0, f64::max);
         let name = "energy of fall with what the air took";
-        books.conserved(name, largest, 0.0, |k, s| energy(k, s) + s.lost)?;
-        books.keep(("energy of fall", Law::NonIncreasing, largest), 0.0, energy)?;
-        books.closed(request)
+        ledger.conserved(name, largest, 0.0, |k, s| energy(k, s) + s.lost)?;
+        ledger.keep(("energy of fall", Law::NonIncreasing, largest), 0.0, energy)?;
+        ledger.closed(request)
     }
 
     fn further(&self) -> Columns<PaperCatState> {

@@ -6,7 +6,7 @@ use crate::error::{Result, finite};
 use crate::euler_equations::{HeavyTop, Integrability, TopState};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::precise::power_of_two_below;
-use crate::scene::motion::Books;
+use crate::scene::motion::OpenLedger;
 
 /// A top and its start, with the scales for its ledger.
 pub(super) struct Conserved {
@@ -46,10 +46,10 @@ impl Conserved {
     }
 
     /// Without resistance: E is conserved; L, or the component that gravity leaves; the fourth integral of tops that have one.
-    pub fn lossless(&self, books: Books<State>) -> Result<Books<State>> {
-        let mut books = books.reading(MOST_READ);
+    pub fn lossless(&self, ledger: OpenLedger<State>) -> Result<OpenLedger<State>> {
+        let mut ledger = ledger.reading(MOST_READ);
         let (first, scale) = (self.start.energy, self.energy_scale);
-        books.conserved("energy", scale, first, |_, state| state.energy)?;
+        ledger.conserved("energy", scale, first, |_, state| state.energy)?;
         let momentum = |state: &State| {
             state
                 .attitude
@@ -57,37 +57,37 @@ impl Conserved {
         };
         let (first, scale) = (momentum(&self.start), self.momentum_scale);
         if matches!(self.heavy.kind(), Integrability::Euler) {
-            books.conserved("angular momentum", scale, first, |_, state| momentum(state))?;
-            return Ok(books);
+            ledger.conserved("angular momentum", scale, first, |_, state| momentum(state))?;
+            return Ok(ledger);
         }
         let name = "angular momentum about the vertical";
-        books.conserved(name, scale, first.z(), |_, state| momentum(state).z())?;
+        ledger.conserved(name, scale, first.z(), |_, state| momentum(state).z())?;
         if let Some((name, first, scale)) = self.fourth(&self.start) {
             let fourth = |state: &State| self.fourth(state).map_or(first, |(_, value, _)| value);
-            books.conserved(name, scale, first, |_, state| fourth(state))?;
+            ledger.conserved(name, scale, first, |_, state| fourth(state))?;
         }
-        Ok(books)
+        Ok(ledger)
     }
 
     /// With resistance: the energy may only fall, and its sum with the energy lost is conserved; without gravity |L| may only fall.
     pub fn lossy(
         &self,
-        mut books: Books<State>,
+        mut ledger: OpenLedger<State>,
         lost: impl Fn(usize) -> f64,
-    ) -> Result<Books<State>> {
+    ) -> Result<OpenLedger<State>> {
         // Requested times may precede the start: monotone quantities begin with the earliest row.
-        let (earliest, scale) = (*books.earliest(), self.energy_scale);
+        let (earliest, scale) = (*ledger.earliest(), self.energy_scale);
         let falling = ("energy", Law::NonIncreasing, scale);
-        books.keep(falling, earliest.energy, |_, state| state.energy)?;
+        ledger.keep(falling, earliest.energy, |_, state| state.energy)?;
         let (name, first) = ("energy and what resistance took", self.start.energy);
-        books.conserved(name, scale, first, |k, state| state.energy + lost(k))?;
+        ledger.conserved(name, scale, first, |k, state| state.energy + lost(k))?;
         if matches!(self.heavy.kind(), Integrability::Euler) {
             let size = |state: &State| self.heavy.moments.angular_momentum(state.omega).norm();
             let name = "size of the angular momentum";
             let falling = (name, Law::NonIncreasing, self.momentum_scale);
-            books.keep(falling, size(&earliest), |_, state| size(state))?;
+            ledger.keep(falling, size(&earliest), |_, state| size(state))?;
         }
-        Ok(books)
+        Ok(ledger)
     }
 
     /// Name, value and scale of the fourth integral: L along the axis of symmetry or the line to C, or Kovalevskaya's constant.

@@ -23,7 +23,7 @@ pub use effects::{State, Top};
 pub use super::effects::{AirDrag, BearingFriction, Gravity, PivotFriction, TipFriction};
 
 use super::engine::{Stepper, greater, to_accuracy, vouched};
-use super::motion::Books;
+use super::motion::OpenLedger;
 use super::{Budget, Choice, Columns, Geometric, Motion, Plan, Request, Scene, Solver};
 use crate::error::{Error, Result};
 use crate::frame::BodyVector;
@@ -146,8 +146,8 @@ impl Top {
         let error = within(told + closed.hardly_moving(self.pace()?, fastest))?;
         let told = |(q, omega)| ledger::state(&conserved.heavy, q, omega);
         let states = states.into_iter().map(told);
-        let books = Books::of(request, plan, (Cost::default(), error), states);
-        conserved.lossless(books)?.closed(request)
+        let ledger = OpenLedger::of(request, plan, (Cost::default(), error), states);
+        conserved.lossless(ledger)?.closed(request)
     }
 
     /// The greatest effect of a displaced start at the last and some of the other requested times. It is zero for closed forms that receive the start without
@@ -189,9 +189,9 @@ impl Top {
         let here = turning()?;
         if self.resisting().next().is_some() {
             let trace = to_accuracy::<8, _>(request, plan.solver, |_| turning())?;
-            let books = trace.told(request, plan, |_, _, y| here.state(y, conserved));
+            let ledger = trace.told(request, plan, |_, _, y| here.state(y, conserved));
             let lost = |place: usize| here.unit * trace.samples[place].1[7];
-            return conserved.lossy(books, lost)?.closed(request);
+            return conserved.lossy(ledger, lost)?.closed(request);
         }
         let trace = match plan.solver {
             Solver::Geometric(method) if method != Geometric::DormandPrince8 => {
@@ -200,7 +200,7 @@ impl Top {
             }
             solver => to_accuracy::<7, _>(request, solver, |_| turning())?,
         };
-        let books = trace.told(request, plan, |_, _, y| here.state(y, conserved));
-        conserved.lossless(books)?.closed(request)
+        let ledger = trace.told(request, plan, |_, _, y| here.state(y, conserved));
+        conserved.lossless(ledger)?.closed(request)
     }
 }

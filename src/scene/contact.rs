@@ -415,9 +415,46 @@ impl OnTheTable {
         }
     }
 
-    /// How a body in contact with the table goes on; without slip or near rest the state may change.
+    /// How a body in contact with the table goes on; without slip, near rest, or where friction jams the contact, the state may change.
     fn settled(&self, t: f64, y: &mut Numbers) -> Result<Mode> {
-        let mode = match self.table.friction {
+        let mut mode = self.supported(y);
+        if self.jams(&mode, y) {
+            *y = self.table.jammed(y)?;
+            mode = self.supported(y);
+            if self.jams(&mode, y) {
+                return Err(Error::Integration {
+                    reason: "friction and resistance press the body into the table by more than any reaction lifts it; let them be weaker",
+                    time: t,
+                });
+            }
+        }
+        if self.contact(&mode, &Pose::of(y)).reaction > 0.0 {
+            return Ok(mode);
+        }
+        self.released(t, y)
+    }
+
+    /// Whether friction leaves no reaction that keeps a body pressed on the table out of it.
+    fn jams(&self, mode: &Mode, y: &Numbers) -> bool {
+        let pose = Pose::of(y);
+        let slides = !matches!(mode, Mode::Rolling | Mode::Airborne(_));
+        slides
+            && self.contact(mode, &pose).reaction < 0.0
+            && self.smooth().slides(&pose).reaction > 0.0
+    }
+
+    /// The table without friction and resistance.
+    fn smooth(&self) -> Table {
+        Table {
+            friction: None,
+            resistance: None,
+            ..self.table
+        }
+    }
+
+    /// The equations of a body in contact; without slip or near rest the state may change.
+    fn supported(&self, y: &mut Numbers) -> Mode {
+        match self.table.friction {
             Some(Friction::NoSlip) => {
                 *y = self.body().rolled(y);
                 Mode::Rolling
@@ -433,11 +470,7 @@ impl OnTheTable {
                 }
             }
             _ => Mode::Sliding,
-        };
-        if self.contact(&mode, &Pose::of(y)).reaction > 0.0 {
-            return Ok(mode);
         }
-        self.released(t, y)
     }
 
     /// Removes the slip; then rolling if the cone allows it, otherwise sliding.
@@ -454,18 +487,13 @@ impl OnTheTable {
     /// Whether the force that rolling needs lies within the cone.
     fn holds(&self, law: Coulomb, y: &Numbers) -> bool {
         let contact = self.table.rolls(&Pose::of(y));
-        contact.reaction * (law.grip - contact.traction.norm()) > 0.0
+        contact.reaction > 0.0 && contact.traction.norm() < law.grip
     }
 
     /// Lets the body take off, if it can: under the constraint of rolling, the horizontal force may be what holds it up.
     fn released(&self, time: f64, y: &Numbers) -> Result<Mode> {
-        let smooth = Table {
-            friction: None,
-            resistance: None,
-            ..self.table
-        };
         if self.table.friction == Some(Friction::NoSlip)
-            && smooth.slides(&Pose::of(y)).reaction >= 0.0
+            && self.smooth().slides(&Pose::of(y)).reaction >= 0.0
         {
             return Err(Error::Integration {
                 reason: "pure rolling takes a level force where nothing presses the body to the table; let it slide by Coulomb's law",
@@ -578,7 +606,7 @@ impl Flow<NUMBERS> for OnTheTable {
     }
 
     fn next(&self, mode: Mode, _: Stop, t: f64, y: &mut Numbers) -> Result<Mode> {
-        if let Mode::Airborne(_) = mode {
+        if matches!(mode, Mode::Airborne(_)) || self.jams(&mode, y) {
             return self.settled(t, y);
         }
         let pose = Pose::of(y);
@@ -747,7 +775,9 @@ impl Scene for TableTop {
             s.energy
         })?;
         let both = "energy and what contact has taken";
-        ledger.conserved(both, first, first, |_, s| s.energy + s.dissipated)?;
+        // A contact that jams at once has taken its part already.
+        let whole = first + start.dissipated;
+        ledger.conserved(both, first, whole, |_, s| s.energy + s.dissipated)?;
         let no_couple = self.table.resistance.is_none();
         if self.table.gravity > 0.0 && no_couple && body.has_jellett_integral() {
             let scale = spin * body.surface.size;

@@ -160,6 +160,18 @@ impl Table {
         Ok(self.body.struck(y, &pose, climb, contact))
     }
 
+    /// The state after an impact without approach: friction presses a sliding point into the table by more than the reaction lifts it (Painlevé 1895), so no
+    /// reaction is great enough until the impulse has slowed the slip. The approach is rounding, and grows before it ends.
+    ///
+    /// # Errors
+    /// As for [`landed`](Self::landed).
+    pub(crate) fn jammed(&self, y: &Numbers) -> Result<Numbers> {
+        let pose = Pose::of(y);
+        let (_, climb) = self.body.height(&pose);
+        let speed = pose.level.norm() + pose.omega.norm() * self.body.reach();
+        self.landed(y, climb - NO_SLIP * speed, &|_| Ok(()))
+    }
+
     /// The state after an impulse that brings the point in contact to rest.
     pub(crate) fn held(&self, y: &Numbers) -> Numbers {
         let pose = Pose::of(y);

@@ -274,6 +274,29 @@ fn other_methods_agree() -> Result<()> {
     Ok(())
 }
 
+/// Friction presses this sliding body into the table by more than any reaction lifts it (Painlevé 1895): it sticks at once, by an impulse at the contact, about which its angular
+/// momentum stays.
+#[test]
+fn a_contact_that_friction_jams_sticks() -> Result<()> {
+    let inertia = InertiaMatrix::diagonal(5.4e-6, 5.4e-6, 9.2e-6)?;
+    let surface = Surface::ellipsoid([0.4, 0.2, 0.7])?;
+    let body = ConvexBody::new(0.07, inertia, surface, BodyVector::new(0.0, 0.0, -0.01))?;
+    let start = Start::about_third_axis(0.14, -0.85, 1.8)?;
+    let scene = heavy(body, start).with(Coulomb::new(0.97)?)?;
+    let state = scene.simulate(&asking([0.0], 1e-9).within(1000))?.rows[0].1;
+    let arm = body.lowest_point(state.up())?;
+    let about = |omega: BodyVector, velocity: BodyVector| {
+        inertia.angular_momentum(omega) - 0.07 * arm.cross(&velocity)
+    };
+    let falling = -start.omega.cross(&arm).dot(&state.up()) * state.up();
+    let lost =
+        about(start.omega, falling) - about(state.omega, state.attitude.to_body(state.velocity));
+    assert_eq!(state.support, Support::Rolling);
+    // Observed: 9e-18 kg m²/s, of terms of 0.06.
+    assert!(lost.norm() < 6e-17, "{:e}", lost.norm());
+    Ok(())
+}
+
 /// Kane and Levinson's rattleback, half a degree off about both of its level axes, against its sense.
 fn rattleback() -> TableTop {
     let half = 0.25_f64.to_radians().tan();
@@ -331,8 +354,7 @@ fn a_sliding_ball_rolls_at_every_accuracy() {
         let ball = ConvexBody::new(1.0, inertia, surface, BodyVector::zero()).unwrap();
         let scene = skidding(ball, Attitude::identity(), speed);
         for digits in 2..14 {
-            let asked = asking([1.0], 10.0_f64.powi(-digits));
-            let motion = scene.simulate(&asked).unwrap();
+            let motion = motion(&scene, &[1.0], 10.0_f64.powi(-digits));
             let state = motion.rows[0].1;
             for found in [state.velocity.x(), radius * state.omega.y()] {
                 near!(found, 5.0 / 7.0 * speed, motion.error_estimate);
@@ -374,6 +396,6 @@ fn a_blow_counts() {
     let scene = heavy(light, start)
         .with(Viscous::new(0.3).unwrap())
         .unwrap();
-    let request = Request::at([0.2]).unwrap().to_accuracy(1e-6).unwrap();
-    refused!(scene.simulate(&request.within(1_000_000)), Budget);
+    let request = asking([0.2], 1e-6).within(1_000_000);
+    refused!(scene.simulate(&request), Budget);
 }

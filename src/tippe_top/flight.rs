@@ -168,7 +168,8 @@ impl Table {
     pub(crate) fn jammed(&self, y: &Numbers) -> Result<Numbers> {
         let pose = Pose::of(y);
         let (_, climb) = self.body.height(&pose);
-        let speed = pose.level.norm() + pose.omega.norm() * self.body.reach();
+        let reach = self.body.center.norm() + self.body.surface.greatest();
+        let speed = pose.level.norm() + pose.omega.norm() * reach;
         self.landed(y, climb - NO_SLIP * speed, &|_| Ok(()))
     }
 

@@ -1,5 +1,7 @@
 //! The scene `meteorite` (tutorial 4.2): a planet flies and turns freely; at time 0 a meteorite strikes it and sticks, and the two fly on as one body.
 
+use nalgebra::Matrix3;
+
 use super::columns::{Columns, columns};
 use super::effects::{Effect, Impact};
 use super::motion::OpenLedger;
@@ -115,13 +117,14 @@ impl Free {
     /// This body with the planet's velocity and angular velocity.
     fn new(
         body: MassProperties,
+        turning: Body,
         omega: BodyVector,
         velocity: BodyVector,
         beside: (Kept, f64),
     ) -> Result<Self> {
         let start = Start::with_omega(omega, Attitude::identity());
         Ok(Self {
-            top: Top::new(Body::along_own_axes(&body.inertia())?, start)?,
+            top: Top::new(turning, start)?,
             velocity: space(velocity + omega.cross(&body.center())),
             body,
             beside,
@@ -153,7 +156,8 @@ impl StruckPlanet {
     fn flights(&self) -> Result<[Free; 2]> {
         let planet = &self.planet;
         let ball = MassProperties::new(planet.mass, BodyVector::zero(), planet.inertia)?;
-        let before = |beside| Free::new(ball, planet.omega, planet.velocity, beside);
+        let alone = Body::along_own_axes(&planet.inertia)?;
+        let before = |beside| Free::new(ball, alone, planet.omega, planet.velocity, beside);
         let nothing = ([SpaceVector::zero(); 2], 0.0);
         let Some(Impact { meteorite, at }) = self.impact else {
             return Ok([before(nothing)?, before(nothing)?]);
@@ -164,9 +168,18 @@ impl StruckPlanet {
         let energy = 0.5 * momentum.dot(&velocity);
         let stone = MassProperties::particle(meteorite.mass, at)?;
         let both = MassProperties::compose(&[ball, stone])?;
+        let matrix = planet.inertia.matrix();
+        let round = matrix.m11;
+        let turning = if matrix == Matrix3::from_diagonal_element(round) {
+            // Two of the common moments are equal, to the last bit only if they are one number.
+            let reduced = 1.0 / (1.0 / meteorite.mass + 1.0 / planet.mass);
+            Body::symmetric_about(at, round, round + reduced * at.dot(&at))?
+        } else {
+            Body::along_own_axes(&both.inertia())?
+        };
         Ok([
             before(([momentum, space(at).cross(&momentum)], energy))?,
-            Free::new(both, hit.omega_after, hit.velocity_after, nothing)?,
+            Free::new(both, turning, hit.omega_after, hit.velocity_after, nothing)?,
         ])
     }
 }

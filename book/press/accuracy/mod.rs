@@ -13,7 +13,7 @@ use std::sync::{Mutex, PoisonError};
 
 use figures::Figure;
 use figures::own::{Curve, prices};
-use lab::accuracy::{JudgedScene, NAMES, Problem, Trial, candidates, named, problems};
+use lab::accuracy::{JudgedScene, Measurement, NAMES, Problem, Trial, candidates, named, problems};
 use spinning_bodies::scene::Solver;
 
 use crate::progress::watched;

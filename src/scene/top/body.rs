@@ -1,5 +1,7 @@
 //! The body of a top and how it starts.
 
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+
 use crate::error::{Result, finite, not_negative, positive, refused};
 use crate::euler_equations::AxisMoments;
 use crate::frame::finite_vector;
@@ -104,6 +106,26 @@ impl Body {
         Ok(Self {
             own: Some(principal.turn().into()),
             ..Self::new(principal.principal_moments().values())?
+        })
+    }
+
+    /// A body whose moments about this axis through its origin and about all lines across it are exactly these.
+    ///
+    /// # Errors
+    /// As for [`new`](Self::new).
+    pub(in crate::scene) fn symmetric_about(
+        axis: BodyVector,
+        axial: f64,
+        transverse: f64,
+    ) -> Result<Self> {
+        let turn = UnitQuaternion::rotation_between(&Vector3::z(), &axis.components());
+        // From one axis to its opposite many turns are shortest.
+        let turn = turn.unwrap_or(UnitQuaternion::new_unchecked(Quaternion::new(
+            0.0, 1.0, 0.0, 0.0,
+        )));
+        Ok(Self {
+            own: Some(turn.into()),
+            ..Self::new([transverse, transverse, axial])?
         })
     }
 

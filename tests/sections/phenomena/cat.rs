@@ -177,11 +177,9 @@ fn s1_1_no_angular_momentum_at_any_shape() {
             // Attitudes and places half a step before and after, by the exact rotation about `omega`.
             let h = 1e-4;
             let at = |t: f64| {
-                let moved = Bend {
-                    angle: bend.angle + bend.angle_rate * t,
-                    direction: bend.direction + bend.direction_rate * t,
-                    ..bend
-                };
+                let mut moved = bend;
+                moved.angle = bend.angle + bend.angle_rate * t;
+                moved.direction = bend.direction + bend.direction_rate * t;
                 let turn = Attitude::about_axis(omega, omega.norm() * t).unwrap();
                 let places = cat.places(&moved).map(|p| turn.to_space(p));
                 let second = turn.quaternion() * moved.relative().quaternion();

@@ -115,11 +115,9 @@ fn s1_1_the_turn_is_an_area_and_the_pace_does_not_matter() -> Result<()> {
     // Two other ways of going round it in time.
     let late = |s: f64| {
         let warped = s + 0.7 * s.sin();
-        let step = ellipse(warped);
-        Step {
-            rate: step.rate.map(|r| r * (1.0 + 0.7 * s.cos())),
-            ..step
-        }
+        let mut step = ellipse(warped);
+        step.rate = step.rate.map(|r| r * (1.0 + 0.7 * s.cos()));
+        step
     };
     close!(turn_along(&plane, late)?, truth, 0.0..=2e-15);
     for duration in [0.3, 60.0] {
@@ -132,11 +130,9 @@ fn s1_1_the_turn_is_an_area_and_the_pace_does_not_matter() -> Result<()> {
     }
     // Round the other way: back again. A loop without area: nothing.
     let back = |s: f64| {
-        let step = ellipse(-s);
-        Step {
-            rate: step.rate.map(|r| -r),
-            ..step
-        }
+        let mut step = ellipse(-s);
+        step.rate = step.rate.map(|r| -r);
+        step
     };
     close!(turn_along(&plane, back)?, -truth, 0.0..=2e-15);
     let line = |s: f64| Step {

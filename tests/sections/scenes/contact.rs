@@ -285,12 +285,10 @@ fn a_contact_that_friction_jams_sticks() -> Result<()> {
     let scene = heavy(body, start).with(Coulomb::new(0.97)?)?;
     let state = scene.simulate(&asking([0.0], 1e-9).within(1000))?.rows[0].1;
     let arm = body.lowest_point(state.up())?;
-    let about = |omega: BodyVector, velocity: BodyVector| {
-        inertia.angular_momentum(omega) - 0.07 * arm.cross(&velocity)
-    };
+    let about = |w: BodyVector, v: BodyVector| inertia.angular_momentum(w) - 0.07 * arm.cross(&v);
     let falling = -start.omega.cross(&arm).dot(&state.up()) * state.up();
-    let lost =
-        about(start.omega, falling) - about(state.omega, state.attitude.to_body(state.velocity));
+    let sticking = state.attitude.to_body(state.velocity);
+    let lost = about(start.omega, falling) - about(state.omega, sticking);
     assert_eq!(state.support, Support::Rolling);
     // Observed: 9e-18 kg m²/s, of terms of 0.06.
     assert!(lost.norm() < 6e-17, "{:e}", lost.norm());

@@ -103,10 +103,8 @@ fn viscous_friction_undoes_the_swivel() {
 /// 3 · 0.35 s over 0.35 s is rounded to less than 3, and yet the corner there has been passed.
 #[test]
 fn a_run_by_steps_gets_past_every_corner() {
-    let path = FourPhases {
-        duration: 1.4,
-        ..PHASES
-    };
+    let mut path = PHASES;
+    path.duration = 1.4;
     let swivel = shape::Swivel::new(0.6, 2.0).unwrap().with(path).unwrap();
     let rubbed = swivel.with(BearingFriction::new(0.1).unwrap()).unwrap();
     assert!(rubbed.simulate(&Request::at([5.0]).unwrap()).is_ok());
@@ -209,10 +207,8 @@ fn a_rigid_cat_does_not_turn_and_one_with_angular_momentum_does() -> Result<()> 
     let motion = both.simulate(&asked)?;
     assert!(motion.ledger.is_kept_within(1e-13)?, "{}", motion.ledger);
     // Unequal halves have no closed form: `exact` is refused, by name.
-    let heavier = Half {
-        axial: 0.005,
-        ..HALF
-    };
+    let mut heavier = HALF;
+    heavier.axial = 0.005;
     let unequal = shape::Cat::new(Cat::new([HALF, heavier])?, start).with(OVER)?;
     let refused = unequal.simulate(&using(&asked, Solver::Exact));
     assert!(matches!(refused, Err(Error::Solver { condition }) if condition.contains("`exact`")));
@@ -376,15 +372,11 @@ fn what_cannot_be_simulated_is_refused() {
     let rubbed = swivel().with(BearingFriction::new(0.1).unwrap()).unwrap();
     refused!(rubbed.simulate(&far), Condition);
     refused!(crawler_body().simulate(&far), Condition);
-    let impossible = Turnover {
-        forward: 4.0,
-        ..OVER
-    };
+    let mut impossible = OVER;
+    impossible.forward = 4.0;
     assert!(cat().with(impossible).is_err());
-    let half = Half {
-        axial: 0.04,
-        ..HALF
-    };
+    let mut half = HALF;
+    half.axial = 0.04;
     refused!(Cat::new([half, half]), TriangleInequality);
     let nothing = PaperCat {
         mass: f64::NAN,
@@ -409,11 +401,9 @@ fn a_fall_and_a_cycle_beyond_the_doubles_are_refused() -> Result<()> {
     let falling = cat().with(Gravity::new(9.81)?)?;
     let late = Request::at([1e200])?;
     refused!(falling.simulate(&late), NotFinite, "the height fallen");
-    let still = FourPhases {
-        twist: 0.0,
-        duration: 1e-3,
-        ..PHASES
-    };
+    let mut still = PHASES;
+    still.twist = 0.0;
+    still.duration = 1e-3;
     let swivel = shape::Swivel::new(0.6, 2.0)?.with(still)?;
     let late = Request::at([f64::MAX])?;
     refused!(swivel.simulate(&late), NotFinite, "the number of rounds");

@@ -238,10 +238,8 @@ fn methods_agree_and_refusals_are_named() {
     let (mean, contrast) = (0.5, 1.0);
     let driving = Drag { mean, contrast };
     refused!(strip.with(driving), Negative);
-    let nonsense = Lift {
-        translational: f64::NAN,
-        ..LIFT
-    };
+    let mut nonsense = LIFT;
+    nonsense.translational = f64::NAN;
     assert!(strip.with(nonsense).is_err());
     refused!(strip.with(TurnLoss::new(0.9).unwrap()), Effect);
     assert!(Plate::new(0.01, 1e-3, 1.2, 2.0, 0.3).is_err());

@@ -122,10 +122,11 @@ fn separation<N: Number>(i: [f64; 3], order: [usize; 3], start: Start) -> N {
             [b, i[0], x[0], x[0]],
         ])
     };
-    N::from_extended(match start.quantity {
+    let exact = match start.quantity {
         Quantity::AngularMomentum => sum(i[0], i[2]),
         Quantity::Omega => sum(i[2], i[0]).times(i[0]).times(i[2]),
-    })
+    };
+    exact.as_number()
 }
 
 /// 2⁻²⁰⁰: the fourth power of a greater number is a normal double.

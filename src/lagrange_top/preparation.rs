@@ -90,21 +90,21 @@ pub(super) fn prepare<N: Number>(body: Body, start: Start, exact: &Exact) -> Res
     }
     let unit = power_of_two_below(fastest);
     let exponent = exponent_of(unit);
-    let gravity = N::from_extended(gravity.raised(-2 * exponent));
+    let gravity: N = gravity.raised(-2 * exponent).as_number();
     let [o1, o2, o3] = exact
         .omega
-        .map(|rate| N::from_extended(rate.raised(-exponent)));
+        .map(|rate| rate.raised(-exponent).as_number::<N>());
     let [w, x, y, z] = match (pull, exact.quaternion) {
         (Pull::Down, q) => q,
         (Pull::Up, [w, x, y, z]) => [-x, w, -z, y],
     }
-    .map(N::from_extended);
+    .map(Extended::as_number::<N>);
     let upper = w.square().add_alike(z.square());
     let lower = x.square().add_alike(y.square());
     let norm = upper.add_alike(lower);
     let twice = |part: N| part.quotient(norm).times(2.0);
     let (z1, z2) = (twice(x * z - w * y), twice(y * z + w * x));
-    let spin = N::from_extended(over_transverse(Extended::from_double(body.axial))) * o3;
+    let spin = over_transverse(Extended::from_double(body.axial)).as_number::<N>() * o3;
     let place = Place {
         below_top: twice(lower),
         above_bottom: twice(upper),

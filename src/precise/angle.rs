@@ -1,13 +1,8 @@
 //! The angle of a point in two words.
 
-use super::{DoubleDouble, Number, logarithm::THIRD};
-
-/// π/2 to 106 bits.
-pub(crate) const RIGHT_ANGLE: DoubleDouble =
-    DoubleDouble::new(core::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17);
-
-/// π/2 less its value to 106 bits.
-pub(crate) const RIGHT_ANGLE_REST: f64 = -1.497_384_904_859_169_8e-33;
+use super::double_double::{DoubleDouble, RIGHT_ANGLE};
+use super::logarithm::THIRD;
+use super::number::Number;
 
 /// arctan(j/16) for j = 0…16, in two words each.
 #[rustfmt::skip]

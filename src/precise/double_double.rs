@@ -8,7 +8,7 @@
 use core::f64::consts::TAU;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::{RIGHT_ANGLE, RIGHT_ANGLE_REST, quick};
+use super::quick;
 
 /// `high + low`, where `low` is at most half a unit in the last place of `high`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,6 +16,13 @@ pub struct DoubleDouble {
     high: f64,
     low: f64,
 }
+
+/// π/2 to 106 bits.
+pub(crate) const RIGHT_ANGLE: DoubleDouble =
+    DoubleDouble::new(core::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17);
+
+/// π/2 less its value to 106 bits.
+pub(crate) const RIGHT_ANGLE_REST: f64 = -1.497_384_904_859_169_8e-33;
 
 /// Above this, the factor that splits a double overflows. A fused multiplication does not, but is a library call where the processor has none.
 const SPLITTABLE: f64 = 1e300;
@@ -36,12 +43,10 @@ impl DoubleDouble {
         self.low
     }
 
-    /// The sum of two doubles, exactly (Knuth).
+    /// The sum of two doubles, exactly.
     #[inline]
     pub(crate) fn sum(a: f64, b: f64) -> Self {
-        let high = a + b;
-        let part = high - a;
-        let low = (a - (high - part)) + (b - part);
+        let (high, low) = quick::exact_sum(a, b);
         Self { high, low }
     }
 

@@ -3,7 +3,8 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::{DoubleDouble, Number, power_of_two_below};
+use super::double_double::{DoubleDouble, power_of_two_below};
+use super::number::Number;
 
 /// `digits · 2^exponent`: squares of tilts down to 1e-300 do not underflow.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,6 +62,11 @@ impl Extended {
     fn words(self) -> [Self; 2] {
         [self.digits.low(), self.digits.high()]
             .map(|word| Self::from_double(word).raised(self.exponent))
+    }
+
+    /// The number as another kind.
+    pub(crate) fn as_number<N: Number>(self) -> N {
+        N::from_parts(self.digits, self.exponent)
     }
 
     /// The number times 2^exponent.

@@ -1,6 +1,9 @@
 //! The natural logarithm to 103 bits, for the quarter period next to the separatrix.
 
-use super::{DoubleDouble, Number, exponent_of, power_of_two_below, quick};
+use super::double_double::{DoubleDouble, power_of_two_below};
+use super::extended::exponent_of;
+use super::number::Number;
+use super::quick;
 
 const LN_2: DoubleDouble = DoubleDouble::new(core::f64::consts::LN_2, 2.319_046_813_846_299_6e-17);
 

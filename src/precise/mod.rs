@@ -2,7 +2,7 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | [`number`] | the operations that formulas need, as a trait, so that they are written once for both kinds of number |
+//! | [`number`], [`kinds`] | the operations that formulas need, as a trait, so that they are written once for both kinds of number |
 //! | [`double_double`] | an unevaluated sum of two doubles |
 //! | [`extended`] | two words with an exponent of their own, whose products neither overflow nor underflow; exact sums of products |
 //! | [`quick`] | elementary steps without branches |
@@ -13,13 +13,13 @@
 mod angle;
 mod double_double;
 mod extended;
+mod kinds;
 mod logarithm;
 mod number;
 pub(crate) mod quick;
 
-pub(crate) use angle::{RIGHT_ANGLE, RIGHT_ANGLE_REST, angle};
 pub use double_double::DoubleDouble;
-pub(crate) use double_double::power_of_two_below;
+pub(crate) use double_double::{RIGHT_ANGLE, RIGHT_ANGLE_REST, power_of_two_below};
 pub(crate) use extended::{Extended, exponent_of, power, shifted, sum_of_products};
 pub(crate) use logarithm::{FIFTH, THIRD, logarithm};
 pub(crate) use number::Number;

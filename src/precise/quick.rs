@@ -1,8 +1,6 @@
 //! Elementary steps without branches, so that several numbers can be computed side by side: two-word arithmetic far from the ends of
 //! the range, angles reduced by right angles, sine and cosine, sinh and cosh, the arctangent, powers of two.
 
-use super::{DoubleDouble, Number};
-
 /// The upper 26 bits of a number below 10³⁰⁰, and the remainder (Veltkamp).
 #[inline(always)]
 pub(crate) fn halves(x: f64) -> (f64, f64) {
@@ -25,7 +23,15 @@ pub(crate) fn exact_product(a: f64, b: f64) -> (f64, f64) {
     (product, error)
 }
 
-/// The sum of two numbers and its rounding error, the first not the smaller in size.
+/// The sum of two numbers and its rounding error (Knuth).
+#[inline(always)]
+pub(crate) fn exact_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    let part = sum - a;
+    (sum, (a - (sum - part)) + (b - part))
+}
+
+/// The same for a first number not the smaller in size (Dekker).
 #[inline(always)]
 pub(crate) fn ordered_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -57,10 +63,10 @@ pub(crate) fn reduced([high, low]: [f64; 2], inverse: f64, parts: [f64; 3]) -> (
     let count = rounded - ROUNDER;
     // The first difference is exact: its terms are within a factor of two, or the count is zero.
     let first = high - count * parts[0];
-    let rest = DoubleDouble::difference(first, count * parts[1]);
-    let low = rest.low() + (low - count * parts[2]);
+    let (rest, error) = exact_sum(first, -(count * parts[1]));
+    let low = error + (low - count * parts[2]);
     // The terms are in order of size, unless the remainder is so small that it does not matter.
-    let (high, low) = ordered_sum(rest.high(), low);
+    let (high, low) = ordered_sum(rest, low);
     (rounded, [high, low])
 }
 

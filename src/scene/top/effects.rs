@@ -85,7 +85,7 @@ impl Top {
     /// The body without effects.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for the start.
+    /// [`Error::NotFinite`](crate::Error::NotFinite) for the start.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -122,7 +122,7 @@ impl Top {
     /// Adds an effect, or replaces its value.
     ///
     /// # Errors
-    /// [`Error::Effect`] for one that has no meaning for a top. [`Error::Condition`] for tip friction unless I₁ = I₂ and C lies on the third axis, because
+    /// [`Error::Effect`](crate::Error::Effect) for one that has no meaning for a top. [`Error::Condition`](crate::Error::Condition) for tip friction unless I₁ = I₂ and C lies on the third axis, because
     /// the spin of any other body would not stay at rest; for bearing friction of a body whose own axes are not principal.
     ///
     /// ```

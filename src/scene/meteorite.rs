@@ -10,7 +10,7 @@ use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
 use crate::error::{Error, Result};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
-use crate::impacts::{Planet, strike};
+use crate::impacts::{Meteorite, Planet, strike};
 use crate::inertia::MassProperties;
 use crate::integrators::{Cost, both_ways};
 
@@ -172,8 +172,7 @@ impl StruckPlanet {
         let round = matrix.m11;
         let turning = if matrix == Matrix3::from_diagonal_element(round) {
             // Two of the common moments are equal, to the last bit only if they are one number.
-            let reduced = 1.0 / (1.0 / meteorite.mass + 1.0 / planet.mass);
-            Body::symmetric_about(at, round, round + reduced * at.dot(&at))?
+            Body::symmetric_about(at, round, round + self.added(&meteorite, at))?
         } else {
             Body::along_own_axes(&both.inertia())?
         };
@@ -181,6 +180,11 @@ impl StruckPlanet {
             before(([momentum, space(at).cross(&momentum)], energy))?,
             Free::new(both, turning, hit.omega_after, hit.velocity_after, nothing)?,
         ])
+    }
+
+    /// The moment, kg m², that a stone there adds about lines across its arm: that of the reduced mass.
+    fn added(&self, stone: &Meteorite, at: BodyVector) -> f64 {
+        at.dot(&at) / (1.0 / stone.mass + 1.0 / self.planet.mass)
     }
 }
 
@@ -226,9 +230,8 @@ impl Scene for StruckPlanet {
             moves += meteorite.mass * speeds[0];
             turns += meteorite.mass * at.norm() * (speeds[0] + speeds[1]);
             // Beside the moments of a stone far out those of the planet lose digits.
-            let reduced = 1.0 / (1.0 / meteorite.mass + 1.0 / planet.mass);
             let [least, ..] = planet.inertia.principal_axes().moments;
-            error *= (reduced * at.dot(&at) / least).max(1.0);
+            error *= (self.added(&meteorite, at) / least).max(1.0);
         }
         let turning = "angular momentum about the origin";
         let states = rows.iter().map(|(state, _)| *state);

@@ -30,15 +30,16 @@
 mod body;
 mod changing;
 mod contact;
-mod falling;
 mod file;
 mod keys;
 mod look;
 mod reader;
 mod run;
+mod strip;
 mod table_top;
 mod top;
 mod values;
+mod yo_yo;
 
 pub use keys::KeyRow;
 use reader::Open;
@@ -64,8 +65,8 @@ const KINDS: [(&str, Kind); 13] = [
     ("roller", |file| read(file, contact::roller)),
     ("spool", |file| read(file, contact::spool)),
     ("superball", |file| read(file, contact::superball)),
-    ("yo-yo", |file| read(file, falling::yo_yo)),
-    ("strip", |file| read(file, falling::strip)),
+    ("yo-yo", |file| read(file, yo_yo::yo_yo)),
+    ("strip", |file| read(file, strip::strip)),
     ("swivel", |file| read(file, changing::swivel)),
     ("skater", |file| read(file, changing::skater)),
     ("cat", |file| read(file, changing::cat)),

@@ -8,7 +8,7 @@ use crate::frame::finite_vector;
 use crate::frame::{Attitude, BodyVector};
 use crate::inertia::{InertiaMatrix, MassProperties, PrincipalMoments};
 use crate::integrators::geometric::Phase;
-use crate::precise::{Extended, Number};
+use crate::precise::{Extended, Number, power_of_two_below};
 
 /// A rigid body with a fixed point: mass, principal moments about the pivot in the order of the axes, centre of mass relative to the pivot.
 ///
@@ -51,6 +51,15 @@ impl TryFrom<Written> for Body {
             ..along_principal_axes
         })
     }
+}
+
+/// The shortest turn of this direction onto the third axis; about the first, if they are opposite.
+pub(super) fn onto_third(direction: BodyVector) -> UnitQuaternion<f64> {
+    let direction = direction.components();
+    // In units of its size: the squares of a small or large vector leave the range of doubles.
+    let direction = direction / power_of_two_below(direction.amax());
+    UnitQuaternion::rotation_between(&direction, &Vector3::z())
+        .unwrap_or_else(|| UnitQuaternion::new_unchecked(Quaternion::new(0.0, 1.0, 0.0, 0.0)))
 }
 
 impl Body {
@@ -118,13 +127,8 @@ impl Body {
         axial: f64,
         transverse: f64,
     ) -> Result<Self> {
-        let turn = UnitQuaternion::rotation_between(&Vector3::z(), &axis.components());
-        // From one axis to its opposite many turns are shortest.
-        let turn = turn.unwrap_or(UnitQuaternion::new_unchecked(Quaternion::new(
-            0.0, 1.0, 0.0, 0.0,
-        )));
         Ok(Self {
-            own: Some(turn.into()),
+            own: Some(onto_third(axis).inverse().into()),
             ..Self::new([transverse, transverse, axial])?
         })
     }

@@ -2,7 +2,7 @@
 
 use nalgebra::{Quaternion, UnitQuaternion};
 
-use super::body::{Body, Spin, Start};
+use super::body::{Body, Spin, Start, onto_third};
 use crate::error::Result;
 use crate::euler_equations::{Integrability, classify};
 use crate::euler_top::EulerTop;
@@ -10,7 +10,7 @@ use crate::frame::{Attitude, BodyVector};
 use crate::integrators::both_ways;
 use crate::kovalevskaya_top::{KovalevskayaTop, State as Turned};
 use crate::lagrange_top::{self, Exact, LagrangeTop};
-use crate::precise::{Extended, Number, power_of_two_below, sum_of_products};
+use crate::precise::{Extended, Number, sum_of_products};
 use crate::scene::Budget;
 
 /// A motion in closed form.
@@ -186,12 +186,7 @@ impl Axes {
 
     /// This direction becomes the third axis, by the shortest turn; for a body with three equal moments, all of whose axes are principal.
     fn third_along(direction: BodyVector) -> Self {
-        let third = nalgebra::Vector3::z();
-        let direction = direction.components();
-        // In units of its size: the squares of a small or large vector leave the range of doubles.
-        let direction = direction / power_of_two_below(direction.amax());
-        let onto = UnitQuaternion::rotation_between(&direction, &third)
-            .unwrap_or_else(|| UnitQuaternion::new_unchecked(Quaternion::new(0.0, 1.0, 0.0, 0.0)));
+        let onto = onto_third(direction);
         Self { onto, shift: None }
     }
 

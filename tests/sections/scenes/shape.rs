@@ -136,7 +136,7 @@ fn a_skater_without_effects_spins_evenly_and_friction_matters() -> Result<()> {
     // Without spin the arms work too, and get back what they have given.
     let standing = shape::Skater::new(grown(), 0.7, 0.0)?.with(DRAW)?;
     let standing = standing.with(BearingFriction::new(0.1)?)?;
-    near!(rows(&standing, &asking([2.0], 1e-10))[0][4], 0.0, 1e-9);
+    near!(rows(&standing, &asking([2.0], 1e-10))[0][4], 0.0, 1e-13);
     let rubbed = moving.with(BearingFriction::new(0.05)?)?;
     let motion = rubbed.simulate(&asked)?;
     let end = motion.rows[50].1;

@@ -89,15 +89,9 @@ impl Skater {
         -4.0 * self.hand * reach * reach_rate * spin / self.moment(reach)
     }
 
-    /// Power of both arms, W: the force along the arms, 2m(r″ − rΩ²), times r′. Its second term is the pull against the centrifugal force.
-    pub(crate) fn power(
-        &self,
-        spin: f64,
-        reach: f64,
-        reach_rate: f64,
-        reach_acceleration: f64,
-    ) -> f64 {
-        2.0 * self.hand * (reach_acceleration - reach * spin * spin) * reach_rate
+    /// Power of both arms against the centrifugal force, W: −2 m r r′ Ω².
+    pub(crate) fn power(&self, spin: f64, reach: f64, reach_rate: f64) -> f64 {
+        -2.0 * self.hand * reach * reach_rate * spin * spin
     }
 
     /// Kinetic energy, J, of the rotation and of the hands' motion along the arms: IΩ²/2 + m r′².

@@ -308,9 +308,11 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         let scales = flow.scales().map(sized_or_one);
         let ((now, y), times, end) = (ahead.start, ahead.times, ahead.end);
         let ends = flow.margin(phase, now, y).is_some();
+        let stroke = STROKE / (flow.lasts_until(phase, now) - now);
+        let growth = greater(flow.growth_rate(), stroke);
         let Stepper::Other(follow, _) = self.stepper else {
             let leg = Leg {
-                system: &Watched(rate, reached, flow.growth_rate()) as &dyn System<N>,
+                system: &Watched(rate, reached, growth) as &dyn System<N>,
                 kept: flow.kept(),
                 start: (now, y),
                 scales: &scales,
@@ -388,6 +390,9 @@ const SHORT: f64 = 3.0;
 const CHECKED: f64 = 0.5;
 /// A phase of at most this many steps is compared with one of twice as many.
 const FEW_STEPS: u64 = 3;
+/// The rate of a path of shapes, times the duration of the phase that the clock ends: it limits the steps, as a growth rate does. A path begins and
+/// ends so smoothly that no error is seen in steps as long as the phase.
+const STROKE: f64 = 4.0;
 /// Rounding error per radian of a motion that does not amplify it.
 pub(crate) const ROUNDING: f64 = 4e-16;
 

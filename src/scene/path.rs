@@ -16,18 +16,14 @@ pub enum Pace {
 }
 
 impl Pace {
-    /// Progress, its rate and its acceleration after a fraction `u` of the stroke.
-    pub(crate) fn at(self, u: f64) -> [f64; 3] {
+    /// Progress and its rate after a fraction `u` of the stroke.
+    pub(crate) fn at(self, u: f64) -> [f64; 2] {
         let u = u.clamp(0.0, 1.0);
         match self {
             Self::Even => even(u),
             Self::Late => {
-                let [value, rate, acceleration] = even(u * u);
-                [
-                    value,
-                    2.0 * u * rate,
-                    2.0 * rate + 4.0 * u * u * acceleration,
-                ]
+                let [value, rate] = even(u * u);
+                [value, 2.0 * u * rate]
             }
         }
     }
@@ -42,12 +38,11 @@ impl Pace {
     }
 }
 
-fn even(u: f64) -> [f64; 3] {
+fn even(u: f64) -> [f64; 2] {
     let left = 1.0 - u;
     [
         u * u * u * (10.0 + u * (-15.0 + 6.0 * u)),
         30.0 * u * u * left * left,
-        60.0 * u * left * (1.0 - 2.0 * u),
     ]
 }
 
@@ -82,7 +77,7 @@ impl FourPhases {
     pub(super) fn at(&self, t: f64) -> Twist {
         let since = t.rem_euclid(self.duration);
         let phase = 4.0 * (since / self.duration);
-        let [part, rate, _] = self.pace.at(phase.fract());
+        let [part, rate] = self.pace.at(phase.fract());
         let rate = rate * self.twist * 4.0 / self.duration;
         let between = |from: f64, to: f64| from + (to - from) * part;
         let (upper, angle, rate) = match phase as u8 {
@@ -159,15 +154,11 @@ impl Draw {
         Ok(self)
     }
 
-    /// Distance of the hands from the axis (m), its rate and its acceleration, for hands first at rest at `still`.
-    pub(super) fn reach(&self, still: f64, t: f64) -> [f64; 3] {
-        let [part, rate, acceleration] = self.pace.at((t - self.begin) / self.duration);
+    /// Distance of the hands from the axis (m) and its rate, for hands first at rest at `still`.
+    pub(super) fn reach(&self, still: f64, t: f64) -> [f64; 2] {
+        let [part, rate] = self.pace.at((t - self.begin) / self.duration);
         let way = self.to - still;
-        [
-            still + way * part,
-            way * rate / self.duration,
-            way * acceleration / (self.duration * self.duration),
-        ]
+        [still + way * part, way * rate / self.duration]
     }
 
     /// Beginning and end of the motion, s.
@@ -207,10 +198,10 @@ impl Turnover {
             direction_rate: 0.0,
         };
         if u < 0.25 {
-            let [part, rate, _] = self.pace.at(4.0 * u);
+            let [part, rate] = self.pace.at(4.0 * u);
             forward(part, rate, 0.0)
         } else if u < 0.75 {
-            let [part, rate, _] = self.pace.at(2.0 * u - 0.5);
+            let [part, rate] = self.pace.at(2.0 * u - 0.5);
             let mean = 0.5 * (self.forward + self.back);
             let swing = 0.5 * (self.forward - self.back);
             let (sin, cos) = (TAU * part).sin_cos();
@@ -222,7 +213,7 @@ impl Turnover {
                 direction_rate,
             }
         } else {
-            let [part, rate, _] = self.pace.at(4.0 * u - 3.0);
+            let [part, rate] = self.pace.at(4.0 * u - 3.0);
             forward(1.0 - part, -rate, TAU)
         }
     }

@@ -314,9 +314,9 @@ impl Skater {
         Ok(self)
     }
 
-    /// Distance of the hands, its rate and its acceleration.
-    fn reach(&self, t: f64) -> [f64; 3] {
-        let still = [self.reach, 0.0, 0.0];
+    /// Distance of the hands and its rate.
+    fn reach(&self, t: f64) -> [f64; 2] {
+        let still = [self.reach, 0.0];
         self.draw.map_or(still, |draw| draw.reach(self.reach, t))
     }
 
@@ -331,16 +331,15 @@ impl Skater {
         spin.abs().max(f64::MIN_POSITIVE)
     }
 
-    fn state(&self, t: f64, &[angle, spin, work, heat]: &[f64; 4]) -> SkaterState {
-        let [reach, rate, _] = self.reach(t);
-        let energy = self.body.energy(spin, reach, rate);
-        SkaterState::of([angle, spin, reach, energy, work, heat])
+    fn state(&self, t: f64, &[angle, spin, against_spin, heat]: &[f64; 4]) -> SkaterState {
+        let [reach, rate] = self.reach(t);
+        let [energy, resting] = [spin, 0.0].map(|spin| self.body.energy(spin, reach, rate));
+        SkaterState::of([angle, spin, reach, energy, against_spin + resting, heat])
     }
 
     /// The state in closed form: Ω = L/I, and its integral while the hands move.
     fn known(&self, t: f64) -> Result<[f64; 4]> {
         let l = self.angular_momentum();
-        let [reach, rate, _] = self.reach(t);
         let spin = |t: f64| self.body.spin(l, self.reach(t)[0]);
         let angle = match self.draw.map(|draw| draw.corners()) {
             None => spin(t) * t,
@@ -349,12 +348,12 @@ impl Skater {
                 spin(0.0) * t.min(begin) + moving + spin(t) * (t - end).max(0.0)
             }
         };
-        let work = self.body.work(l, self.reach, reach)? + self.body.hand * rate * rate;
+        let work = self.body.work(l, self.reach, self.reach(t)[0])?;
         Ok([angle, spin(t), work, 0.0])
     }
 }
 
-/// The components, with friction: angle, spin, work and heat.
+/// The components, with friction: angle, spin, the work against the spin, without what the hands gain on their way, and heat.
 impl Flow<4> for Skater {
     type Phase = ();
 
@@ -364,13 +363,7 @@ impl Flow<4> for Skater {
 
     fn scales(&self) -> [f64; 4] {
         let fastest = self.fastest();
-        // Moving hands have energy even without spin.
-        let hands = self.draw.map_or(0.0, |draw| {
-            (draw.to - self.reach) * draw.pace.greatest_rate() / draw.duration
-        });
-        let [spinning, drawn] = [(fastest, 0.0), (0.0, hands)]
-            .map(|(spin, rate)| self.body.energy(spin, self.reach, rate));
-        let energy = spinning.max(drawn).max(f64::MIN_POSITIVE);
+        let energy = (0.5 * self.angular_momentum().abs() * fastest).max(f64::MIN_POSITIVE);
         [1.0, fastest, energy, energy]
     }
 
@@ -379,8 +372,8 @@ impl Flow<4> for Skater {
     }
 
     fn rate(&self, (): (), t: f64, y: &[f64; 4]) -> [f64; 4] {
-        let ([reach, rate, acceleration], spin) = (self.reach(t), y[1]);
-        let power = self.body.power(spin, reach, rate, acceleration);
+        let ([reach, rate], spin) = (self.reach(t), y[1]);
+        let power = self.body.power(spin, reach, rate);
         let free = self.body.acceleration(spin, reach, rate);
         match self.bearing_friction {
             None => [spin, free, power, 0.0],
@@ -423,8 +416,12 @@ impl Scene for Skater {
         let mut ledger = trace.told(request, plan, |t, _, y| self.state(t, y));
         let l = self.angular_momentum();
         let start = self.state(0.0, &[0.0, self.spin, 0.0, 0.0]);
-        // The hands change the energy, and with it the rounding: drifts are relative to the greatest energy. Without spin it is that of the hands, between two rows perhaps.
-        let [.., scale, _] = self.scales();
+        // The hands change the energy, and with it the rounding: drifts are relative to the greatest energy, of the spin or of the hands, between two rows perhaps.
+        let hands = self.draw.map_or(0.0, |draw| {
+            (draw.to - self.reach) * draw.pace.greatest_rate() / draw.duration
+        });
+        let [.., scale] = self.scales();
+        let scale = scale.max(self.body.energy(0.0, self.reach, hands));
         let energies = ledger.states().map(|state| state.energy);
         let largest = energies.fold(scale, f64::max);
         let momentum = |_: usize, state: &SkaterState| {

@@ -614,6 +614,10 @@ struct Efforts {
     better: f64,
     /// The error estimate of the last pair.
     reached: f64,
+    /// The factor by which the last tightening should have lowered it.
+    hoped: f64,
+    /// How many times in a row it stayed.
+    stays: u32,
 }
 
 /// The first length, s, for steps of one length: at most a quarter of a radian.
@@ -639,6 +643,8 @@ impl Efforts {
             worse,
             better: worse / apart,
             reached: f64::INFINITY,
+            hoped: 1.0,
+            stays: 0,
         }
     }
 
@@ -676,10 +682,14 @@ impl Efforts {
     fn tighten(&mut self, accuracy: f64, error: f64) -> bool {
         // At least half a digit more, at most four at once: a greater estimate says nothing.
         let less = (0.3 * accuracy / error).clamp(1e-4, 0.3);
+        // Twice in a row, an error that hardly fell with the tolerance is amplified rounding. To try until two runs agree would only wait for luck.
+        let stays = error < TOGETHER && error > self.hoped.sqrt() * self.reached;
+        self.stays = if stays { self.stays + 1 } else { 0 };
+        self.hoped = less;
         let (is_last, next) = match self.even {
             true => (error >= self.reached && error < SMALL, 0.5 * self.better),
             false => (
-                self.better <= LEAST_TOLERANCE,
+                self.better <= LEAST_TOLERANCE || self.stays == 2,
                 (self.better * less).max(LEAST_TOLERANCE),
             ),
         };

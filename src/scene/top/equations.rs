@@ -1,6 +1,6 @@
 //! The equations of a top in steps: L along the body's axes, the attitude's quaternion and, with resistance, the energy lost.
 
-use super::body::DOUBT;
+use super::body::{DOUBT, Start};
 use super::effects::{State, Top};
 use super::ledger::{self, Conserved};
 use crate::error::Result;
@@ -152,11 +152,14 @@ impl<const N: usize> Flow<N> for Turning {
 
     fn doubt(&self) -> [f64; N] {
         let rate = speed(self.start.l, self.inverse);
+        let [w, x, y, z] = self.start.q;
+        let q = Start::tilted(nalgebra::Quaternion::new(w, x, y, z));
+        let q = [q.w, q.i, q.j, q.k];
         core::array::from_fn(|n| match n {
             // A spin stopped by dry friction is exactly 0.
             2 if self.tip_friction.is_some() && self.start.l[2] == 0.0 => 0.0,
             0..3 => DOUBT[n] * self.moments[n] * rate,
-            3..7 => DOUBT[n],
+            3..7 => q[n - 3],
             _ => 0.0,
         })
     }

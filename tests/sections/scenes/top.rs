@@ -106,10 +106,10 @@ fn what_is_told_of_a_closed_form() {
             _ => continue,
         };
         let displaced = |times: f64| {
-            let moved = [-1e-14, 1.2e-14, 8e-15, -1e-14].map(|part| part * times.abs());
-            let q = [0.9, 0.3, -0.2, 0.25].map(|part: f64| part / 1.0025_f64.sqrt());
-            let [w, x, y, z] = [0, 1, 2, 3].map(|k| q[k] + moved[k]);
-            let attitude = Attitude::from_quaternion(w, x, y, z).unwrap();
+            let q = nalgebra::Quaternion::new(0.9, 0.3, -0.2, 0.25) / 1.0025_f64.sqrt();
+            let tilt = nalgebra::Quaternion::new(0.0, -1.2e-14, 1e-14, 8e-15) * times.abs();
+            let q = q + tilt * q;
+            let attitude = Attitude::from_quaternion(q.w, q.i, q.j, q.k).unwrap();
             let faster = times * spin * vector([2e-14, -1.5e-14, 1.8e-14]);
             let start = Start::with_omega(vector(OMEGA) + faster, attitude);
             let top = heavy(body(moments, center), start, G);

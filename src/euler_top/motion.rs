@@ -3,11 +3,12 @@
 use nalgebra::{Quaternion, UnitQuaternion};
 
 use super::evaluation::{Constants, Moving, State, vector};
-use super::preparation::{Quantity, Regime, Start, ascending, decide, decide_from, ratio};
+use super::preparation::{Quantity, Regime, Start, decide, decide_from, ratio};
 use crate::elliptic::Parameter;
 use crate::elliptic::lanes::{fill, turned};
 use crate::error::{Result, finite, not_negative, positive, refused};
 use crate::frame::{Attitude, BodyVector, SpaceVector, finite_vector};
+use crate::inertia::principal::ascending;
 use crate::inertia::{InertiaMatrix, PrincipalMoments};
 use crate::precise::{DoubleDouble, Extended, Number, power_of_two_below, sum_of_products};
 

@@ -5,9 +5,9 @@
 //! the first two are sums of squares, the third is a difference of two squares in 106 bits.
 
 use super::evaluation::handedness;
-use super::preparation::ascending;
 use crate::error::{Result, positive, refused};
 use crate::frame::BodyVector;
+use crate::inertia::principal::ascending;
 use crate::precise::{DoubleDouble, Number, exponent_of, power_of_two_below, shifted};
 
 /// The axis that the polhode circles.

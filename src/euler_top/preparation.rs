@@ -8,6 +8,7 @@ use crate::elliptic::lanes::Course;
 use crate::elliptic::modulus::{Descent, Squares};
 use crate::elliptic::theta::{Elevation, Turning};
 use crate::error::{Result, refused};
+use crate::inertia::principal::ascending;
 use crate::precise::{
     DoubleDouble, Extended, Number, RIGHT_ANGLE, exponent_of, power_of_two_below, sum_of_products,
 };
@@ -92,13 +93,6 @@ pub(super) fn ratio(l: [f64; 3], moments: [f64; 3]) -> [f64; 3] {
             l[k] / moments[k]
         }
     })
-}
-
-/// The order of the moments, ascending.
-pub(super) fn ascending(moments: [f64; 3]) -> [usize; 3] {
-    let mut order = [0, 1, 2];
-    order.sort_by(|a, b| moments[*a].total_cmp(&moments[*b]));
-    order
 }
 
 /// The differences 1/I_i − 1/I_j, all multiplied by I₁I₂I₃, from exact differences: c₁ = I₁(I₃ − I₂), c₂ = I₂(I₃ − I₁), c₃ = I₃(I₂ − I₁),

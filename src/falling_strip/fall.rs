@@ -195,14 +195,8 @@ impl Fall {
         let [u, w] = start.velocity;
         let state = [0.0, 0.0, start.tilt, u, w, start.omega, 0.0];
         let effort = Effort::Tolerance(1e-11);
-        let run = order_eight(
-            &self.equations,
-            Kept::Nothing,
-            &state,
-            &[1.0; 7],
-            times,
-            effort,
-        )?;
+        let equations: &dyn System<7> = &self.equations;
+        let run = order_eight(equations, Kept::Nothing, &state, &[1.0; 7], times, effort)?;
         Ok(run.states)
     }
 

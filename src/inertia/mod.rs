@@ -33,7 +33,7 @@ mod mesh;
 mod moments;
 mod motion;
 mod platonic;
-mod principal;
+pub(crate) mod principal;
 pub mod routh;
 pub mod shapes;
 

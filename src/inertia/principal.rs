@@ -256,10 +256,16 @@ fn refine_small_moments<N: Number>(
     }
 }
 
+/// The order of the moments, ascending.
+pub(crate) fn ascending(moments: [f64; 3]) -> [usize; 3] {
+    let mut order = [0, 1, 2];
+    order.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
+    order
+}
+
 /// A diagonal matrix: its own entries in order, and coordinate axes, the last reversed if need be.
 fn coordinate_axes(diagonal: [f64; 3]) -> PrincipalAxes {
-    let mut order = [0, 1, 2];
-    order.sort_by(|&i, &j| diagonal[i].total_cmp(&diagonal[j]));
+    let order = ascending(diagonal);
     let [first, second, _] = order.map(|i| V::ith(i, 1.0));
     PrincipalAxes {
         moments: order.map(|i| diagonal[i]),

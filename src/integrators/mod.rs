@@ -39,13 +39,19 @@ pub(crate) fn halved(
     Ok([holds, fails])
 }
 
+/// The places of these numbers, in ascending order of the numbers.
+pub(crate) fn ascending_places(numbers: &[f64]) -> Vec<usize> {
+    let mut places: Vec<usize> = (0..numbers.len()).collect();
+    places.sort_by(|&i, &j| numbers[i].total_cmp(&numbers[j]));
+    places
+}
+
 /// States at times in any order, from `follow`, which takes ordered times: first those before 0, backward from 0, then the others, ascending.
 pub(crate) fn both_ways<Y: Clone>(
     times: &[f64],
     mut follow: impl FnMut(&[f64]) -> Result<Vec<Y>>,
 ) -> Result<Vec<Y>> {
-    let mut before: Vec<usize> = (0..times.len()).collect();
-    before.sort_by(|&i, &j| times[i].total_cmp(&times[j]));
+    let mut before = ascending_places(times);
     let after = before.split_off(before.partition_point(|&i| times[i] < 0.0));
     before.reverse();
     let mut states = vec![None; times.len()];

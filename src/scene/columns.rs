@@ -160,6 +160,13 @@ impl<S: 'static> Columns<S> {
     }
 }
 
+/// Name, unit and meaning of a column, from its name and its doc comment.
+pub(crate) fn described([name, text]: [&'static str; 2]) -> [&'static str; 3] {
+    let text = text.trim().trim_end_matches('.');
+    let (meaning, unit) = text.rsplit_once(", ").unwrap_or((text, "1"));
+    [name, unit, meaning]
+}
+
 /// Declares a state whose fields are its columns: the doc comment of each is its meaning and, after the last comma, its unit.
 macro_rules! state {
     (
@@ -188,12 +195,8 @@ macro_rules! state {
         impl $crate::scene::Tabulated for $name {
             fn columns() -> $crate::scene::Columns<Self> {
                 let told = [$([stringify!($number), $text]),*];
-                let told = told.map(|[name, text]| {
-                    let text = text.trim().trim_end_matches('.');
-                    let (meaning, unit) = text.rsplit_once(", ").unwrap_or((text, "1"));
-                    [name, unit, meaning]
-                });
-                $crate::scene::Columns::default().with(told, |state: &Self| [$(state.$number),*])
+                $crate::scene::Columns::default()
+                    .with(told.map($crate::scene::columns::described), |state: &Self| [$(state.$number),*])
             }
         }
     };

@@ -4,7 +4,7 @@ use super::budget::{Budget, Progress};
 use super::plan::{Choice, Plan};
 use crate::conservation::{Law, Ledger, Value};
 use crate::error::{Error, Result, finite, within};
-use crate::integrators::{Cost, Effort, GeneralMethods};
+use crate::integrators::{Cost, Effort, GeneralMethods, ascending_places};
 
 /// A request to a scene: at which times, how accurately, and by which solver.
 #[derive(Debug, Clone)]
@@ -266,8 +266,6 @@ impl<S> OpenLedger<S> {
         states: impl IntoIterator<Item = S>,
     ) -> Self {
         let times = &request.times;
-        let mut order: Vec<usize> = (0..times.len()).collect();
-        order.sort_by(|&i, &j| times[i].total_cmp(&times[j]));
         let motion = Motion {
             plan,
             cost,
@@ -275,6 +273,7 @@ impl<S> OpenLedger<S> {
             ledger: Ledger::new(),
             rows: times.iter().copied().zip(states).collect(),
         };
+        let order = ascending_places(times);
         Self { motion, order }
     }
 

@@ -178,14 +178,19 @@ fn growth_rates(table: &Table, up: Vector3<f64>, [a, b]: [f64; 2], spin: f64) ->
     let scales = [1.0, 1.0, turn, turn, turn, swing, swing];
     let jacobian = jacobian(rate, x, [n, n, w, w, w, v, v], scales)?;
     let mut values: [Complex<f64>; 7] = jacobian.complex_eigenvalues().into();
-    values.sort_by(|a, b| a.norm().total_cmp(&b.norm()));
+    sort(&mut values, |value| value.norm());
     let [_, rest @ ..] = values;
     Ok(fastest_first(rest))
 }
 
+/// Sorts eigenvalues by a number that belongs to each, ascending.
+fn sort(values: &mut [Complex<f64>], number: fn(&Complex<f64>) -> f64) {
+    values.sort_by(|a, b| number(a).total_cmp(&number(b)));
+}
+
 /// These eigenvalues, the fastest growing first.
 fn fastest_first<const N: usize>(mut values: [Complex<f64>; N]) -> [Rate; N] {
-    values.sort_by(|a, b| b.re.total_cmp(&a.re));
+    sort(&mut values, |value| -value.re);
     values.map(|Complex { re, im }| Rate {
         growth: re,
         frequency: im,

@@ -4,6 +4,7 @@ use super::coefficients::{NYSTROM_6, NYSTROM_11, S6, S10, STRANG, part_steps};
 use super::stepper::{Rule, Run, Steps, checked_moments, unit};
 use super::{Integrator, Phase, Stepper, Torque};
 use crate::error::Result;
+use crate::inertia::principal::ascending;
 use crate::integrators::real::{Real, Sums, dot, exponential, product};
 use crate::precise::{DoubleDouble, Number};
 
@@ -35,9 +36,7 @@ struct Axes {
 impl Axes {
     fn new(moments: [f64; 3]) -> Result<Self> {
         let moments = checked_moments(moments)?;
-        let mut axes = [0, 1, 2].map(|axis| (axis, moments[axis]));
-        axes.sort_by(|a, b| a.1.total_cmp(&b.1));
-        let [outer, (_, middle), inner] = axes;
+        let [outer, (_, middle), inner] = ascending(moments).map(|axis| (axis, moments[axis]));
         Ok(Self {
             outer,
             inner,

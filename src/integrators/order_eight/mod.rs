@@ -182,8 +182,7 @@ impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
                 self.states.push(short);
             }
         }
-        for _ in inner..count {
-            self.states.push(self.state.values);
-        }
+        let seen = self.states.len() + count - inner;
+        self.states.resize(seen, self.state.values);
     }
 }

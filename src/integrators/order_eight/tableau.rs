@@ -11,7 +11,7 @@ pub(super) struct Step<const N: usize> {
     fifth: [f64; N],
     third: [f64; N],
     /// Rates 1 and 6 to 12.
-    used: [[f64; N]; 8],
+    pub used: [[f64; N]; 8],
 }
 
 /// The states within a step: a polynomial of order 7, or a cubic (Hairer, Nørsett, Wanner, II.6).
@@ -65,11 +65,6 @@ impl<const N: usize> Step<N> {
         self.time + part * self.length
     }
 
-    /// A step from the same state over a time h.
-    pub fn again<S: System<N> + ?Sized>(&self, system: &S, h: f64) -> Self {
-        step(system, self.time, &self.state, &self.used[0], h)
-    }
-
     /// The error as a multiple of the allowed one, from both estimates (Hairer, Nørsett, Wanner, II.10).
     ///
     /// In few components the fifth-order estimate may pass through zero, where it says nothing. Then the square of the third-order estimate, also of
@@ -105,7 +100,6 @@ impl<const N: usize> Step<N> {
 const OF_THE_THIRD: f64 = 0.005;
 
 /// One step of length h from a state whose rate is known: eleven evaluations.
-#[inline(always)]
 pub(super) fn step<const N: usize, S: System<N> + ?Sized>(
     system: &S,
     t: f64,
@@ -141,19 +135,20 @@ pub(super) fn step<const N: usize, S: System<N> + ?Sized>(
         change,
         fifth: mean(E5, used),
         third: core::array::from_fn(|n| slope[n] - low[n]),
-        used: used.map(|rate| *rate),
+        used: [*k1, k6, k7, k8, k9, k10, k11, k12],
     }
 }
 
 #[inline(always)]
 fn mean<const N: usize, const M: usize>(weights: [f64; M], rates: [&[f64; N]; M]) -> [f64; N] {
-    core::array::from_fn(|n| {
-        let mut sum = weights[0] * rates[0][n];
+    let mut sums = [0.0; N];
+    for (n, sum) in sums.iter_mut().enumerate() {
+        *sum = weights[0] * rates[0][n];
         for m in 1..M {
-            sum += weights[m] * rates[m][n];
+            *sum += weights[m] * rates[m][n];
         }
-        sum
-    })
+    }
+    sums
 }
 
 /// Coefficients of Dormand and Prince (1980, 1989) as in DOP853, without the zeros. Row 6 multiplies rates 1, 4 and 5, every later row rates 1 and

@@ -115,7 +115,7 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
     /// The state a time `h` after the beginning of a step, by a step of its own.
     pub(super) fn short(&mut self, taken: &Step<N>, h: f64) -> [f64; N] {
         self.cost.evaluations += STAGES - 1;
-        let short = taken.again(self.leg.system, h);
+        let short = step(self.leg.system, taken.time, &taken.state, &taken.used[0], h);
         self.restored(core::array::from_fn(|n| taken.state[n] + short.change[n]))
     }
 
@@ -150,14 +150,10 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
         let bend = size(&core::array::from_fn(|n| there[n] - self.rate[n])) / short;
         // Both are rates: the size of the first derivative and the root of the second's, which counts for components at rest.
         let pace = rate.max(bend.sqrt());
-        let length = tolerance.min(1.0).sqrt().sqrt().sqrt() * FIRST / pace;
+        let guess = tolerance.min(1.0).sqrt().sqrt().sqrt() * FIRST / pace;
         self.cost.evaluations += 1;
         let most = span.abs().min(self.longest(tolerance));
-        if length.is_finite() && length > 0.0 {
-            length.min(most)
-        } else {
-            most
-        }
+        if guess > 0.0 { guess.min(most) } else { most }
     }
 }
 

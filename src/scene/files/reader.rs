@@ -90,11 +90,14 @@ impl<'a> Reader<'a> {
 
     /// Records a mistake in these keys, given by their paths, separated by commas: "body.mass, body.radius".
     pub fn wrong<T>(&self, keys: &str, told: impl Display) -> Option<T> {
-        let mut paths = keys.split(", ");
-        let place = paths.find_map(|path| find(&self.entries, path));
-        let place = place.or_else(|| find(&self.entries, keys.split('.').next()?));
-        self.add(place.map(|found| found.0), format!("{}{told}", named(keys)));
+        self.add(self.place(keys), format!("{}{told}", named(keys)));
         None
+    }
+
+    /// The place of the first of these keys that is there, or of the table.
+    fn place(&self, keys: &str) -> Option<Range<usize>> {
+        let mut paths = keys.split(", ").chain(keys.split('.').take(1));
+        Some(paths.find_map(|path| find(&self.entries, path))?.0)
     }
 
     /// Records that a key is missing.
@@ -324,8 +327,12 @@ impl<'p> Place<'p> {
 
     /// Records that the value is of the wrong type.
     pub fn unexpected<T>(&self, value: &Spanned<DeValue<'_>>, expected: &str) -> Option<T> {
+        self.wrong(value, self.instead(value, expected))
+    }
+
+    fn instead(&self, value: &Spanned<DeValue<'_>>, expected: &str) -> String {
         let (kind, shown) = (value.get_ref().type_str(), self.table.reader.shown(value));
-        self.wrong(value, format_args!("{expected}, got the {kind} {shown}"))
+        format!("{expected}, got the {kind} {shown}")
     }
 
     /// Records that the value is not as it must be.

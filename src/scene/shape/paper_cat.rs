@@ -4,7 +4,7 @@ use core::f64::consts::{PI, TAU};
 
 use crate::conservation::Law;
 use crate::error::{Result, finite, positive};
-use crate::integrators::{Effort, Kept, Leg, Stop};
+use crate::integrators::{Effort, Kept, Leg, Stop, System};
 use crate::phenomena;
 use crate::scene::columns::{Columns, columns, state};
 use crate::scene::effects::Effect;
@@ -124,7 +124,7 @@ impl PaperCat {
         let falling = self.falling(positive("the time to wait", time)?);
         let (side, rest) = (self.tilt.signum(), self.rest());
         let upright = move |_: f64, y: &[f64; 5]| side * (rest + y[2]);
-        let leg = Leg {
+        let leg: Leg<'_, 5, dyn System<5>> = Leg {
             system: &|t: f64, y: &[f64; 5]| falling.rate((), t, y),
             kept: Kept::Nothing,
             start: (0.0, &self.first()),

@@ -59,6 +59,12 @@ impl<N: Torque<f64>> System<7> for GeneralMethod<N> {
     }
 }
 
+/// Compiled here, once for all torques.
+#[inline(never)]
+fn solved(run: Run<'_, 7>, start: &[f64; 7], times: &[f64]) -> Result<Solution<[f64; 7]>> {
+    run.solve(0.0, start, times)
+}
+
 impl<N: Torque<f64> + core::fmt::Debug> Follow for GeneralMethod<N> {
     fn name(&self) -> String {
         self.method.name().to_owned()
@@ -74,7 +80,7 @@ impl<N: Torque<f64> + core::fmt::Debug> Follow for GeneralMethod<N> {
         let packed = [a, b, c, q.w, q.i, q.j, q.k];
         let size = a.hypot(b).hypot(c).max(f64::MIN_POSITIVE);
         let scales = [size, size, size, 1.0, 1.0, 1.0, 1.0];
-        let run = Run::new(self, &scales, self.method, effort).solve(0.0, &packed, times)?;
+        let run = solved(Run::new(self, &scales, self.method, effort), &packed, times)?;
         let phases = run.states.iter().map(|y| Phase {
             l: [y[0], y[1], y[2]],
             q: [y[3], y[4], y[5], y[6]],

@@ -34,13 +34,11 @@ pub(super) fn falling<const N: usize>(
     crossing: &Falling<'_, N>,
     before: (f64, [f64; N]),
     after: (f64, [f64; N]),
-    reach: &mut impl FnMut((f64, [f64; N]), f64) -> Result<[f64; N]>,
+    reach: &mut dyn FnMut((f64, [f64; N]), f64) -> Result<[f64; N]>,
 ) -> Result<(f64, [f64; N])> {
     let (mut low, mut high) = (before, after);
-    let (mut above, mut below) = (
-        crossing.value(low.0, &low.1),
-        crossing.value(high.0, &high.1),
-    );
+    let mut above = crossing.value(low.0, &low.1);
+    let mut below = crossing.value(high.0, &high.1);
     // The ordinates of the secant: the values, or fractions of them.
     let (mut left, mut right, mut moved) = (above, below, None);
     let (mut width, mut trials) = (high.0 - low.0, 0);
@@ -75,11 +73,8 @@ pub(super) fn falling<const N: usize>(
             (high, below, right, moved) = (place, here, here, Some(End::High));
         }
     }
-    Ok(if above > 0.0 && above < -below {
-        low
-    } else {
-        high
-    })
+    let is_nearer = above > 0.0 && above < -below;
+    Ok(if is_nearer { low } else { high })
 }
 
 /// An end of the bracket.

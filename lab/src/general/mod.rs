@@ -36,7 +36,6 @@ impl GeneralMethods for DifferentialEquations {
         effort: Effort,
     ) -> Result<Passage<Vec<f64>>> {
         match leg.start.1.len() {
-            1 => sized::<1>(method, leg, effort),
             2 => sized::<2>(method, leg, effort),
             3 => sized::<3>(method, leg, effort),
             4 => sized::<4>(method, leg, effort),
@@ -46,7 +45,7 @@ impl GeneralMethods for DifferentialEquations {
             8 => sized::<8>(method, leg, effort),
             12 => sized::<12>(method, leg, effort),
             count => Err(Error::Condition {
-                condition: "the general methods are compiled for 1 to 8 and for 12 numbers",
+                condition: "the general methods are compiled for 2 to 8 and for 12 numbers",
                 value: count as f64,
             }),
         }
@@ -74,9 +73,8 @@ fn sized<const N: usize>(
     let of = |slice: &[f64]| -> [f64; N] { core::array::from_fn(|n| slice[n]) };
     let (time, start) = (leg.start.0, of(leg.start.1));
     let margin = |t: f64, y: &[f64; N]| leg.event.map_or(1.0, |event| event(t, y));
-    let (system, scales) = (&Slices::<N>(leg), &of(leg.scales));
-    let run = Run::new(system, scales, method, effort);
-    let passage = run.until(time, &start, leg.times, leg.end, &margin)?;
+    let passage = Run::new(&Slices::<N>(leg), &of(leg.scales), method, effort)
+        .until(time, &start, leg.times, leg.end, &margin)?;
     Ok(Passage {
         states: passage.states.iter().map(|y| y.to_vec()).collect(),
         time: passage.time,

@@ -133,16 +133,17 @@ impl<'a, const N: usize> Run<'a, N> {
                 let make = |length: f64| {
                     let method = ExplicitRungeKutta::$method().max_steps(MOST_STEPS);
                     let method = method.rtol(tolerance).atol(absolute(tolerance));
-                    method.h0(first_step(length))
+                    // Chosen by the method for a whole run; the whole length for what is left of a step.
+                    method.h0(if length < 1.0 { length } else { 0.0 })
                 };
-                self.drive(make, clock, start, times, event)
+                self.drive(&*solved(make), clock, start, times, event)
             }};
         }
         match (self.method, self.effort) {
             (Method::Rk4, Effort::Step(step)) => {
                 let step = even(step)?;
                 let make = |length| ExplicitRungeKutta::rk4(step(length)).max_steps(MOST_STEPS);
-                self.drive(make, clock, start, times, event)
+                self.drive(&*solved(make), clock, start, times, event)
             }
             (Method::Dopri5, Effort::Tolerance(most)) => by_tolerance!(dopri5, most),
             (Method::Dop853, Effort::Tolerance(most)) => by_tolerance!(dop853, most),
@@ -157,7 +158,7 @@ impl<'a, const N: usize> Run<'a, N> {
                     let run = Run::new(&scaled, &[1.0; N], self.method, self.effort);
                     let start = scaled.to_units(start);
                     let value = |t: f64, y: &[f64; N]| scaled.value(t, y);
-                    let driven = run.drive(make, clock, &start, times, &value);
+                    let driven = run.drive(&*solved(make), clock, &start, times, &value);
                     // A component that outgrows its size has rounding errors above that tolerance.
                     let stalled = matches!(driven, Err(Error::Integration { reason: STIFF, .. }));
                     if !stalled || sizes == scaled.sizes.get() {
@@ -175,17 +176,14 @@ impl<'a, const N: usize> Run<'a, N> {
 
     /// One run of the crate's loop from phase 0 to 1, then a short one from the step before it to each sample and to the event: dense
     /// output loses up to four digits against the steps.
-    fn drive<M>(
+    fn drive(
         &self,
-        make: impl Fn(f64) -> M + Copy,
+        solve: &Solve<'_, N>,
         clock: Clock,
         start: &[f64; N],
         times: &[f64],
         event: &Event<'_, N>,
-    ) -> Result<Passage<[f64; N]>>
-    where
-        M: OrdinaryNumericalMethod<f64, [f64; N]> + Interpolation<f64, [f64; N]>,
-    {
+    ) -> Result<Passage<[f64; N]>> {
         let mut cost = Cost::default();
         if clock.span == 0.0 {
             return Ok(Passage {
@@ -207,17 +205,14 @@ impl<'a, const N: usize> Run<'a, N> {
         let crossing = Falling { event, clock };
         let mut track = Track::new(&timed, times, Some(&crossing), (0.0, *start));
         track.armed = crossing.is_armed(&timed, start);
-        let run = solve_ode(&mut make(1.0), &timed, 0.0, 1.0, start, &mut track);
-        cost += spent(&run.map_err(|refusal| refused(&refusal, clock))?);
+        cost += solve(&timed, (0.0, start), 1.0, &mut track)?;
         track.went_on.clone()?;
         let mut reach = |from: (f64, [f64; N]), to: f64| -> Result<[f64; N]> {
-            let length = to - from.0;
-            if length <= NO_TIME {
+            if to - from.0 <= NO_TIME {
                 return Ok(carried(&timed, from, to));
             }
             let mut end = Track::new(&timed, &[], None, from);
-            let run = solve_ode(&mut make(length), &timed, from.0, to, &from.1, &mut end);
-            cost += spent(&run.map_err(|refusal| refused(&refusal, clock))?);
+            cost += solve(&timed, (from.0, &from.1), to, &mut end)?;
             end.went_on?;
             Ok(carried(&timed, end.last, to))
         };
@@ -248,6 +243,22 @@ impl<'a, const N: usize> Run<'a, N> {
     }
 }
 
+/// The crate's loop from a phase and a state to another phase, recorded in a track: a pointer, so that all around it is compiled once for all methods.
+type Solve<'a, const N: usize> =
+    dyn Fn(&Timed<'_, N>, (f64, &[f64; N]), f64, &mut Track<'_, N>) -> Result<Cost> + 'a;
+
+/// The crate's loop with the method that is made for a length in phase.
+fn solved<'a, M, const N: usize>(make: impl Fn(f64) -> M + 'a) -> Box<Solve<'a, N>>
+where
+    M: OrdinaryNumericalMethod<f64, [f64; N]> + Interpolation<f64, [f64; N]>,
+{
+    Box::new(move |timed, (from, start), to, track| {
+        let run = solve_ode(&mut make(to - from), timed, from, to, start, track);
+        let run = run.map_err(|refusal| refused(&refusal, timed.clock))?;
+        Ok(spent(&run))
+    })
+}
+
 /// A difference in phase below this is bridged by one Euler step: the crate's loop ends within 2e-15 of its end.
 const NO_TIME: f64 = 1e-14;
 
@@ -262,11 +273,6 @@ fn held<E, F, const N: usize, const O: usize, const S: usize, const I: usize>(
 
 /// Residual allowed in the stage equations, in units of the scales: a few rounding errors.
 const NEWTON: f64 = 4.0 * f64::EPSILON;
-
-/// The first step: chosen by the method for a whole run; the whole length for what is left of a step.
-fn first_step(length: f64) -> f64 {
-    if length < 1.0 { length } else { 0.0 }
-}
 
 fn spent<const N: usize>(run: &Finished<f64, [f64; N]>) -> Cost {
     // An implicit method differentiates by differences: one evaluation for each component, and one for all.

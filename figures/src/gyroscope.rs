@@ -32,7 +32,7 @@ parameters! {
 const HOLD: f64 = 0.06;
 /// The elevation of the view, radians, and the units per metre.
 const SEEN: f64 = 0.36;
-const SCALE: f64 = 1750.0;
+const SCALE: f64 = 2100.0;
 /// How deep the foot of the stand is below the support, m, and height of the picture, units.
 const FOOT: f64 = 0.075;
 const PAGE: f64 = 312.0;
@@ -42,7 +42,7 @@ fn view(values: &Values) -> View {
     let (sin, cos) = values.of(&TILT).to_radians().sin_cos();
     let length = LENGTH * ALONG * TAU * values.of(&TURNS);
     let (rise, depth) = (SEEN.cos(), SEEN.sin());
-    let above = (length * (sin * depth + cos * rise)).max(ARM * cos * rise + WHEEL);
+    let above = (length * (sin * depth + cos * rise)).max(ARM * cos.max(0.0) * rise + WHEEL);
     let below = (length * (sin * depth - cos * rise)).max(FOOT);
     let (room, tall) = (PAGE - 84.0, above + below);
     let scale = SCALE.min(room / tall);
@@ -87,8 +87,8 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
     let [spun, lean] = shorts([turns, degrees], 1);
     let words = words!(
         "The weight's torque pushes the tip of L sideways, so the axle goes round instead of down: at {pace} rad/s, {beside}.",
-        "A wheel of 0.1 kg at $\\ell = 4$ cm from its support, $I_3 = 6 \\cdot 10^{{-5}}$ kg m², {spun} turns a second, axle {lean}° from the vertical. Orange: $L$ now and {STEP} s later, \
-         and $dL$, the change; purple: the torque $N$ of the weight for as long. $Mg\\ell/L_3 = {law:.4}$ rad/s; once round in {round} s. The torque is at right angles to $L$, which turns and does not grow.",
+        "A wheel of 0.1 kg at $\\ell = 4$ cm from its support, $I_3 = 6 \\cdot 10^{{-5}}$ kg m², {spun} turns a second, axle {lean}° from the vertical: $Mg\\ell/L_3 = {law:.4}$ \
+         rad/s. Orange: $L$ now and {STEP} s later, and $dL$, the change; purple: the torque $N$ of the weight for as long.",
         "A wheel on an axle that is held at one end on a stand, {lean} degrees from the vertical. An orange arrow, the angular momentum, lies along the axle; the weight points down from the \
          wheel; the purple torque is level and points across the axle, and the orange arrow half a second later has moved that way, along a dotted circle round the vertical."
     );

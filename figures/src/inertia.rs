@@ -167,9 +167,8 @@ pub fn rosettes(_: &Values) -> Result<Figure> {
     let words = words!(
         "A cube has the same moment of inertia about every axis through its centre, and so has each of the \
          five regular solids.",
-        "Distance from the centre is the moment about the axis in that direction, in the plane through a face, an \
-         edge and a vertex. Cube of mass $M$ and edge $a$: {face}, {vertex} and {edge} $Ma^2$, a circle. Brick \
-         $a \\times a \\times 2a$ of the same mass: {up}, {slant} and {side} $Ma^2$. Below, $I/Ma^2$ for edge $a$.",
+        "Distance from the centre: the moment about the axis in that direction. Cube of mass $M$ and edge $a$: {face}, {vertex} and {edge} $Ma^2$, a circle. Brick $a \\times a \
+         \\times 2a$ of the same mass: {up}, {slant} and {side} $Ma^2$. Below, $I/Ma^2$ for edge $a$.",
         "Two polar curves on the same scale. Around the cross-section of a cube the curve is a perfect circle, and \
          the axes through a face, an edge and a vertex meet it at equal distances, {face} each. Around a brick \
          twice as long the curve is a peanut, three axes, three distances. Below, the five regular solids, each in \
@@ -290,7 +289,7 @@ pub fn quiz(_: &Values) -> Result<Figure> {
             pen.lines(seen, inked(DATA));
             // Round the upper end, open towards the back.
             let level = through.cross(&view.toward).normalize();
-            let (u, v) = (level * 0.2, through.normalize().cross(&level) * 0.2);
+            let (u, v) = (level * 0.26, through.normalize().cross(&level) * 0.26);
             let rings = ellipse(end - through.normalize() * 0.16, u, v, 60);
             let rings = view.trace(&rings);
             pen.line(&rings[24..], inked(SECONDARY));

@@ -278,7 +278,7 @@ pub fn classes(values: &Values) -> Result<Figure> {
     );
 
     let inside = |[e, h]: &Point| (least..=greatest).contains(e) && (0.0..=highest).contains(h);
-    let x = |e: f64| 46.0 + 446.0 * (e - least) / (greatest - least);
+    let x = |e: f64| 46.0 + 426.0 * (e - least) / (greatest - least);
     let y = |h: f64| 262.0 - 236.0 * h / highest;
     motions.retain(inside);
     let made = figure("appelrot-classes", 300.0, words, |pen| {
@@ -296,7 +296,7 @@ pub fn classes(values: &Values) -> Result<Figure> {
             (diagram.shared_upper(greatest), "root = *e*_{4}"),
             (diagram.shared_lower(greatest), "root = *e*_{5}"),
         ];
-        let own = ends.into_iter().flatten().map(|h| (h, "two equal"));
+        let own = ends.into_iter().flatten().map(|h| (h, "double root"));
         let named = shared.into_iter().chain(own);
         let named = named.filter(|(h, _)| (0.0..=highest).contains(h));
         let (heights, names): (Vec<f64>, Vec<&str>) = named.map(|(h, name)| (y(h), name)).unzip();

@@ -66,10 +66,8 @@ pub fn billiard(values: &Values) -> Result<Figure> {
     let percent = short(50.0 * sweet, 1);
     let words = words!(
         "Hit at {percent} per cent of its height, {which} rolls at once.",
-        "Level cues at heights $H/R$ of {heights} above the table, $\\kappa = I/MR^2 = {factor}$. The arrows at the right are the \
-         velocity of the point of contact just after the stroke, {slips} of the ball's velocity $V'$: a straight line in \
-         $H$, zero at $H = (1 + \\kappa)R = {height}\\,R$. The blue sectors show how far the ball turns while it advances by $R$: by one radian \
-         if it rolls.",
+        "Level cues at heights $H/R$ of {heights} above the table, $\\kappa = I/MR^2 = {factor}$. Arrows: the velocity of the point of contact just after the stroke, {slips} of \
+         the ball's velocity $V'$, zero at $H = (1 + \\kappa)R = {height}\\,R$. Blue: how far the ball turns while it advances by $R$, one radian if it rolls.",
         "A ball on a table and level cues at heights of {heights} radii. To the right, at the same heights, arrows for \
          the slip of the contact point: {slips} times the ball's speed. Their tips lie on a straight line which \
          crosses zero at {height} radii. Hit lower, the ball skids with too little spin or backspin; higher, with too \

@@ -61,10 +61,8 @@ pub fn prices(_: &Values) -> Result<Figure> {
     let (count, measured) = (cells.len(), machine.trim_start_matches(['#', ' ']));
     let words = words!(
         "An effect is paid for only where it is called for, and most of them never need an integrator.",
-        "Every kind of scene with each of its effects: the time to follow one second to $10^{{-9}}$, reading the file included, without the \
-         effect (ring) and with it (disc), on a logarithmic scale. At the margin the time with it, and how it is found: one closed form \
-         for all times, closed forms from event to event, or so many evaluations of the right-hand side. {stays} of {count} effects \
-         never call for an evaluation. No ring: the scene cannot do without the effect. Measured once, least of repeated runs: {measured}.",
+        "The time to follow one second to $10^{{-9}}$, reading the file included, without the effect (ring; none where the scene needs it) and with it (disc). At the margin the \
+         time with it, and how it is found: {stays} of {count} effects never call for an evaluation. Least of repeated runs: {measured}.",
         "A table in {kinds} blocks, one a kind of scene, with a line for each of its effects. On each line a ring shows the time without \
          the effect and a disc the time with it. For {stays} of {count} lines the disc stays within some hundredths of a millisecond. For tops \
          gravity keeps it there, and every kind of friction moves it to the right by a decade and more."

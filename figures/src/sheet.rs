@@ -77,9 +77,9 @@ pub fn speeds(values: &Values) -> Result<Figure> {
     let [lowest, highest] = numbers([least, most], 1);
     let words = words!(
         "Velocity and spin reach zero in the same instant: the ball stops dead.",
-        "A sheet jerked away at {pull} m/s, friction $\\mu = {on_sheet}$ on it and {on_table} on the table, $I = {inertia}\\,MR^2$. On the sheet friction drives the ball forward and spins it backward;{rolling} off it, after {gone} ms, the table's friction does \
-         the opposite, in the same proportion. Rim speed and velocity stay in the ratio −{ratio} to 1 throughout, so both are zero after {end} ms, {way} mm from the start. \
-         Below: the slip of the contact point over whatever it touches.",
+        "A sheet jerked away at {pull} m/s, friction $\\mu = {on_sheet}$ on it and {on_table} on the table, $I = {inertia}\\,MR^2$. On the sheet friction drives the ball \
+         forward and spins it backward;{rolling} off it, after {gone} ms, the table's friction does the opposite. Rim speed and velocity stay in the ratio −{ratio} to 1, so \
+         both are zero after {end} ms, {way} mm from the start.",
         "Two graphs against time. Above: velocity rises in a straight line to {velocity} metres a second while the rim speed falls to {rim}; when the sheet has gone, both return in straight \
          lines to zero at the same moment. Below: the slip goes down to {lowest}, jumps to {highest} as the sheet leaves, and ends at zero at that moment."
     );

@@ -45,7 +45,8 @@ fn tugged(pen: &mut Pen, center: Point, ratio: f64, (angle, foot, way): (f64, f6
     pen.line([touch, end], inked(AXIS).dotted());
     pen.arrow(touch, tip, inked(2.6));
     pen.dot(center, 2.2);
-    pen.disc([x, GROUND], 5.0, Torque, 1.0);
+    pen.dot([x, GROUND], 2.2);
+    pen.ring([x, GROUND], 6.0, inked(SECONDARY));
     let spot = [(tip[0] - 2.0).max(24.0), tip[1] - 9.0];
     pen.note(spot, Middle, &degrees(angle));
     let below = GROUND + 26.0;
@@ -97,7 +98,7 @@ pub fn three_tugs(values: &Values) -> Result<Figure> {
     let words = words!(
         "{claim}",
         "Axle {axle} of the discs, string leaving from below, tug to the left at {first}, {second} and {third} (the tutorial's pictures f, e \
-         and g). Dotted: the line of force, prolonged. Purple: the point of contact, about which friction has no moment. The arrow below: \
+         and g). Dotted: the line of force, prolonged. Ringed: the point of contact, about which friction has no moment. The arrow below: \
          the way the spool rolls.",
         "Three spools tugged to the left, and for each the prolonged line of force. At {first} the spool {low}. At {second} the line passes through the point \
          of contact, and the spool does not roll. At {third} it {steep}. The line that meets the ground on the far side winds the string up, the one that \
@@ -147,9 +148,8 @@ pub fn dial(values: &Values) -> Result<Figure> {
     let [most, away, after] = numbers([level, -at(PI / 2.0)?, -back], 1);
     let words = words!(
         "The spool comes for every tug lower than {degrees} degrees, runs away from a steeper one, and follows a hand beyond the vertical.",
-        "Acceleration of a spool with $r/R = {axle}$, $M = 200$ g, $I = \\frac12MR^2$, tugged gently to the left with {tension} N, and steeper and steeper \
-         until the hand is on the right. Each ray points along the tug and is as long as the acceleration is large. Ink: the spool rolls to the left and \
-         winds string up, {most} m/s² at most. Grey: it rolls to the right and pays string out, up to {after} m/s² when the string is pulled back over the axle.",
+        "Acceleration of a spool with $r/R = {axle}$, $M = 200$ g, $I = \\frac12MR^2$, tugged gently with {tension} N: each ray points along the tug. Ink: it rolls to the left \
+         and winds string up, {most} m/s² at most. Grey: to the right, and pays it out, up to {after} m/s².",
         "A half dial of rays over a spool, one every five degrees, counted from the left. Rays on the left, in ink, shrink from {most} at 0 degrees to nothing at {degrees} \
          degrees; grey rays grow from there over {away} at 90 degrees, where the spool runs away from the hand, to {after} at 180 degrees, where it follows the hand."
     );
@@ -168,12 +168,12 @@ pub fn dial(values: &Values) -> Result<Figure> {
         }
         let outside = place(INNER + 62.0, critical);
         let ends = [place(44.0, critical), outside];
-        pen.line(ends, stroke(Torque, 1.4).dotted());
+        pen.line(ends, inked(1.4).dotted());
         let name = place(INNER + 72.0, critical);
         let spot = shifted(name, [-9.0, -16.0]);
-        pen.text(spot, End, "cos θ = *r*/*R*", label(Torque));
+        pen.label(spot, End, "cos θ = *r*/*R*");
         let spot = shifted(name, [-9.0, 2.0]);
-        pen.text(spot, End, &format!("θ = {degrees}°"), small(Torque));
+        pen.note(spot, End, &format!("θ = {degrees}°"));
         // The words are clear of the rays, however long these are.
         let tip = |k: usize| INNER + unit * rays[k].1.abs();
         let half = ((critical / PI * 18.0).round() as usize).min(18);

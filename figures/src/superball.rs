@@ -35,7 +35,7 @@ const CEILING: f64 = 96.0;
 const SLAB: f64 = 13.0;
 const EDGE: f64 = -0.62;
 /// Flashes per flight: because of the quarter, balls on the way up do not coincide with those on the way down.
-const FLASHES: f64 = 6.25;
+const FLASHES: f64 = 4.25;
 /// Where the picture ends on the right and at the top: flights.
 const LEAVES: f64 = 1.2;
 
@@ -138,7 +138,6 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
         inline(motions[k].rim_speed, exactly)
     });
     let second = motions[0].velocity + motions[1].velocity;
-    let exactly = exact.map(|exact| exact[0].velocity + exact[1].velocity);
     let legs = legs(motions);
     let out = second + motions[2].velocity;
     let which = match grip == 1.0 {
@@ -164,12 +163,10 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
     let [v1, v2, v3] = &velocities;
     let [p1, p2, p3] = [v1, v2, v3].map(|text| plain(text));
     let [s1, s2, s3] = spins.map(|text| plain(&text));
-    let (x1, x2) = (&p1, plain(&inline(second, exactly)));
     let words = words!(
         "{which} {after}.",
-        "Ball with $I = {inertia}\\,MR^2$, thrown with speed $V$ and {about_spin}. After floor, table and floor its velocity is ${p1}$, \
-         ${p2}$ and ${p3}$ of $V$, its rim speed $R\\Omega$ is ${s1}$, ${s2}$ and ${s3}$ of $V$. It meets the table at \
-         ${x1}$ and the floor again at ${x2}$ of the way it would have made in one flight. Flashes at equal times, {FLASHES} a flight; the blue hand is fixed to the ball. Dashed: a ball with all its mass in the middle, which takes \
+        "Ball with $I = {inertia}\\,MR^2$, thrown with speed $V$ and {about_spin}. After floor, table and floor its velocity is ${p1}$, ${p2}$ and ${p3}$ of $V$, its rim speed \
+         $R\\Omega$ is ${s1}$, ${s2}$ and ${s3}$ of $V$. Flashes at equal times; the blue hand is fixed to the ball. Dashed: a ball with all its mass in the middle, which takes \
          no spin.",
         "A table seen from the side. A ball flies in from the upper left and bounces on the floor, on the underside of \
          the table and on the floor again; it {after}. The legs of the path are \
@@ -184,11 +181,11 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
         // On the way in: small dots at the flashes.
         let arrive = [place(-1.36, 1.36), place(0.0, 0.0)];
         pen.line(arrive, inked(SECONDARY));
-        for k in 1..=8 {
+        for k in 1..=5 {
             let t = f64::from(k) / FLASHES;
             pen.dot(place(-t, t), 2.2);
         }
-        let [tail, tip] = [1.265, 1.145].map(|t| place(-t, t));
+        let [tail, tip] = [1.33, 1.21].map(|t| place(-t, t));
         pen.arrow(tail, tip, inked(DATA));
 
         let (mut turned, mut flash) = (0.0, 0_u32);
@@ -261,7 +258,7 @@ fn velocity_label(pen: &mut Pen, leg: &Leg, text: &str) {
         None => ("", text),
     };
     let letters = number.split('/').map(|part| part.chars().count()).max();
-    let half = 5.0 * letters.unwrap_or(0) as f64 + 15.0;
+    let half = 5.0 * letters.unwrap_or(0) as f64 + 20.0;
     let shares = [0.7, 0.6, 0.5, 0.8, 0.4, 0.9, 0.3, 0.2];
     let beside = |far: f64| {
         // Not beyond the line on which the ball comes in.
@@ -310,12 +307,8 @@ fn room(pen: &mut Pen) {
 fn ghost_ball(pen: &mut Pen, bounces: &[f64]) -> Vec<Point> {
     let heights = [1.0, 0.0].into_iter().cycle();
     let mut path = vec![place(0.0, 0.0)];
-    path.extend(
-        bounces
-            .iter()
-            .zip(heights)
-            .map(|(&x, height)| place(x, height)),
-    );
+    let corners = bounces.iter().zip(heights);
+    path.extend(corners.map(|(&x, height)| place(x, height)));
     // It leaves the picture on its second flight.
     let last = path.len() - 1;
     path[last] = between(path[last - 1], path[last], 0.56);

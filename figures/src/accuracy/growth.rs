@@ -77,8 +77,8 @@ pub fn growth(_: &Values) -> Result<Figure> {
     let told = told.join(", ");
     let words = words!(
         "In the long run a general method loses two digits a decade of time, a geometric one loses one, and the closed form none.",
-        "The same free body, the same effort throughout: 32 steps a turn for rk4, tolerance $10^{{-11}}$ for dop853, 8 steps a turn for rotations of order 4, 16 for \
-         Moser and Veselov’s discrete top of order 10. Digits lost in the last decade: {told}.",
+        "The same free body, the same effort throughout: 32 steps a turn for rk4, tolerance $10^{{-11}}$ for dop853, 8 steps a turn for rotations-4, 16 for moser-veselov-10. \
+         Digits lost in the last decade: {told}.",
         "Error in the attitude against the number of turns, 1 to a million, on logarithmic axes. The lines of rk4 and dop853 become ever steeper, up to nearly two decades \
          of error a decade of turns. Those of the two geometric methods keep to one decade a decade and reach a million turns. The closed form stays level near ten to the minus 16."
     );

@@ -25,8 +25,8 @@ pub fn map(_: &Values) -> Result<Figure> {
     let count = all.len();
     let words = words!(
         "Up to nine digits, take steps for a single turn, and for a thousand the closed form where there is one.",
-        "Eight motions, the accuracy of the attitude upward in digits (error in radians), the length of the run to the right. In each field stands the method that \
-         gets there in the least time; exact, on grey, is the closed form, its preparation included: {exact} of {count} fields. The heavy line is where it overtakes whatever steps.",
+        "Eight motions, the accuracy of the attitude upward in digits, the length of the run to the right. Each field names the quickest method; exact, on grey, is the closed \
+         form, its preparation included: {exact} of {count} fields. Heavy line: where it overtakes whatever steps.",
         "Eight tables of three columns, 1, 10 and 1000 turns, and four rows, 3 to 12 digits. For the four free and symmetric tops all fields of 10 and 1000 turns are exact, and \
          most of those of one turn are geometric methods. Kovalevskaya's two are exact at 1000 turns, but for twelve digits of the level one, which is so for twelve digits at 10. Where there is no closed form, dormand-prince-8 wins most fields. Exact wins {exact} of all."
     );

@@ -36,8 +36,7 @@ pub fn seconds(_: &Values) -> Result<Figure> {
     let machine = machine.trim_start_matches(['#', ' ']);
     let words = words!(
         "A thousand turns on a clock: the closed form is exact before a method that steps has warmed up.",
-        "Error of the attitude in radians after a thousand turns, a hundred of the tippe top, against time. Disc: the closed form, its preparation included; of Kovalevskaya’s tops it has some twelve digits left. Solid: the \
-         geometric method that is named at its line. Dashed: dormand-prince-8, ours of order 8. Grey: dop853; dotted, rk4. Measured once, least of repeated runs: {machine}.",
+        "Error of the attitude in radians against time; the tippe top makes a hundred turns. The closed form is prepared and asked once. Least of repeated runs: {machine}.",
         "Eight small diagrams, error against seconds, both logarithmic. The line of the geometric method lies to the left of those of dop853 and rk4, with dormand-prince-8 near \
          it; a disc, the closed form, lies far to the left of all and at the bottom, for Kovalevskaya's two tops near ten to the minus 12. The last two motions have no disc."
     );

@@ -83,10 +83,8 @@ pub fn tops(values: &Values) -> Result<Figure> {
     let lies = if inside { "inside" } else { "close to an edge" };
     let words = words!(
         "Every rigid body that ever spun is a point of this triangle.",
-        "Principal moments $I_1\\le I_2\\le I_3$, divided by their sum. In every order of the axes, the bodies fill the \
-         small triangle, whose corners are rods and whose middle is the sphere; the shaded sixth of it is drawn large. Beyond its \
-         edges there is nothing. The shares of the book are {a}; of the telephone {b}; of the racket {c}; of the brick, {length} by {width} by {height} mm, {d}; of a molecule of \
-         water {e}. The Earth is {way} of the way from the sphere to the disc, under the same dot as the cube.",
+        "Principal moments $I_1\\le I_2\\le I_3$ over their sum. The small triangle has them in every order; its shaded sixth is drawn large. Shares of the book: {a}; \
+         telephone: {b}; racket: {c}; brick, {length} by {width} by {height} mm: {d}; water: {e}. The Earth is {way} of the way from sphere to disc.",
         "A right triangle, the map of all ordered principal moments. Bottom edge, the laminae: from the rod at the left \
          to the disc at the right, with a racket, a telephone, a molecule of water and almost a book on it, and a coin \
          close to the disc. Right edge, the oblate tops: a doughnut low down, and the sphere on top, where cube and Earth \

@@ -152,8 +152,7 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
     let (others_give_up, others_measured, others_seen) = match measured {
         true => (
             "; the usual formulas give up half-way",
-            "Measured: the formulas of 6.6 in doubles with the functions of SciPy, GSL, Boost and libstdc++, and two integrators \
-             with tolerance $10^{-12}$, each from its last answer that is right to a thousandth.",
+            "Measured: the formulas of 6.6 with four libraries' functions, two integrators with tolerance $10^{-12}$, each from its last answer right to a thousandth.",
             format!(
                 " The answers of well-known libraries end with a cross near ten to the minus {}, where the formulas of 6.6 return no \
                  number any more; two integrators leave the line there and never see a racket wait for more than {} seconds.",
@@ -181,9 +180,8 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
         ),
         false => words!(
             "Each decade closer to the middle axis buys the same {step} seconds before the flip{others_give_up}.",
-            "Time from flip to flip, half the period of $\\Omega$, for $I = {inertia}$ and $\\Omega(0) = {pace}\\,(\\varepsilon, 1, \\varepsilon)$ rad/s. \
-             A decade adds $2\\ln 10/\\sqrt{{\\lambda}} = {decade:.3}$ s: {ring} s at $\\varepsilon = {thrown}$, the ring, {last} s or {rounds} turns at $10^{{-{DECADES}}}$. \
-             {others_measured}{beyond}",
+            "Half the period of $\\Omega$ for $I = {inertia}$ and $\\Omega(0) = {pace}\\,(\\varepsilon, 1, \\varepsilon)$ rad/s. A decade adds $2\\ln 10/\\sqrt{{\\lambda}} = \
+             {decade:.3}$ s: {ring} s at $\\varepsilon = {thrown}$ (ring), {last} s or {rounds} turns at $10^{{-{DECADES}}}$. {others_measured}{beyond}",
             "The time between two flips against the initial distance from the middle axis, on a logarithmic axis over {DECADES} decades: \
              a straight line, up by {step} seconds for every factor of ten, to {last} seconds at ten to the minus {DECADES}.{others_seen}"
         ),

@@ -115,10 +115,9 @@ pub fn rolling(values: &Values) -> Result<Figure> {
     let beyond = remark(moments);
     let words = words!(
         "The free top moves as if its ellipsoid of inertia were rolling on a plane that stands still.",
-        "The ellipsoid $\\Theta$ hangs by its centre $O$ and presses from below against the glass plane $\\Pi$, at distance \
-         $2E/\\lvert L\\rvert = {distance:.4}$. The point of contact is $\\Omega$; it runs along the polhode on the body and the herpolhode \
-         on the plane, which stays between {inner:.4} and {outer:.4} from the foot of $L$. Dots at equal times: equal lengths on both \
-         curves. The polhode goes round {about}. $I = {inertia}$ kg m², $\\Omega = {spun}$ rad/s.{beyond}",
+        "The ellipsoid $\\Theta$ touches the plane $\\Pi$ from below at $\\Omega$, which runs along polhode and herpolhode; dots at equal times: equal lengths on both. $\\Pi$ \
+         is $2E/\\lvert L\\rvert = {distance:.4}$ from the centre $O$. The herpolhode stays between {inner:.4} and {outer:.4} from $L$, the polhode goes round {about}. $I = \
+         {inertia}$ kg m², $\\Omega = {spun}$ rad/s.{beyond}",
         "An ellipsoid with a fine net of meridians touches a horizontal glass plane from below in one point, the tip of the \
          angular velocity. Round {about}, runs a closed curve, the polhode; on the plane the point \
          of contact winds round and round between two circles of radius {inner:.3} and {outer:.3} about the vertical angular \

@@ -152,10 +152,9 @@ pub fn polhodes(values: &Values) -> Result<Figure> {
     let words = words!(
         "Round the first and the third axis a polhode stays close; next to the second it dawdles, then runs across to the \
          far side.",
-        "Polhodes of $L$ in the body on the ellipsoid $\\sum L_i^2/2EI_i = 1$ for $I = {inertia}$. Dots at equal times, {STEP:.1} \
-         of a radian at the rate $\\sqrt{{2E/I_2}}$. The separatrix, in ink, is two plane ellipses \
-         $\\Omega_3 = \\pm{steep}\\,\\Omega_1$ that cross on $x_2$ and leave four sectors, the two about $x_1$ shaded. \
-         The thick polhode, from the ring at {thick}° between $x_1$ and $x_3$ where the separatrix is at {crossing:.1}°, {about} turns at that rate.{beyond}",
+        "Polhodes of $L$ in the body on the ellipsoid $\\sum L_i^2/2EI_i = 1$ for $I = {inertia}$. Dots at equal times, {STEP:.1} of a radian at the rate $\\sqrt{{2E/I_2}}$. \
+         The separatrix, in ink, is two plane ellipses $\\Omega_3 = \\pm{steep}\\,\\Omega_1$. The thick polhode, from the ring at {thick}° between $x_1$ and $x_3$ (the \
+         separatrix is at {crossing:.1}°), {about} turns at that rate.{beyond}",
         "An ellipsoid with its longest axis upright, its half axes as the roots of {inertia}, covered by closed curves: flat rings round the upright third axis, upright \
          rings round the first axis on the left. Two crossing ellipses, the separatrix, part them and meet on the second \
          axis, which points at the reader's right. Dots at equal times are wide apart where a curve swings across and \

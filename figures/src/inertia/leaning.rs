@@ -55,9 +55,8 @@ pub fn leaning(values: &Values) -> Result<Figure> {
     };
     let words = words!(
         "{claim}",
-        "A box of 1 kg with edges of {a}, {b} and {c} m, seen along the middle one. Blue: $\\Omega$, always of one length; orange: $L = I\\Omega$. The part of $\\Omega$ \
-         along the short edge counts {ratio} times as much as the part along the long edge, {largest:.2} against {smallest:.2} kg m². Dotted: where the tips go when $\\Omega$ turns from \
-         the one to the other; $L$ leans furthest, {most}°, for $\\Omega$ at {at}°.",
+        "A box of 1 kg with edges of {a}, {b} and {c} m, seen along the middle one. Blue: $\\Omega$; orange: $L = I\\Omega$. A part along the short edge counts {ratio} times \
+         one along the long edge, {largest:.2} against {smallest:.2} kg m². Dotted: where the tips go when $\\Omega$ turns; $L$ leans furthest, {most}°, for $\\Omega$ at {at}°.",
         "A rectangle, long side level, and two arrows from its middle. The blue one, the angular velocity, points {told} degrees above the long axis; the orange one, the \
          angular momentum, {stands}. Two dotted curves from axis to axis: a quarter of a circle for the blue tip, a quarter of an upright ellipse for the orange one."
     );

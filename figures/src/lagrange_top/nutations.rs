@@ -223,10 +223,9 @@ pub fn nutations(values: &Values) -> Result<Figure> {
     let [slow, fast] = numbers([slow, fast], 4);
     let words = words!(
         "Two momenta decide whether the nose draws waves, cusps, loops or a circle.",
-        "The tutorial's pictures k, l, m and n, each at its place: every top starts 60° from the vertical, where its tilt turns, with \
-         $I_1 = Mg\\ell = 1$. Dashed: cusps. Solid: pure precession, slow ({slow} at $L_3 = 3$) on the left branch and fast ({fast} at \
-         $L_3 = 2$) on the right. Dotted: the nose passes the top or the bottom of its sphere. The ring is yours, $L_{{\\text{{vert}}}} = {vertical}$ and \
-         $L_3 = {axial}$: it draws {kind}, between {least}° and {greatest}°.",
+        "The tutorial's pictures k, l, m and n: every top starts 60° from the vertical, at a turning point, with $I_1 = Mg\\ell = 1$. Dashed: cusps. Solid: pure precession, \
+         slow ({slow} at $L_3 = 3$) on the left, fast ({fast} at $L_3 = 2$) on the right. The ring is yours, $L_{{\\text{{vert}}}} = {vertical}$ and $L_3 = {axial}$: it draws \
+         {kind}, between {least}° and {greatest}°.",
         "A half plane, the vertical angular momentum to the right and the axial one upwards, with nine spheres on it, each with \
          the trace of the nose of a top that starts 60 degrees from the vertical. From left to right: backward waves, loops, \
          cusps on a dashed line, waves, a circle of slow precession on one branch of a solid curve, loops and waves between \

@@ -27,7 +27,7 @@ parameters! {
 pub const WOODEN: &[Parameter] = &[TILT, TURNS];
 
 fn view() -> View {
-    View::new(-0.35, 0.5, [292.0, 350.0], 3300.0)
+    View::new(0.0, 0.5, [292.0, 350.0], 3300.0)
 }
 
 /// The top and its motion from rest of the axis.
@@ -68,7 +68,7 @@ pub fn let_go(values: &Values) -> Result<Figure> {
     let body = described(values);
     let words = words!(
         "Let go, the nose falls by {fallen}°, turns aside, and is back at the height of the finger after {back} s, {aside}° further round.",
-        "{body} The nose for {SHOWN} s, a dot every hundredth of a second: it stands still in the cusps. Dotted: the heights between which it nods.",
+        "{body} The nose for {SHOWN} s, a dot every hundredth of a second.",
         "The same top, and the path of its nose: arches that hang from one level circle and meet in upright cusps, {arches} of them in a full turn. In the cusps the dots crowd."
     );
     drawn("wooden-top-let-go", values, words, true)

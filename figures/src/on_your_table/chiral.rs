@@ -103,9 +103,10 @@ pub fn section(_: &Values) -> Result<Figure> {
     let lean = number(TILT.to_degrees(), 0);
     let words = words!(
         "A ball of one plastic with a hollow askew is a chiral top.",
-        "The printed top in two sections along $CK$, at right angles to each other: $R = {radius}$ mm, the wall at its thinnest {wall:.1} mm, $C$ {low:.1} mm below the centre $K$, {mass} g of \
-         polylactide. Released at {lean}° with {turns} turns a second, $\\mu = {FRICTION}$ smoothed over 1 mm/s: clockwise it is on its side after {side:.1} s, anticlockwise it stays below {most:.0}° for {END} seconds.",
-        "Two circles, each with a large empty ellipse inside that nearly touches it and leans. In both the centre of mass C lies a little below the centre K of the circle."
+        "Two sections along $CK$, at right angles; dashed: the long axis of the hollow. $R = {radius}$ mm, the wall at its thinnest {wall:.1} mm, $C$ {low:.1} mm below the \
+         centre $K$, {mass} g of polylactide. Released at {lean}° with {turns} turns a second, $\\mu = {FRICTION}$ smoothed over 1 mm/s: clockwise it is on its side after \
+         {side:.1} s, anticlockwise it stays below {most:.0}° for {END} seconds.",
+        "Two circles, each with a large empty ellipse inside that nearly touches it, and whose dashed long axis leans. In both the centre of mass C lies a little below the centre K of the circle."
     );
     let drawn = figure("printed-top", 300.0, words, |pen| {
         let inverse = (map * map.transpose()).try_inverse();
@@ -139,13 +140,19 @@ fn cut(pen: &mut Pen, center: Point, scale: f64, hollow: &[Point], low: f64) {
     pen.ring(center, scale, inked(SECONDARY));
     pen.fill(hollow, Paper, 1.0);
     pen.outline(hollow, inked(SECONDARY));
+    // Its long axis, between opposite points.
+    let long = |k: &usize| distance(hollow[*k], hollow[k + 60]);
+    if let Some(k) = (0..60).max_by(|a, b| long(a).total_cmp(&long(b))) {
+        pen.line([hollow[k], hollow[k + 60]], muted(SECONDARY).dashed());
+    }
     let [x, y] = center;
     let ends = [[x, y - scale - 8.0], [x, y + scale + 8.0]];
     pen.line(ends, muted(AXIS).dotted());
-    for (name, down, aside, anchor) in [("*K*", 0.0, -9.0, End), ("*C*", low, 9.0, Anchor::Start)] {
+    for (name, down, by) in [("*K*", 0.0, -8.0), ("*C*", low, 8.0)] {
         let at = [x, y + scale * down];
         pen.dot(at, 3.5);
-        pen.label([x + aside, at[1] + 5.0], anchor, name);
+        let beside = [16.0, -16.0, 26.0, -26.0];
+        pen.name(beside.map(|x| shifted(at, [x, by])), name, label(Ink));
     }
     pen.remark([x, y + scale + 30.0], Middle, "foot");
 }

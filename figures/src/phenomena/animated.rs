@@ -11,7 +11,7 @@ use crate::style::SCALE as CANVAS;
 
 const NAME: &str = "cat-animated";
 const SCALE: f64 = 540.0;
-const CENTER: Point = [300.0, 165.0];
+const CENTER: Point = [300.0, 145.0];
 /// Pictures of the turnover, and how many times as long the last one is shown.
 const PICTURES: usize = 56;
 const PAUSE: f64 = 10.0;
@@ -24,17 +24,17 @@ const LOOP: f64 = 4.2;
 pub fn cat_animated(_: &Values) -> Result<Figure> {
     let fractions: Vec<f64> = spaced([0.0, 1.0], PICTURES as u32 - 1).collect();
     let states = turnover(&fractions)?;
-    let turn = turned(&states[PICTURES - 1]).to_degrees();
+    let turn = short(turned(&states[PICTURES - 1]).to_degrees(), 4);
     let forward = number(FORWARD.to_degrees(), 0);
     let words = words!(
         "Let go on its back, the cat lands on its feet, and nothing has pushed it.",
-        "Two cylinders with $I/J = {RATIO:.0}$ that bend by up to {forward}° turn by {turn:.4}°, with angular momentum 0 all the \
+        "Two cylinders with $I/J = {RATIO:.0}$ that bend by up to {forward}° turn by {turn}°, with angular momentum 0 all the \
          time. Slowed down about ten times; the fall itself is left out, for it changes nothing.",
         "A cat of two round halves with head, legs and tail lies in the air on its back, bends, lets the bend run once round its spine, \
          straightens and has its feet below. Without motion: the cat half-way, bent to the side."
     );
-    let still = figure(NAME, 340.0, words, |pen| {
-        pen.remark([590.0, 326.0], End, "angular momentum 0");
+    let still = figure(NAME, 280.0, words, |pen| {
+        pen.remark([590.0, 268.0], End, "angular momentum 0");
     });
     Ok(still.moving(&moving(&states)?))
 }

@@ -210,11 +210,8 @@ pub fn crawler(values: &Values) -> Result<Figure> {
     let made = figure("crawler", 340.0, words, |pen| {
         let at = |[x, y]: Point| planned([146.0, 160.0], 118.0, [x - center[0], y - center[1]]);
         for part in 0..PARTS {
-            let track = run
-                .states
-                .iter()
-                .map(|y| at([y[2 * part], y[2 * part + 1]]));
-            let track: Vec<Point> = track.collect();
+            let track = run.states.iter().map(|y| [y[2 * part], y[2 * part + 1]]);
+            let track: Vec<Point> = track.map(at).collect();
             pen.line(&track, inked(HAIR).alpha(0.7));
             if let Some(&end) = track.last() {
                 pen.disc(end, 4.0, Ink, 0.8);
@@ -242,6 +239,7 @@ pub fn crawler(values: &Values) -> Result<Figure> {
         for (k, text, half) in [
             (1, "front foot", 34.0),
             (0, "rear foot", 32.0),
+            (2, "*C* on ground", 44.0),
             (3, "*C* on ice", 30.0),
         ] {
             let beside = [14.0, 18.0, 24.0, 32.0].into_iter().flat_map(|far| {
@@ -258,9 +256,8 @@ pub fn crawler(values: &Values) -> Result<Figure> {
     });
     let columns = "time (s) | rear foot (m) | front foot (m) | centre (m)";
     let row = |(t, s): (f64, CrawlerState)| [t, s.rear, s.front, s.center];
-    Ok(made.data("on ice", columns, ice.into_iter().map(row)).data(
-        "on ground",
-        columns,
-        ground.into_iter().map(row),
-    ))
+    let [ice, ground] = [ice, ground].map(|rows| rows.into_iter().map(row));
+    Ok(made
+        .data("on ice", columns, ice)
+        .data("on ground", columns, ground))
 }

@@ -48,12 +48,12 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
     let widest = number(WIDEST.to_degrees(), 0);
     let bent = short(forward.to_degrees(), 1);
     let [behind, backward] = [2, 1].map(|digits| number(back.to_degrees(), digits));
-    let charge = number(turn.abs(), 4);
+    let charge = short(turn.abs(), 4);
     let words = words!(
         "The turn is the shading that the loop of shapes encloses.",
-        "Left, the swivel: twist $\\psi$ to the right, moment $A$ of the upper body upward, density $B/(A+B)^2$, $B = {below}$ kg m²; the rectangle of one cycle, arms out {out} kg m² and in {near} kg m², holds {held}°. \
-         Right, the cat seen along its spine: bend $\\gamma$ outward to {widest}°, direction $\\psi$ around; the loop goes {bent}° forward and {behind}° backward, and \
-         holds {charge}°. The pace does not matter, only what the loop encloses.",
+        "Left, the swivel: twist $\\psi$ to the right, moment $A$ of the upper body upward, density $B/(A+B)^2$, $B = {below}$ kg m²; the rectangle of one cycle, arms out {out} \
+         kg m² and in {near} kg m², holds {held}°. Right, the cat seen along its spine: bend $\\gamma$ outward to {widest}°, direction $\\psi$ around; the loop goes {bent}° \
+         forward and {behind}° backward, and holds {charge}°.",
         "Left, a plane shaded darker towards small moments of inertia, with a rectangular loop run through in four strokes, which holds {holds} degrees. Right, a disc \
          shaded in rings, with an oval loop around its centre that reaches out to {bent} degrees on one side and to {backward} on the other."
     );

@@ -96,9 +96,9 @@ pub fn paper_cat(values: &Values) -> Result<Figure> {
     let [mass, dense] = shorts([values.of(&MASS), air], 2);
     let words = words!(
         "The paper cat is turned by the air, like a shuttlecock.",
-        "Its centre of mass lies {lever} mm below the point at which the air pushes, so weight (down) and drag (up) form a couple that turns the feet down \
-         from every tilt. Let go {shy}° from upside down, it tilts by {second}° after {early} s and {third}° after {late} s, and points its feet down first after {fall:.3} m of fall. Terminal \
-         speed {speed} m/s, mass {mass} g, air of {dense} kg/m³. Lever drawn larger than it is.",
+        "Its centre of mass lies {lever} mm below the point at which the air pushes; weight and drag turn the feet down from every tilt. Let go {shy}° from upside down, it \
+         tilts by {second}° after {early} s and {third}° after {late} s, and points its feet down first after {fall:.3} m of fall. Terminal speed {speed} m/s, mass {mass} g, \
+         air of {dense} kg/m³. Lever drawn larger than it is.",
         "A cat cut from stiff paper in three positions, tilted by {first}, {second} and {third} degrees. In each an arrow of drag points up from the \
          middle of its back and an arrow of weight points down from a dot nearer its feet."
     );
@@ -113,8 +113,9 @@ pub fn paper_cat(values: &Values) -> Result<Figure> {
             [[534.0, y], [466.0, y], [546.0, y], [454.0, y]]
         });
         pen.name(beside, "weight", small(Ink));
-        let push = turned([0.0, -44.0], [108.0, 132.0], tilts[0]);
-        pen.note([push[0] - 10.0, push[1] + 40.0], End, "drag");
+        let push = turned([0.0, -44.0], [500.0, 132.0], tilts[2]);
+        let beside = [[-26.0, 30.0], [26.0, 30.0], [-26.0, 44.0], [0.0, 66.0]];
+        pen.name(beside.map(|by| shifted(push, by)), "drag", small(Ink));
     });
     let rows = [0.0, times[0], times[1]].into_iter().zip(tilts);
     let rows = rows.map(|(time, tilt)| [time, tilt.to_degrees()]);

@@ -46,9 +46,8 @@ pub fn lines(values: &Values) -> Result<Figure> {
     let finals = finals.join(", ");
     let words = words!(
         "Wherever the cue strikes, velocity and rim speed meet, and from then on the ball rolls.",
-        "Ball with $I = {factor}\\,MR^2$, struck at heights $H$ to the same velocity of {pace} m/s, friction $\\mu = {rough}$. Ink: velocity $V$ of the centre; blue: rim \
-         speed $R\\Omega$. They meet at {finals} m/s. Skidding balls all slow down along one and the same line, and leave it one after the other, the last after {latest:.2} s; \
-         struck above ${sweet}\\,R$, the ball speeds up.",
+        "Ball with $I = {factor}\\,MR^2$, struck at heights $H$ to the same velocity of {pace} m/s, friction $\\mu = {rough}$. Ink: velocity $V$ of the centre; blue: rim speed \
+         $R\\Omega$. They meet at {finals} m/s. Skidding balls slow down along one line, the last until {latest:.2} s; struck above ${sweet}\\,R$, the ball speeds up.",
         "Graph of speed against time. Five lines of rim speed start from {least} to {most} metres a second, those of velocity at {pace}. \
          Each pair meets at a dot, and both go on level, at {finals} metres a second."
     );

@@ -59,7 +59,7 @@ pub fn path(values: &Values) -> Result<Figure> {
         pen.lines(front, muted(HAIR));
         let [front, back] = view.halves(&path);
         pen.lines(back, inked(SECONDARY).alpha(0.45));
-        pen.lines(front, inked(1.2));
+        pen.lines(front, inked(DATA));
         pen.ring(center, radius, inked(AXIS));
         let [k, c] = [0.0, -alpha].map(|z| view.project(&(Vector::z() * z)));
         pen.line([k, c], inked(AXIS));
@@ -70,11 +70,12 @@ pub fn path(values: &Values) -> Result<Figure> {
             let places = beside.concat().into_iter().map(|by| shifted(at, by));
             pen.name(places, text, label(Ink));
         }
-        let first = view.project(&path[0]);
-        pen.dot(first, 4.0);
-        let beside = [[28.0, 0.0], [28.0, -18.0], [-28.0, -18.0], [0.0, -24.0]];
-        let places = beside.map(|by| shifted(first, by));
-        pen.name(places, "start", small(Ink));
+        for (touched, name) in [(path[0], "start"), (path[path.len() - 1], "end")] {
+            let at = view.project(&touched);
+            pen.dot(at, 4.0);
+            let beside = [[28.0, 0.0], [28.0, -18.0], [-28.0, -18.0], [0.0, -24.0]];
+            pen.name(beside.map(|by| shifted(at, by)), name, small(Ink));
+        }
     });
     let columns = "time (s) | x over R | y over R | z over R";
     let table = rows.iter().zip(&path).step_by(10);

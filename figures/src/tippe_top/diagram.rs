@@ -83,9 +83,8 @@ pub fn energies(values: &Values) -> Result<Figure> {
     };
     let words = words!(
         "Friction takes energy and leaves Jellett's integral alone, so {so}.",
-        "Energy of the steady states of a tippe top with $\\alpha = {alpha}$, $I_1/I_3 = {gamma}$ against Jellett's integral $J$, given as the spin \
-         $J/RI_3(1-\\alpha)$ of the upright top. Solid: stable; dashed: not. {branch} Arrows: three runs released at 0.1 rad, spun at {slow}, {chosen} and {fast} \
-         rad/s; after 14 s they are at {a}°, {b}° and {c}°.",
+        "Steady states of a tippe top with $\\alpha = {alpha}$, $I_1/I_3 = {gamma}$ against Jellett's integral, as the spin $J/RI_3(1-\\alpha)$. Solid: stable; dashed: not. \
+         {branch} Arrows: runs released at 0.1 rad, spun at {slow}, {chosen} and {fast} rad/s; after 14 s they are at {a}°, {b}° and {c}°.",
         "Energy against spin. Two parabolas: the steep one, upright, is solid {steep}; the flat one, upside down, is {flat}. {branch} Three vertical arrows fall from \
          the upright parabola, to tilts of {a}, {b} and {c} degrees."
     );

@@ -59,9 +59,9 @@ pub fn hoop_with_clay(values: &Values) -> Result<Figure> {
     let off = number(values.of(&OFFSET), 2);
     let words = words!(
         "{claim}",
-        "Pictures i and j of the tutorial. The hoop spins about the vertical, anticlockwise from above, {turns} a second. At tilts of {low}° and {high}° the \
-         contact plunges into the page, with {first} and {second} m/s in the toy if $CK$ were {off} of $R$; so friction comes out of it, and its \
-         torque $N$ about $C$ points left and {dip}° and {dive}° down. It turns the axis $CK$ away from $L$ both times.",
+        "Pictures i and j of the tutorial. The hoop spins anticlockwise from above, {turns} a second. At tilts of {low}° and {high}° the contact plunges into the page, with \
+         {first} and {second} m/s if $CK$ is {off} of $R$; so friction comes out of it. Its torque $N$ about $C$ points left and {dip}° and {dive}° down, and turns $CK$ away \
+         from $L$.",
         "Two hoops on a table, seen along it, each with a lump of clay on its rim. On the left the clay is low and to the left, on the right \
          high and to the left. K is the hoop's centre, C lies between K and the clay. The vertical arrow L and the axis from C through K \
          enclose the angle theta, {low} and {high} degrees. Below K, where the hoop touches the table, friction comes out of the page. \

@@ -65,8 +65,8 @@ pub fn two_pairs_of_axes(values: &Values) -> Result<Figure> {
     };
     let words = words!(
         "{claim}",
-        "Kane and Levinson's stone from above, half axes 20 and 3 cm, to scale. Dashed: the axes of the belly; solid: the principal axes of inertia, from moments of 2 and 16 cm² and a \
-         product of ${off}$ cm² per unit of mass; in the lens the tip, {times} times as large. Steady spin of {spun} rad/s in pure rolling: clockwise rattling {clockwise}, anticlockwise it {other}.",
+        "Kane and Levinson's stone from above, half axes 20 and 3 cm, to scale; per unit of mass, moments of 2 and 16 cm² and a product of ${off}$ cm². Solid: the axes of \
+         inertia; in the lens the tip, {times} times as large. The rates are for a steady spin of {spun} rad/s in pure rolling.",
         "The outline of a long stone from above with two crosses of axes through its middle, one dashed along the outline and one solid, turned by {out} degrees. A lens enlarges the tip, \
          where the dashed axis meets the outline and the solid one {passes}. Two bent arrows tell what each sense of spin does: clockwise rattling {clockwise}, anticlockwise it {other}."
     );
@@ -124,14 +124,22 @@ fn lens(pen: &mut Pen, outline: &[Point], angle: f64, [belly, inertia]: [Stroke;
     let to = [MIDDLE[0] + tip, MIDDLE[1] + 8.0];
     let ends = [to, [to[0] - 4.0, center[1] - radius]];
     pen.line(ends, muted(AXIS).dotted());
+    let (side, left) = (15.0 * angle.signum(), shifted(center, [-0.4 * radius, 0.0]));
     let curves = [
-        (outline.to_vec(), inked(SECONDARY)),
-        (axis(0.0), belly),
-        (axis(angle), inertia),
+        (outline.to_vec(), inked(SECONDARY), None),
+        (axis(0.0), belly, Some(("belly", side))),
+        (axis(angle), inertia, Some(("inertia", -side))),
     ];
-    for (curve, style) in curves {
+    for (curve, style, name) in curves {
         let placed: Vec<Point> = curve.iter().map(place).collect();
         pen.lines(placed.split(|p| !within(p)), style);
+        let near = placed
+            .into_iter()
+            .filter(|p| distance(*p, center) < 0.6 * radius);
+        // Each name on the far side of its axis from the other.
+        if let Some(((text, down), at)) = name.zip(nearest(left, near)) {
+            pen.note(shifted(at, [0.0, down + 5.0]), Middle, text);
+        }
     }
 }
 

@@ -62,9 +62,9 @@ pub fn tip_over(values: &Values) -> Result<Figure> {
     let [low, high] = [0, 1].map(|k: usize| number(degrees(&runs[k][250].1), 0));
     let words = words!(
         "{claim}",
-        "Tilt of the tutorial's toy, a ball with $R = 2$ cm, $I = \\frac25MR^2$, {turns} turns a second, $\\mu = {mu:.3}$ smoothed over 1 mm/s, released at {START} rad. \
-         Dashed: the estimate, {slope}° a second. Between 30° and 150° the full motion makes {slow} for \
-         $\\alpha = {light}$ and {fast} for $\\alpha = {heavy}$. Dotted: the rate that Jellett's integral gives for $\\alpha = {heavy}$.",
+        "Tilt of the tutorial's toy, a ball with $R = 2$ cm, $I = \\frac25MR^2$, {turns} turns a second, $\\mu = {mu:.3}$ smoothed over 1 mm/s, released at {START} rad. Dashed: \
+         the estimate, {slope}° a second. Between 30° and 150° it makes {slow} for $\\alpha = {light}$ and {fast} for $\\alpha = {heavy}$. Dotted: by Jellett's integral, for \
+         $\\alpha = {heavy}$.",
         "Tilt in degrees against time in seconds. A dashed straight line rises from near zero to 180 degrees at {reached} seconds. A grey curve, for the lighter clay, starts \
          late, and one in ink, for the heavier clay, climbs beside it; after {end:.2} seconds they stand at {low} and {high} degrees. \
          A dotted curve is the refined estimate for the heavier clay."

@@ -24,16 +24,13 @@ pub fn turn(values: &Values) -> Result<Figure> {
     };
     let pictures = tried(spaced([0.0, 1.0], 4), at)?;
     let peak = pictures[2].1.tension;
-    let told = pictures.iter().map(|(_, s)| number(s.tension / weight, 1));
-    let pulls: Vec<String> = told.collect();
     let ends = [1e3 * turn.duration, turn.omega, turn.fastest, peak / weight];
     let [lasts, spun, fastest, most] = numbers(ends, 1);
     let [long, thick] = shorts([length, 1e3 * axle], 2);
-    let listed = pulls.join(", ");
     let words = words!(
         "In {lasts} milliseconds the centre swings half round the end of the thread: the velocity is reversed, the sense of the spin is not.",
-        "A yo-yo of 55 g and radius 29 mm on {long} m of string round an axle of {thick} mm, to scale, at five equal steps of its turn. Arrows: the velocity of the centre; bars: the pull of the string, \
-         {listed} times the weight. The spin is {spun} rad/s at both ends and {fastest} at the bottom.",
+        "A yo-yo of 55 g and radius 29 mm on {long} m of string round an axle of {thick} mm, to scale, at five equal steps of its turn. Arrows: the velocity of the centre; \
+         bars: the pull of the string. The spin is {spun} rad/s at both ends and {fastest} at the bottom.",
         "Five pictures of a disc on a thread. In the first the axle hangs on the right of the thread and moves down, in the third it is below the end of the thread and moves to the left, in the \
          last it is on the left and moves up. A blue arrow shows the spin, clockwise in all five. The bar of the pull is short, longer, longest at {most} weights, and shorter again."
     );
@@ -58,7 +55,7 @@ pub fn turn(values: &Values) -> Result<Figure> {
             let around = [0.9, -0.7].map(|turned| turned - state.angle);
             let style = stroke(Omega, DATA);
             pen.arc_arrow(center, 0.8 * radius, around[0], around[1], style);
-            let (time, pull) = (number(1e3 * time, 1), &pulls[k]);
+            let [time, pull] = numbers([1e3 * time, state.tension / weight], 1);
             pen.remark([end[0], 232.0], Middle, &format!("{time} ms"));
             pen.note([end[0], 256.0], Middle, &format!("pull {pull} *Mg*"));
         }

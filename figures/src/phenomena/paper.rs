@@ -114,8 +114,11 @@ pub fn paper_cat(values: &Values) -> Result<Figure> {
         });
         pen.name(beside, "weight", small(Ink));
         let push = turned([0.0, -44.0], [500.0, 132.0], tilts[2]);
-        let beside = [[-26.0, 30.0], [26.0, 30.0], [-26.0, 44.0], [0.0, 66.0]];
-        pen.name(beside.map(|by| shifted(push, by)), "drag", small(Ink));
+        let beside = (0..12).flat_map(|k| {
+            let y = 24.0 + 4.0 * f64::from(k);
+            [-26.0, 26.0, -40.0, 40.0].map(|x| shifted(push, [x, y]))
+        });
+        pen.name(beside, "drag", small(Ink));
     });
     let rows = [0.0, times[0], times[1]].into_iter().zip(tilts);
     let rows = rows.map(|(time, tilt)| [time, tilt.to_degrees()]);

@@ -73,8 +73,10 @@ pub fn path(values: &Values) -> Result<Figure> {
         for (touched, name) in [(path[0], "start"), (path[path.len() - 1], "end")] {
             let at = view.project(&touched);
             pen.dot(at, 4.0);
-            let beside = [[28.0, 0.0], [28.0, -18.0], [-28.0, -18.0], [0.0, -24.0]];
-            pen.name(beside.map(|by| shifted(at, by)), name, small(Ink));
+            let beside = [0.0, -18.0, 18.0, -26.0, 26.0].map(|y| [[28.0, y], [-28.0, y], [0.0, y]]);
+            let beside = beside.concat().into_iter().map(|by| shifted(at, by));
+            let inside = within([30.0, 570.0], [16.0, 344.0]);
+            pen.name(beside.filter(inside), name, small(Ink));
         }
     });
     let columns = "time (s) | x over R | y over R | z over R";

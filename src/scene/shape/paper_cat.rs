@@ -99,12 +99,11 @@ impl PaperCat {
         }
     }
 
-    /// Fall, velocity, tilt from [`rest`](Self::rest), its rate, loss.
-    fn first(&self) -> [f64; 5] {
+    /// The tilt from [`rest`](Self::rest).
+    fn leaning(&self) -> f64 {
         let rest = self.rest();
         // π exceeds its double.
-        let tilt = (self.tilt - rest) - rest / PI * PI_LEFT;
-        [0.0, 0.0, tilt, 0.0, 0.0]
+        (self.tilt - rest) - rest / PI * PI_LEFT
     }
 
     /// Time and height at which the cat first points its feet down, or `None` if it does not within `time` (s). Observed error: 1e-12.
@@ -127,7 +126,7 @@ impl PaperCat {
         let leg: Leg<'_, 5, dyn System<5>> = Leg {
             system: &|t: f64, y: &[f64; 5]| falling.rate((), t, y),
             kept: Kept::Nothing,
-            start: (0.0, &self.first()),
+            start: (0.0, &falling.start()?.1),
             scales: &falling.scales(),
             times: &[],
             end: time,
@@ -171,16 +170,26 @@ struct Falling {
     pace: f64,
 }
 
+impl Falling {
+    /// The components with the rate of the tilt itself.
+    fn told(&self, &[fall, velocity, tilt, sum, lost]: &[f64; 5]) -> [f64; 5] {
+        [fall, velocity, tilt, sum - self.pace * tilt, lost]
+    }
+}
+
+/// The components: fall, velocity, tilt from [`rest`](PaperCat::rest), its rate plus the pace times the tilt, loss. The sum is small only near balance, where its
+/// error must be as small; the rate alone comes to zero where the cat has righted itself.
 impl Flow<5> for Falling {
     type Phase = ();
 
     fn start(&self) -> Result<((), [f64; 5])> {
-        Ok(((), self.cat.first()))
+        let tilt = self.cat.leaning();
+        Ok(((), [0.0, 0.0, tilt, self.pace * tilt, 0.0]))
     }
 
     fn scales(&self) -> [f64; 5] {
         // The error of a cat near balance is relative to its distance from balance.
-        let near = self.cat.first()[2].abs().clamp(1e-8, 1.0);
+        let near = self.cat.leaning().abs().clamp(1e-8, 1.0);
         let (length, rate) = (self.cat.cat.gyration, size(self.pace));
         let speed = length * rate;
         [length, speed, near, near * rate, speed * speed]
@@ -192,14 +201,15 @@ impl Flow<5> for Falling {
 
     fn rate(&self, (): (), _: f64, y: &[f64; 5]) -> [f64; 5] {
         let (cat, air) = (&self.cat.cat, self.cat.air);
-        let [_, velocity, tilt, tilt_rate, _] = *y;
+        let [_, velocity, tilt, tilt_rate, _] = self.told(y);
         let own = self.cat.gravity.unwrap_or(0.0);
         match air {
-            None => [velocity, own, tilt_rate, 0.0, 0.0],
+            None => [velocity, own, tilt_rate, self.pace * tilt_rate, 0.0],
             Some(air) => {
                 let drag = cat.drag(air, velocity);
                 let turn = cat.righting(air, velocity, tilt, tilt_rate);
-                [velocity, own - drag, tilt_rate, turn, drag * velocity]
+                let sum_rate = turn + self.pace * tilt_rate;
+                [velocity, own - drag, tilt_rate, sum_rate, drag * velocity]
             }
         }
     }
@@ -207,7 +217,7 @@ impl Flow<5> for Falling {
     fn distance(&self, ((), a): &((), [f64; 5]), ((), b): &((), [f64; 5])) -> f64 {
         let energy = size(self.speed * self.speed);
         let scales = [self.height, self.speed, 1.0, size(self.pace), energy];
-        apart(a, b, &scales)
+        apart(&self.told(a), &self.told(b), &scales)
     }
 }
 
@@ -228,19 +238,18 @@ impl Scene for PaperCat {
 
     fn simulate(&self, request: &Request) -> Result<Motion<PaperCatState>> {
         let plan = self.plan(request)?;
-        let run = (&self.falling(request.furthest), &plan, request);
-        let trace = solved(run, 1, |t| {
+        let (falling, exact) = (self.falling(request.furthest), plan.solver == Solver::Exact);
+        let trace = solved((&falling, &plan, request), 1, |t| {
             let [fall, velocity] = self.gravity.map_or([0.0; 2], |g| [0.5 * g * t * t, g * t]);
             Ok([fall, velocity, self.tilt, 0.0, 0.0])
         })?;
-        let rest = match plan.solver {
-            Solver::Exact => 0.0,
-            _ => self.rest(),
-        };
+        let rest = self.rest();
         let mut ledger = trace.told(request, plan, |_, _, y| {
-            let mut numbers = *y;
-            numbers[2] += rest;
-            PaperCatState::of(numbers)
+            if exact {
+                return PaperCatState::of(*y);
+            }
+            let [fall, velocity, tilt, rate, lost] = falling.told(y);
+            PaperCatState::of([fall, velocity, rest + tilt, rate, lost])
         });
         let energy = |_: usize, state: &PaperCatState| {
             let kinetic = 0.5 * state.velocity * state.velocity;

@@ -219,6 +219,10 @@ impl Laws {
         let [_, velocity, rim_speed, slip, .., margin] = &mut state;
         let mut rests = false;
         match what {
+            // Slip that began to grow in a steep leg, at a rounded time, is off by as much.
+            None if pace.slipping != Hold::Held => {
+                *slip = *velocity - *rim_speed - ground(on_sheet);
+            }
             None => {}
             Some(Happening::LeavesSheet | Happening::MountsSheet) => {
                 (on_sheet, *margin) = (on_sheet.map(|on| !on), 0.0);

@@ -109,10 +109,17 @@ fn a_ball_that_a_gentle_pull_has_left_behind() {
     let speeds = SheetSpeeds::ramp(1.0, 2.0).unwrap();
     let sheet = Sheet::new(mu(0.3), speeds, 1.5).unwrap();
     let still = Roller::new(ball, 9.8, 0.0, 0.0).unwrap();
-    let scene = still.with(mu(0.2)).unwrap().with(sheet).unwrap();
+    let scene = still.clone().with(mu(0.2)).unwrap().with(sheet).unwrap();
     let motion = scene.simulate(&Request::at([9.0]).unwrap()).unwrap();
     assert!(motion.rows[0].1.moment.velocity.abs() < 1e-15);
     assert!(motion.error_estimate < 1e-12);
+    // Thrown back in a tenth of a millisecond: the slip is still that of the speeds.
+    let speeds = [(0.0, 0.0), (0.034, 0.29), (0.0341, -0.18)];
+    let sheet = Sheet::new(mu(0.1), SheetSpeeds::through(speeds).unwrap(), 0.5).unwrap();
+    let thrown = still.with(sheet).unwrap();
+    let thrown = thrown.simulate(&asking([0.0342], 1e-9)).unwrap();
+    let end = thrown.rows[0].1.moment;
+    near!(end.slip, end.velocity - end.rim_speed + 0.18, 1e-16);
 }
 
 /// It spins on the spot until the couple has stopped it, and the slip with it.

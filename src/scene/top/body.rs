@@ -1,12 +1,12 @@
 //! The body of a top and how it starts.
 
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 use crate::error::{Result, finite, not_negative, positive, refused};
 use crate::euler_equations::AxisMoments;
 use crate::frame::finite_vector;
 use crate::frame::{Attitude, BodyVector};
-use crate::inertia::{InertiaMatrix, MassProperties, PrincipalMoments};
+use crate::inertia::{InertiaMatrix, MassProperties, PrincipalMoments, principal_axes_of};
 use crate::integrators::geometric::Phase;
 use crate::precise::{Extended, Number, power_of_two_below};
 
@@ -190,6 +190,32 @@ impl Body {
     /// The attitude of the principal axes.
     pub(super) fn attitude_inward(&self, attitude: Attitude) -> Attitude {
         self.own.map_or(attitude, |own| attitude * own)
+    }
+
+    /// Attitude and Ω, from the principal axes to the body's own.
+    pub(super) fn outward(&self, attitude: Attitude, omega: BodyVector) -> (Attitude, BodyVector) {
+        self.own.map_or((attitude, omega), |own| {
+            let outward = own.quaternion() * omega.components();
+            let omega = BodyVector::from_components(outward);
+            (attitude * own.inverse(), omega)
+        })
+    }
+
+    /// The body beside this one that its principal axes might have come from: the matrix along them is off by half of the first [`DOUBT`], small moments
+    /// by as little as they are small. No turn is blind to both senses. Two equal moments were never rounded apart.
+    pub(super) fn beside(&self, sense: f64) -> Result<Self> {
+        let [i1, i2, i3] = self.moments;
+        let mut beside = Self { own: None, ..*self };
+        if self.own.is_some() && i1 != i2 && i2 != i3 {
+            let moments = Vector3::from(self.moments);
+            let roots = moments.map(f64::sqrt);
+            let off = Matrix3::new(1.0, sense, sense, sense, 0.0, sense, sense, sense, -1.0);
+            let off = off.component_mul(&(roots * roots.transpose())) * (0.5 * DOUBT[0]);
+            let principal = principal_axes_of(&(Matrix3::from_diagonal(&moments) + off))?;
+            beside.moments = principal.principal_moments().values();
+            beside.own = Some(principal.turn().into());
+        }
+        Ok(beside)
     }
 
     pub(super) const fn axis_moments(&self) -> AxisMoments {

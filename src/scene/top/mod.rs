@@ -26,7 +26,6 @@ use super::engine::{Stepper, greater, to_accuracy, vouched};
 use super::motion::OpenLedger;
 use super::{Budget, Choice, Columns, Geometric, Motion, Plan, Request, Scene, Solver};
 use crate::error::{Error, Result};
-use crate::frame::BodyVector;
 use crate::integrators::Cost;
 
 use closed::ClosedForm;
@@ -85,12 +84,8 @@ impl Scene for Top {
 
     fn simulate(&self, request: &Request) -> Result<Motion<State>> {
         let mut motion = self.along_principal_axes(request)?;
-        if let Some(own) = self.body.own {
-            for (_, state) in &mut motion.rows {
-                state.attitude = state.attitude * own.inverse();
-                let outward = own.quaternion() * state.omega.components();
-                state.omega = BodyVector::from_components(outward);
-            }
+        for (_, state) in &mut motion.rows {
+            (state.attitude, state.omega) = self.body.outward(state.attitude, state.omega);
         }
         Ok(motion)
     }
@@ -166,10 +161,12 @@ impl Top {
         // In one of the two directions the effects of the changes may cancel.
         for sense in [1.0, -1.0] {
             let start = self.start.beside(self.body.moments, sense)?;
-            let Some(beside) = ClosedForm::find(&self.body, self.g(), &start)? else {
+            let top = Self::new(self.body.beside(sense)?, start)?;
+            let Some(beside) = ClosedForm::find(&top.body, self.g(), &top.start)? else {
                 continue;
             };
-            for ((attitude, omega), (other, moved)) in here.iter().zip(beside.at(&some, &budget)?) {
+            for ((attitude, omega), (q, w)) in here.iter().zip(beside.at(&some, &budget)?) {
+                let (other, moved) = top.body.outward(q, w);
                 let unit = fastest.max(omega.norm()).max(f64::MIN_POSITIVE);
                 let faster = (*omega - moved).norm() / unit;
                 most = greater(greater(most, attitude.angle_to(&other)), faster);

@@ -36,7 +36,7 @@ pub fn meteorite(r: &mut Random) -> Scene {
     let moments: [f64; 3] = loop {
         let m: [f64; 3] = core::array::from_fn(|_| mass * r.within(0.2, 0.6));
         if even {
-            break [m[0]; 3];
+            break [m[0]; 3].map(|m| m * (1.0 + r.nil_or(85, |r| r.scaled(1e-12, 1e-3))));
         }
         if (0..3).all(|k| m[k] < 0.95 * (m[(k + 1) % 3] + m[(k + 2) % 3])) {
             break m;

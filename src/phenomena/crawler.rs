@@ -70,11 +70,16 @@ impl Strokes {
     /// The gap at a time within the piece of this number.
     pub(crate) fn at(&self, number: u64, time: f64) -> Gap {
         let acceleration = self.acceleration(number);
+        // Whole cycles are taken off before anything is rounded: beside many of them, the last digit of a clock is long. At the ends of the piece
+        // their own clock is rounded, and thousands of ends would add up.
+        let (cycles, piece) = (number / 4, number % 4);
+        let mut ends = piece..=piece + 1;
+        let since = match ends.find(|end| self.beginning(4 * cycles + end) == time) {
+            Some(end) => self.beginning(end),
+            None => (-(cycles as f64)).mul_add(self.cycle(), time),
+        };
         // Counted from the end of the piece at which the rate is zero: the beginning of even pieces, the end of odd ones.
-        let rests = number + number % 2;
-        // Whole cycles are taken off before anything is rounded: beside many of them, the last digit of a clock is long.
-        let since = (-((rests / 4) as f64)).mul_add(self.cycle(), time);
-        let elapsed = since - self.beginning(rests % 4);
+        let elapsed = since - self.beginning(piece + piece % 2);
         let base = self.gap + if wide(number) { self.length } else { 0.0 };
         Gap {
             gap: base + 0.5 * acceleration * elapsed * elapsed,
@@ -253,9 +258,10 @@ impl Crawler {
         slows.then(|| [along(self.feet(velocity, gap_rate)), acceleration])
     }
 
-    /// Centre, velocity, impulse, heat and work `time` after the beginning of a leg, from their values there and the gap there.
-    pub(crate) fn after(&self, leg: &Leg, from: &[f64; 5], gap: &Gap, time: f64) -> [f64; 5] {
+    /// Centre, velocity, impulse, heat and work later in a leg, from their values at its beginning and the gaps then and now.
+    pub(crate) fn after(&self, leg: &Leg, from: &[f64; 5], [gap, now]: [&Gap; 2]) -> [f64; 5] {
         let [center, velocity, impulse, heat, work] = *from;
+        let time = (now.rate - gap.rate) / leg.acceleration;
         let advance = (velocity + 0.5 * leg.center * time) * time;
         let opened = (gap.rate + 0.5 * leg.acceleration * time) * time;
         [

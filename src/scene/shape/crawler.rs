@@ -174,11 +174,12 @@ impl Flow<5> for Crawler {
     }
 
     fn next(&self, (piece, leg): Phase, ended: Stop, t: f64, y: &mut [f64; 5]) -> Result<Phase> {
-        let mut feet = leg.feet;
+        let (mut feet, mut rested) = (leg.feet, None);
         let rate = self.gap(piece, t).rate;
         let piece = match ended {
             Stop::AtTheEvent => {
-                if let Some((_, foot)) = self.rest(&leg, y[1], rate) {
+                rested = self.rest(&leg, y[1], rate).map(|(_, foot)| foot);
+                if let Some(foot) = rested {
                     feet[foot] = Foot::Holds;
                 }
                 piece
@@ -194,12 +195,16 @@ impl Flow<5> for Crawler {
                 piece + 1
             }
         };
-        let leg = self.leg(piece, t, feet, y);
-        // A foot that slips on, the other way, leaves the velocity of the centre to the friction: the time of the event is rounded.
-        if let Some(foot) = leg.feet.iter().position(|&foot| foot == Foot::Holds) {
+        let next = self.leg(piece, t, feet, y);
+        if let Some(foot) = next.feet.iter().position(|&foot| foot == Foot::Holds) {
             y[1] = self.body.holding(foot, rate);
+        } else if let Some(foot) = rested {
+            // It slips on, the other way. The time of the event is rounded: what speed the foot has got since is due to the new friction.
+            let of = |center, gap| self.body.feet(center, gap)[foot];
+            let [was, is] = [leg, next].map(|leg| of(leg.center, leg.acceleration));
+            y[1] += (is / was - 1.0) * of(y[1], rate);
         }
-        Ok((piece, leg))
+        Ok((piece, next))
     }
 
     fn known(
@@ -209,7 +214,7 @@ impl Flow<5> for Crawler {
     ) -> Option<Result<Passage<[f64; 5]>>> {
         let (from, y) = ahead.start;
         let gap = self.gap(piece, from);
-        let after = |t: f64| Ok(self.body.after(&leg, y, &gap, t - from));
+        let after = |t: f64| Ok((self.body).after(&leg, y, [&gap, &self.gap(piece, t)]));
         let rest = self.rest(&leg, y[1], gap.rate);
         let rest = rest.map(|(after, _)| from + after);
         let rest = rest.filter(|&rest| rest < ahead.end);

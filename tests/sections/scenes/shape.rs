@@ -324,6 +324,9 @@ fn every_cycle_of_a_crawler_that_comes_to_rest_is_like_the_first() {
             near!(later[foot] - now[foot], first, 1e-14);
         }
     }
+    // An hour of them, by as little: no clock adds up.
+    let hour = self::rows(&on_the_ground(3.0), &asking([1.15, 3450.0], 1e-9));
+    near!(hour[1][2] / 3000.0, hour[0][2], 1e-15);
 }
 
 /// On smooth ice its feet never rest: after a thousand cycles it goes on as fast, however late the clock.

@@ -84,11 +84,6 @@ impl Skater {
         finite("the work of the arms", work)
     }
 
-    /// Angular acceleration, rad/s², while the hands move at `reach_rate` (m/s): IΩ′ = −4 m r r′ Ω, the Coriolis force on two hands.
-    pub(crate) fn acceleration(&self, spin: f64, reach: f64, reach_rate: f64) -> f64 {
-        -4.0 * self.hand * reach * reach_rate * spin / self.moment(reach)
-    }
-
     /// Power of both arms against the centrifugal force, W: −2 m r r′ Ω².
     pub(crate) fn power(&self, spin: f64, reach: f64, reach_rate: f64) -> f64 {
         -2.0 * self.hand * reach * reach_rate * spin * spin

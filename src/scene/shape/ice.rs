@@ -1,6 +1,7 @@
 //! The scenes `swivel` and `skater` (tutorial 1.1): a body of two parts, and one that pulls in the arms, both turning about the vertical on ice.
 
 use crate::error::{Result, finite, not_negative, positive};
+use crate::integrators::Stop;
 use crate::phenomena;
 use crate::phenomena::quadrature::integral;
 use crate::scene::columns::{Columns, columns, state};
@@ -113,8 +114,8 @@ impl Swivel {
         phenomena::Swivel { lower: self.lower }.rate(l, shape.upper, shape.rate)
     }
 
-    fn state(&self, t: f64, &[lower, l]: &[f64; 2]) -> SwivelState {
-        let shape = self.shape(t);
+    fn state(&self, t: f64, &[since, l, before]: &[f64; 3]) -> SwivelState {
+        let (shape, lower) = (self.shape(t), before + since);
         let (upper, rate) = (lower + shape.angle, self.lower_rate(l, &shape));
         SwivelState::of([lower, upper, shape.upper, rate, l])
     }
@@ -155,27 +156,28 @@ impl Swivel {
     }
 }
 
-/// The components, with friction: the angle of the lower part, and L.
-impl Flow<2> for Swivel {
+/// The components, with friction: the angle of the lower part since the last corner of the path, L, and the angle before that: many rounds do not
+/// loosen the tolerance of the last.
+impl Flow<3> for Swivel {
     type Phase = ();
 
-    fn start(&self) -> Result<((), [f64; 2])> {
-        Ok(((), [0.0, self.angular_momentum]))
+    fn start(&self) -> Result<((), [f64; 3])> {
+        Ok(((), [0.0, self.angular_momentum, 0.0]))
     }
 
-    fn scales(&self) -> [f64; 2] {
+    fn scales(&self) -> [f64; 3] {
         let (moment, fastest) = self.extremes();
-        [1.0, moment * fastest]
+        [1.0, moment * fastest, 1.0]
     }
 
     fn pace(&self) -> f64 {
         self.extremes().1
     }
 
-    fn rate(&self, (): (), t: f64, y: &[f64; 2]) -> [f64; 2] {
+    fn rate(&self, (): (), t: f64, y: &[f64; 3]) -> [f64; 3] {
         let rate = self.lower_rate(y[1], &self.shape(t));
         let torque = self.bearing_friction.map_or(0.0, |c| -c * rate);
-        [rate, torque]
+        [rate, torque, 0.0]
     }
 
     fn lasts_until(&self, (): (), t: f64) -> f64 {
@@ -183,8 +185,14 @@ impl Flow<2> for Swivel {
         path.map_or(f64::INFINITY, |path| path.corner_after(t))
     }
 
-    fn distance(&self, ((), a): &((), [f64; 2]), ((), b): &((), [f64; 2])) -> f64 {
-        apart(a, b, &self.scales())
+    fn next(&self, (): (), _: Stop, _: f64, y: &mut [f64; 3]) -> Result<()> {
+        *y = [0.0, y[1], y[2] + y[0]];
+        Ok(())
+    }
+
+    fn distance(&self, ((), a): &((), [f64; 3]), ((), b): &((), [f64; 3])) -> f64 {
+        let whole = |y: &[f64; 3]| [y[0] + y[2], y[1], 0.0];
+        apart(&whole(a), &whole(b), &self.scales())
     }
 }
 
@@ -213,7 +221,7 @@ impl Scene for Swivel {
             None => Vec::new(),
         };
         let evaluations = self.path.map_or(1, |_| AN_INTEGRAL);
-        let known = |t| Ok([self.turned(&parts, t)?, l]);
+        let known = |t| Ok([self.turned(&parts, t)?, l, 0.0]);
         let trace = solved((self, &plan, request), evaluations, known)?;
         let mut ledger = trace.told(request, plan, |t, _, y| self.state(t, y));
         let upper = |place: usize, state: &SwivelState| {
@@ -331,8 +339,9 @@ impl Skater {
         spin.abs().max(f64::MIN_POSITIVE)
     }
 
-    fn state(&self, t: f64, &[angle, spin, against_spin, heat]: &[f64; 4]) -> SkaterState {
+    fn state(&self, t: f64, &[angle, l, against_spin, heat]: &[f64; 4]) -> SkaterState {
         let [reach, rate] = self.reach(t);
+        let spin = self.body.spin(l, reach);
         let [energy, resting] = [spin, 0.0].map(|spin| self.body.energy(spin, reach, rate));
         SkaterState::of([angle, spin, reach, energy, against_spin + resting, heat])
     }
@@ -349,22 +358,22 @@ impl Skater {
             }
         };
         let work = self.body.work(l, self.reach, self.reach(t)[0])?;
-        Ok([angle, spin(t), work, 0.0])
+        Ok([angle, l, work, 0.0])
     }
 }
 
-/// The components, with friction: angle, spin, the work against the spin, without what the hands gain on their way, and heat.
+/// The components, with friction: angle, L, the work against the spin, without what the hands gain on their way, and heat.
 impl Flow<4> for Skater {
     type Phase = ();
 
     fn start(&self) -> Result<((), [f64; 4])> {
-        Ok(((), [0.0, self.spin, 0.0, 0.0]))
+        Ok(((), [0.0, self.angular_momentum(), 0.0, 0.0]))
     }
 
     fn scales(&self) -> [f64; 4] {
-        let fastest = self.fastest();
-        let energy = (0.5 * self.angular_momentum().abs() * fastest).max(f64::MIN_POSITIVE);
-        [1.0, fastest, energy, energy]
+        let l = self.angular_momentum().abs();
+        let energy = (0.5 * l * self.fastest()).max(f64::MIN_POSITIVE);
+        [1.0, l.max(f64::MIN_POSITIVE), energy, energy]
     }
 
     fn pace(&self) -> f64 {
@@ -372,16 +381,11 @@ impl Flow<4> for Skater {
     }
 
     fn rate(&self, (): (), t: f64, y: &[f64; 4]) -> [f64; 4] {
-        let ([reach, rate], spin) = (self.reach(t), y[1]);
+        let [reach, rate] = self.reach(t);
+        let spin = self.body.spin(y[1], reach);
         let power = self.body.power(spin, reach, rate);
-        let free = self.body.acceleration(spin, reach, rate);
-        match self.bearing_friction {
-            None => [spin, free, power, 0.0],
-            Some(c) => {
-                let braked = free - c * spin / self.body.moment(reach);
-                [spin, braked, power, c * spin * spin]
-            }
-        }
+        let torque = self.bearing_friction.map_or(0.0, |c| c * spin);
+        [spin, -torque, power, torque * spin]
     }
 
     fn lasts_until(&self, (): (), t: f64) -> f64 {
@@ -415,7 +419,7 @@ impl Scene for Skater {
         let trace = solved(run, AN_INTEGRAL, |t| self.known(t))?;
         let mut ledger = trace.told(request, plan, |t, _, y| self.state(t, y));
         let l = self.angular_momentum();
-        let start = self.state(0.0, &[0.0, self.spin, 0.0, 0.0]);
+        let start = self.state(0.0, &[0.0, l, 0.0, 0.0]);
         // The hands change the energy, and with it the rounding: drifts are relative to the greatest energy, of the spin or of the hands, between two rows perhaps.
         let hands = self.draw.map_or(0.0, |draw| {
             (draw.to - self.reach) * draw.pace.greatest_rate() / draw.duration

@@ -1,7 +1,7 @@
 //! Bodies that change their shape. The order in which effects are listed cannot matter: each has a field of its own.
 
 use super::*;
-use spinning_bodies::phenomena::{Cat, Crawler, Half, PaperCat, Skater, Strokes, Waist};
+use spinning_bodies::phenomena::{Cat, Crawler, Half, PaperCat, Skater, Strokes};
 use spinning_bodies::scene::effects::{Air, Draw, FourPhases, Pace, Turnover};
 use spinning_bodies::scene::shape;
 
@@ -81,13 +81,6 @@ fn viscous_friction_undoes_the_swivel() {
     let asked = Request::at([6.0]).unwrap();
     let stiff = shape::Swivel::new(0.6, 2.0).unwrap();
     let free = swivel().simulate(&asked).unwrap().rows[0].1;
-    let waist = Waist {
-        upper_arms_out: PHASES.arms_out,
-        upper_arms_in: PHASES.arms_in,
-        lower: 0.6,
-    };
-    let net = 3.0 * waist.swivel_angle(FRAC_PI_2).unwrap();
-    assert!((free.lower - net).abs() < 1e-14);
     let friction = BearingFriction::new(0.1).unwrap();
     let rubbed = swivel().with(friction).unwrap();
     let after = rubbed.simulate(&asked).unwrap().rows[0].1;
@@ -96,18 +89,22 @@ fn viscous_friction_undoes_the_swivel() {
     // Time constant (A + B)/c = 26 s: after 594 s nothing is left.
     let late = rest.simulate(&Request::at([594.0]).unwrap()).unwrap();
     let late = after.lower + late.rows[0].1.lower;
-    assert!(after.lower < 0.5 * net, "{after:?}");
+    assert!(after.lower < 0.5 * free.lower, "{after:?}");
     assert!(late.abs() < 1e-9, "{late:e}");
 }
 
-/// 3 · 0.35 s over 0.35 s is rounded to less than 3, and yet the corner there has been passed.
+/// 3 · 0.35 s over 0.35 s is rounded to less than 3, and yet the corner there has been passed. After 190 rounds, and 2,900 rad, the last is as exact as
+/// the first.
 #[test]
-fn a_run_by_steps_gets_past_every_corner() {
+fn a_run_by_steps_gets_past_every_corner() -> Result<()> {
     let mut path = PHASES;
     path.duration = 1.4;
-    let swivel = shape::Swivel::new(0.6, 2.0).unwrap().with(path).unwrap();
-    let rubbed = swivel.with(BearingFriction::new(0.1).unwrap()).unwrap();
-    assert!(rubbed.simulate(&Request::at([5.0]).unwrap()).is_ok());
+    let swivel = shape::Swivel::new(0.6, 2.0)?.with(path)?;
+    let rubbed = swivel.with(BearingFriction::new(1e-4)?)?;
+    let turning = rubbed.with_angular_momentum(20.0)?;
+    let end = turning.simulate(&asking([5.0, 266.0], 1e-10))?.rows[1].1;
+    near!(end.angular_momentum + 1e-4 * end.lower, 20.0, 1e-12);
+    Ok(())
 }
 
 fn grown() -> Skater {
@@ -381,10 +378,8 @@ fn what_cannot_be_simulated_is_refused() {
     let mut half = HALF;
     half.axial = 0.04;
     refused!(Cat::new([half, half]), TriangleInequality);
-    let nothing = PaperCat {
-        mass: f64::NAN,
-        ..PaperCat::POSTCARD
-    };
+    let mut nothing = PaperCat::POSTCARD;
+    nothing.mass = f64::NAN;
     assert!(shape::PaperCat::new(nothing, 0.0).is_err());
     assert!(shape::Skater::new(grown(), -1.0, TAU).is_err());
 }

@@ -406,7 +406,7 @@ pub fn crawler(r: &mut Random) -> Scene {
     };
     Scene {
         text,
-        span: (push + pull) * r.scaled(0.05, 1000.0),
+        span: (push + pull) * r.scaled(0.05, 300.0),
         start: vec![(length, length), (gap, gap)],
         sizes: vec![
             (Sort::Length, gap),

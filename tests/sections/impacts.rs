@@ -11,17 +11,12 @@ const M: f64 = 1.0;
 const SMALL: f64 = 0.01;
 const MOMENT: f64 = 0.4;
 
-fn x() -> V {
-    V::new(0.6, 0.0, 0.8)
-}
-
-fn v() -> V {
-    V::new(-10.0, -20.0, 5.0)
-}
+const X: V = V::new(0.6, 0.0, 0.8);
+const FLIGHT: V = V::new(-10.0, -20.0, 5.0);
 
 fn example() -> Strike {
     let planet = Planet::spherical(M, MOMENT, V::zero(), V::new(0.0, 0.0, 1.0)).unwrap();
-    strike(&planet, &Meteorite::new(SMALL, v()).unwrap(), x()).unwrap()
+    strike(&planet, &Meteorite::new(SMALL, FLIGHT).unwrap(), X).unwrap()
 }
 
 fn close(actual: V, expected: [f64; 3], tolerance: f64) {
@@ -113,15 +108,15 @@ fn s4_2_exact_solution() {
     // The matrix is the inertia of the joined body about its own centre: L about that centre, from the composed body.
     let round = InertiaMatrix::diagonal(MOMENT, MOMENT, MOMENT).unwrap();
     let alone = MassProperties::new(M, V::zero(), round).unwrap();
-    let stuck = MassProperties::particle(SMALL, x()).unwrap();
+    let stuck = MassProperties::particle(SMALL, X).unwrap();
     let joined = MassProperties::compose(&[alone, stuck]).unwrap();
     let mu = M * SMALL / (M + SMALL);
     let l = joined.inertia().angular_momentum(hit.omega_after);
-    let brought = MOMENT * V::new(0.0, 0.0, 1.0) + mu * x().cross(&v());
+    let brought = MOMENT * V::new(0.0, 0.0, 1.0) + mu * X.cross(&FLIGHT);
     within((l - brought).norm(), 2e-16 * brought.norm().max(1.0));
 
     // With scalar I the component of Ω along x does not change.
-    let along = x().dot(&(hit.omega_after - hit.planet.omega));
+    let along = X.dot(&(hit.omega_after - hit.planet.omega));
     observed!(along.abs(), 0.0..=1.2e-16);
 
     // Twenty more with a moving planet, all fractions: the float answer follows the rational one.
@@ -187,7 +182,7 @@ fn capture(stiffness: f64) -> (V, V) {
             force / SMALL,
         ])
     };
-    let start = together([V::zero(), V::zero(), V::new(0.0, 0.0, 1.0), x(), x(), v()]);
+    let start = together([V::zero(), V::zero(), V::new(0.0, 0.0, 1.0), X, X, FLIGHT]);
     // Thirty times the time constant of the spring, in 3000 steps.
     let time = 30.0 * (SMALL / stiffness).sqrt();
     let end = runge_kutta(rate, start, (3000, time / 3000.0), |_| ());
@@ -206,7 +201,7 @@ fn s4_2_brute_force_capture() {
     // Observed 8.25e-6, the trace of half a millimetre of stretch.
     let off = (omega - exact).norm();
     observed!(off, 2e-6..=1e-5);
-    let before = MOMENT * V::new(0.0, 0.0, 1.0) + SMALL * x().cross(&v());
+    let before = MOMENT * V::new(0.0, 0.0, 1.0) + SMALL * X.cross(&FLIGHT);
     assert!((l - before).norm() < 1e-12 * before.norm());
     // Sticking at once is the limit: a hundred times the stiffness, a tenth of the difference.
     close!(error(4e6) / error(4e8), 10.0, 5e-6..=1e-4);
@@ -228,9 +223,9 @@ fn s4_2_first_order_formula_and_the_frame() {
     // formula follows the ship.
     let ship = V::new(3.0, 1.0, -2.0);
     let planet = Planet::spherical(M, MOMENT, -ship, V::new(0.0, 0.0, 1.0)).unwrap();
-    let seen = strike(&planet, &Meteorite::new(SMALL, v() - ship).unwrap(), x()).unwrap();
+    let seen = strike(&planet, &Meteorite::new(SMALL, FLIGHT - ship).unwrap(), X).unwrap();
     let off = (seen.first_order().unwrap() - rough).norm();
-    close!(off, SMALL / MOMENT * x().cross(&ship).norm(), 0.0..=4e-16);
+    close!(off, SMALL / MOMENT * X.cross(&ship).norm(), 0.0..=4e-16);
     assert!(off > 0.05);
 
     // I a matrix: "divided by I" means I⁻¹.
@@ -361,10 +356,10 @@ fn s4_2_picture_c() {
     close!(hit.closing_speed().unwrap(), 2.0, 0.0..=1e-15);
     assert!(hit.at.dot(&hit.meteorite.velocity) < 0.0);
     let change = hit.omega_after - hit.planet.omega;
-    assert!(change.dot(&x().cross(&v())) > 0.0);
+    assert!(change.dot(&X.cross(&FLIGHT)) > 0.0);
     // A hit from inside is computed all the same, and shows.
     let planet = hit.planet;
-    let inside = strike(&planet, &Meteorite::new(SMALL, -v()).unwrap(), x()).unwrap();
+    let inside = strike(&planet, &Meteorite::new(SMALL, -FLIGHT).unwrap(), X).unwrap();
     assert!(inside.closing_speed().unwrap() < 0.0);
 }
 
@@ -376,14 +371,14 @@ fn what_is_refused() {
     refused!(ball(0.0, 1.0), NotPositive);
     refused!(ball(f64::NAN, 1.0), NotFinite);
     refused!(ball(1.0, -1.0), NotPositive);
-    refused!(Meteorite::new(-1.0, v()), NotPositive);
+    refused!(Meteorite::new(-1.0, FLIGHT), NotPositive);
     let endless = V::new(f64::INFINITY, 0.0, 0.0);
     refused!(Meteorite::new(1.0, endless), NotFinite);
     // A needle does not resist a turn about itself.
     let needle = InertiaMatrix::diagonal(0.0, 1.0, 1.0).unwrap();
     refused!(Planet::new(1.0, needle, V::zero(), V::zero()), NotPositive);
     let planet = ball(1.0, 1.0).unwrap();
-    let meteorite = Meteorite::new(1.0, v()).unwrap();
+    let meteorite = Meteorite::new(1.0, FLIGHT).unwrap();
     let nowhere = V::new(f64::NAN, 0.0, 0.0);
     refused!(strike(&planet, &meteorite, nowhere), NotFinite);
     // A planet that does not spin has no axis to tilt; a hit on the centre does not start it spinning.
@@ -392,10 +387,10 @@ fn what_is_refused() {
     refused!(hit.closing_speed(), ZeroVector);
     // A planet that is next to nothing is carried along.
     let [dust, heavy] = [ball(1e-100, 1e-100), ball(1.0, 1.0)].map(|planet| planet.unwrap());
-    let meteorite = Meteorite::new(1e250, v()).unwrap();
+    let meteorite = Meteorite::new(1e250, FLIGHT).unwrap();
     for planet in [dust, heavy] {
         let carried = strike(&planet, &meteorite, V::zero()).unwrap();
-        assert_eq!(carried.velocity_after, v());
+        assert_eq!(carried.velocity_after, FLIGHT);
     }
     assert!(grazing_mass_ratio(0.4, 1.0, 1.0, 4.0).is_err());
 }

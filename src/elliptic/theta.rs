@@ -293,16 +293,16 @@ impl Theta {
         let (e6, f6) = (e2 * e4 - f2 * f4, f2 * e4 + e2 * f4);
         let (q2, q3) = (q * q, q * q * q);
         let (q5, q6, q7, q8) = (q2 * q3, q3 * q3, q2 * q2 * q3, q2 * q3 * q3);
-        let (q4, q9, q10, q11) = (q2 * q2, q3 * q6, q5 * q5, q5 * q6);
+        let (q4, q9, q10, q11, q12) = (q2 * q2, q3 * q6, q5 * q5, q5 * q6, q6 * q6);
         let even_real = [
-            c + c3 * q2 + c5 * q6,
-            root * (c3 * q + 3.0 * c5 * q5),
+            c + c3 * q2 + c5 * q6 + c7 * q12,
+            root * (c3 * q + 3.0 * c5 * q5 + 6.0 * c7 * q11),
             c5 * q5 + 5.0 * c7 * q11,
             root * (c7 * q10),
         ];
         let even_imaginary = [
-            s + 3.0 * k3 * q2 + 5.0 * k5 * q6,
-            root * (k3 * q + 5.0 * k5 * q5),
+            s + 3.0 * k3 * q2 + 5.0 * k5 * q6 + 7.0 * k7 * q12,
+            root * (k3 * q + 5.0 * k5 * q5 + 14.0 * k7 * q11),
             k5 * q5 + 7.0 * k7 * q11,
             root * (k7 * q10),
         ];

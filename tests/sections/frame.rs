@@ -216,9 +216,9 @@ fn attitudes_compose_and_have_eulers_angles() {
         |k: usize| BodyVector::from_components(nalgebra::Matrix3::identity().column(k).into());
     let turn = |k: usize, angle: f64| Attitude::about_axis(axis(k), angle).unwrap();
     let composed = |[phi, theta, psi]: [f64; 3]| turn(2, phi) * turn(0, theta) * turn(2, psi);
+    let made = |theta, phi, psi| Attitude::from_euler_angles(EulerAngles { theta, phi, psi });
     for (theta, phi, psi) in [(0.3, 1.0, -2.0), (2.9, -3.0, 0.5), (1e-9, 0.4, 0.2)] {
-        let angles = EulerAngles { theta, phi, psi };
-        let made = Attitude::from_euler_angles(angles).unwrap();
+        let made = made(theta, phi, psi).unwrap();
         assert!(made.angle_to(&composed([phi, theta, psi])) < 4e-16);
         let back = made.euler_angles();
         assert!((back.theta / theta - 1.0).abs() < 1e-15, "{back:?}");
@@ -229,12 +229,14 @@ fn attitudes_compose_and_have_eulers_angles() {
     // At the pole the difference of φ and ψ counts as zero, whatever signs the zeros of the quaternion have.
     let spun = turn(2, -0.5).euler_angles();
     assert_eq!((spun.phi, spun.psi), (-0.25, -0.25));
-    // Any attitude is that of its angles, next to the poles and on them too.
+    // Any attitude is that of its angles, next to the poles and on them too, and after many turns.
     let mut numbers = Uniform(71);
     for theta in [0.0, 1e-160, 1e-9, 0.7, 3.0, PI] {
         for _ in 0..80 {
-            let [phi, psi] = [0; 2].map(|_| 7.0 * numbers.signed());
+            let [phi, psi] = [7.0, 7e15].map(|most| most * numbers.signed());
             let attitude = composed([phi, theta, psi]);
+            let wound = made(theta, phi, psi).unwrap();
+            assert!(wound.angle_to(&attitude) < 1e-15, "{theta} {phi} {psi}");
             let EulerAngles { theta, phi, psi } = attitude.euler_angles();
             let again = composed([phi, theta, psi]);
             observed!(attitude.angle_to(&again), 5e-16..=2e-15, "{theta}");
@@ -244,7 +246,5 @@ fn attitudes_compose_and_have_eulers_angles() {
     let untouched = nalgebra::UnitQuaternion::new_unchecked(half);
     let again = nalgebra::UnitQuaternion::from(Attitude::from(untouched));
     assert_eq!(again, untouched);
-    let [theta, phi, psi] = [f64::NAN, 0.0, 0.0];
-    let angles = EulerAngles { theta, phi, psi };
-    refused!(Attitude::from_euler_angles(angles), NotFinite);
+    refused!(made(f64::NAN, 0.0, 0.0), NotFinite);
 }

@@ -8,6 +8,7 @@ use super::stepper::{Run, Steps, checked_moments};
 use super::{Integrator, Phase, Stepper};
 use crate::error::{Error, Result, stopped};
 use crate::integrators::real::{Real, cross, dot};
+use crate::precise::power_of_two_below;
 
 /// Order of [`MoserVeselov`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -83,15 +84,18 @@ impl<T: Real> Integrator<T> for MoserVeselov {
 
     fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {
         let run = Run::new(phase, step)?;
-        let inverse = self.moments.map(T::from_double).map(T::reciprocal);
-        let (factor, summand) = corrections(inverse, phase.l, step, self.order.terms());
+        let unit = unit(self.moments);
+        let inverse = self.moments.map(|i| T::from_double(i / unit).reciprocal());
+        let scale = T::from_double(1.0 / unit) * step;
+        let l = phase.l.map(|component| scale * component);
+        let (factor, summand) = corrections(inverse, l, self.order.terms());
         let inverse = inverse.map(|a| a + (a * factor + summand));
         if !inverse.iter().all(|a| a.to_double() > 0.0) {
             let reason = "the step is too long for moments of inertia that make up for it";
             return stopped(reason, 0.0);
         }
         let moments = inverse.map(T::reciprocal);
-        Ok(implicit_steps::<T, true>(moments, run, step))
+        Ok(implicit_steps::<T, true>(moments, unit, run, step))
     }
 }
 
@@ -136,19 +140,27 @@ impl<T: Real> Integrator<T> for GroupMidpoint {
     }
 
     fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {
-        let (run, moments) = (Run::new(phase, step)?, self.moments.map(T::from_double));
-        Ok(implicit_steps::<T, false>(moments, run, step))
+        let (run, unit) = (Run::new(phase, step)?, unit(self.moments));
+        let moments = self.moments.map(|i| T::from_double(i / unit));
+        Ok(implicit_steps::<T, false>(moments, unit, run, step))
     }
 }
 
+/// The power of two, kg m², over which moments and L are taken, for their powers may leave the range of doubles.
+fn unit(moments: [f64; 3]) -> f64 {
+    power_of_two_below(moments.into_iter().fold(0.0, f64::max))
+}
+
 /// A run of implicit steps; each starts Newton's method by extrapolating the last three solutions. The evaluations are solutions of Newton's linear system.
+/// `moments` are those over `unit`.
 fn implicit_steps<'a, T: Real, const VESELOV: bool>(
     moments: [T; 3],
+    unit: f64,
     run: Run<T>,
     step: T,
 ) -> Box<dyn Stepper<T> + 'a> {
     let [one, two, three] = [1.0, 2.0, 3.0].map(T::from_double);
-    let half = T::from_double(0.5) * step;
+    let half = T::from_double(0.5 / unit) * step;
     // The latest solution first.
     let (mut last, mut known) = ([[T::from_double(0.0); 3]; 3], 0);
     let one_step = move |run: &mut Run<T>| {

@@ -55,8 +55,8 @@ const TABLES: [[&[Term]; 2]; 4] = [
     ]],
 ];
 
-/// For a step h and `terms` powers of h²: the factor of the reciprocal moments, less 1, and the summand added to them.
-pub(super) fn corrections<T: Real>(inverse: [T; 3], l: [T; 3], h: T, terms: usize) -> (T, T) {
+/// For hL, h the step, and `terms` powers of h²: the factor of the reciprocal moments, less 1, and the summand added to them.
+pub(super) fn corrections<T: Real>(inverse: [T; 3], l: [T; 3], terms: usize) -> (T, T) {
     let [a, b, c] = inverse;
     let half = T::from_double(0.5);
     let square = l.map(|x| x * x);
@@ -67,28 +67,22 @@ pub(super) fn corrections<T: Real>(inverse: [T; 3], l: [T; 3], h: T, terms: usiz
         a * b + b * c + c * a,
         a * b * c,
     ];
-    // Horner's rule, from the highest power of h² down.
+    // From the highest power of h² down; it stands in H and C.
     let series = |which: usize| {
-        let tables = TABLES[..terms].iter().rev();
-        tables.fold(T::from_double(0.0), |sum, table| {
-            h * h * (sum + polynomial(table[which], arguments))
-        })
+        let mut sum = T::from_double(0.0);
+        for (powers, numerator, denominator) in TABLES[..terms].iter().rev().flat_map(|t| t[which])
+        {
+            let mut term = T::from_double(*numerator) * T::from_double(*denominator).reciprocal();
+            for (&power, argument) in powers.iter().zip(arguments) {
+                for _ in 0..power {
+                    term = term * argument;
+                }
+            }
+            sum = sum + term;
+        }
+        sum
     };
     (series(0), series(1))
-}
-
-fn polynomial<T: Real>(terms: &[Term], arguments: [T; 5]) -> T {
-    let mut sum = T::from_double(0.0);
-    for (powers, numerator, denominator) in terms {
-        let mut term = T::from_double(*numerator) * T::from_double(*denominator).reciprocal();
-        for (&power, argument) in powers.iter().zip(arguments) {
-            for _ in 0..power {
-                term = term * argument;
-            }
-        }
-        sum = sum + term;
-    }
-    sum
 }
 
 #[cfg(test)]

@@ -42,22 +42,6 @@ fn extremes_neither_hang_nor_panic() {
 }
 
 #[test]
-fn a_quaternion_may_have_any_length() -> Result<()> {
-    let method = HeavySplitting::new(MOMENTS, Weight::new([0.3, 0.1, 1.0])?, Order::Four)?;
-    let end = |length: f64| {
-        let mut phase = start();
-        phase.q = phase.q.map(|x| x * length);
-        let mut run = method.start(&phase, 0.1)?;
-        run.advance(10)?;
-        run.phase()
-    };
-    for power in [-700, 700] {
-        assert_eq!(end(2f64.powi(power))?, end(1.0)?);
-    }
-    Ok(())
-}
-
-#[test]
 fn a_step_too_long_for_an_implicit_method_is_refused() {
     let method = MoserVeselov::new(MOMENTS, VeselovOrder::Ten).unwrap();
     let run = method.start(&start(), 50.0).and_then(|mut s| s.step());
@@ -78,18 +62,36 @@ fn a_tolerance_is_refused() {
 /// A quaternion is a direction: its length is nobody's torque.
 #[test]
 fn the_length_of_the_quaternion_does_not_matter() {
-    let mut methods = free_methods();
-    methods.extend(heavy_methods_of(TOP, LEVER));
+    let mut methods = all_methods();
+    methods.extend(heavy_methods_of(MOMENTS, [0.3, 0.1, 1.0]));
     for method in methods {
-        let mut long = start();
-        long.q = long.q.map(|x| 3.0 * x);
-        let of = |phase: &Phase| method.follow(phase, &[1.0], Effort::Step(0.1));
-        let [long, plain] = [long, start()].map(|phase| of(&phase).unwrap().states[0]);
+        let of = |length: f64| {
+            let mut phase = start();
+            phase.q = phase.q.map(|x| x * length);
+            method.follow(&phase, &[1.0], Effort::Step(0.1))
+        };
+        let [plain, long, short, huge] =
+            [1.0, 3.0, 2f64.powi(-700), 2f64.powi(700)].map(|length| of(length).unwrap().states[0]);
         // Observed: 6e-16.
         close_to(&long, &plain, 3e-15, method.name());
-        let mut none = start();
-        none.q = [0.0; 4];
-        assert!(of(&none).is_err(), "{}", method.name());
+        assert_eq!([short, huge], [plain; 2], "{}", method.name());
+        assert!(of(0.0).is_err(), "{}", method.name());
+    }
+}
+
+/// Units that are powers of two change no bit, as long as the numbers themselves are doubles.
+#[test]
+fn units_do_not_matter() {
+    let ends = |unit: f64, beat: f64| -> Vec<[f64; 4]> {
+        let mut phase = start();
+        phase.l = phase.l.map(|x| x * (unit / beat));
+        let all = free_methods_of(MOMENTS.map(|i| i * unit));
+        let end = |method: &dyn Follow| after(method, &phase, beat, 0.0625 * beat).q;
+        all.iter().take(9).map(|method| end(&**method)).collect()
+    };
+    let far = [(300, 0), (-300, 0), (0, 300), (0, -300), (400, 200)];
+    for [unit, beat] in far.map(|(unit, beat)| [unit, beat].map(|n| 2f64.powi(n))) {
+        assert_eq!(ends(unit, beat), ends(1.0, 1.0), "{unit:e} {beat:e}");
     }
 }
 

@@ -23,13 +23,12 @@ impl<'a, const N: usize> Watch<'a, N> {
     pub fn new<S: System<N> + ?Sized>(event: &'a Event<'a, N>, walk: &Walk<'_, N, S>) -> Self {
         let (time, state) = walk.leg.start;
         let value = event(time, state);
-        let probe = PROBE * walk.left();
+        let probe = PROBE * walk.length * walk.sense;
         let soon = core::array::from_fn(|n| state[n] + probe * walk.rate[n]);
-        let rises = || event(time + probe, &soon) > 0.0;
         Self {
             event,
             value,
-            armed: value > 0.0 || value == 0.0 && rises(),
+            armed: value > 0.0 || value == 0.0 && event(time + probe, &soon) > 0.0,
         }
     }
 
@@ -42,25 +41,28 @@ impl<'a, const N: usize> Watch<'a, N> {
         let before = self.value;
         let now = (self.event)(walk.time.values[0], &walk.state.values);
         self.value = now;
-        if !self.armed {
-            self.armed = now > 0.0;
-            return None;
-        }
-        if now > 0.0 {
-            // The cubic through both ends costs no evaluation. Where it stays above half the lower end value, the quantity has no dip.
-            let (cubic, low) = (Between::cubic(taken, &walk.rate), 0.5 * before.min(now));
-            if LOOKS
-                .iter()
-                .all(|&part| self.value_at(taken, &cubic, part) > low)
-            {
+        if self.armed == (now > 0.0) {
+            // The cubic through both ends costs no evaluation. Where it stays above half the lower end value, the quantity has no dip. One that has not
+            // been positive yet may rise and fall again: that is a dip of its negative.
+            let sign = if self.armed { 1.0 } else { -1.0 };
+            let low = 0.5 * (sign * before).min(sign * now);
+            let cubic = Between::cubic(taken, &walk.rate);
+            let stays = |&part: &f64| sign * self.value_at(taken, &cubic, part) >= low;
+            if LOOKS.iter().all(stays) {
                 return None;
             }
         }
         let between = walk.between(taken);
         let mut inner = (1..PLACES).map(|n| f64::from(n) / f64::from(PLACES));
-        let dips = inner.find(|&part| self.value_at(taken, &between, part) <= 0.0);
+        let mut armed = self.armed;
+        let falls = inner.find(|&part| {
+            let value = self.value_at(taken, &between, part);
+            armed |= value > 0.0;
+            armed && value <= 0.0
+        });
+        self.armed = armed || now > 0.0;
         // The first place at which the quantity is no longer positive, or the end.
-        let part = dips.or((now <= 0.0).then_some(1.0))?;
+        let part = falls.or((armed && now <= 0.0).then_some(1.0))?;
         Some(self.located(walk, taken, &between, part))
     }
 
@@ -90,9 +92,8 @@ impl<'a, const N: usize> Watch<'a, N> {
             let slope = (here - (self.event)(taken.at(part) + h, &moved)) / PROBE;
             let next = (part - here / slope).clamp(reach[0], until);
             let gain = (next - part).abs() * taken.length.abs();
-            let falls = slope < 0.0;
             let done = gain.is_nan() || gain <= f64::EPSILON * taken.at(part).abs();
-            if here == 0.0 || !falls || done {
+            if here == 0.0 || slope >= 0.0 || done {
                 break;
             }
             part = next;

@@ -28,7 +28,7 @@ impl<const N: usize, S: System<N> + ?Sized> Leg<'_, N, S> {
     /// within a step are reached by short steps from its start, more of them by a polynomial of order 7 through the step. State and time are
     /// summed with their rounding errors (Kahan).
     ///
-    /// The event's quantity is evaluated at the end of every step, and within a step where it may have dipped. Its zero is located on the
+    /// The event's quantity is evaluated at the end of every step, and within a step where it may have dipped or, before it was ever positive, risen. Its zero is located on the
     /// polynomial and then, by Newton's method, on states reached by a step of the method: to rounding. A quantity that is zero at the
     /// start falls only after it has risen. Of several crossings in a step the first is found, unless they are within a sixteenth of the step.
     ///
@@ -57,8 +57,8 @@ impl<const N: usize, S: System<N> + ?Sized> Leg<'_, N, S> {
         event: Option<&Event<'_, N>>,
         effort: Effort,
     ) -> Result<Passage<[f64; N]>> {
-        each_finite("the time", self.times.iter().copied())?;
-        each_finite("the time", [self.start.0, self.end])?;
+        let ends = [self.start.0, self.end];
+        each_finite("the time", self.times.iter().copied().chain(ends))?;
         each_finite("the state at the start", *self.start.1)?;
         for &scale in self.scales.iter().filter(|&&scale| scale != f64::INFINITY) {
             not_negative("the scale of a component", scale)?;
@@ -119,7 +119,6 @@ impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
         while leg.times.get(self.states.len()) == Some(&leg.start.0) {
             self.states.push(*first);
         }
-        let mut watch = event.map(|event| Watch::new(event, &self));
         self.length = match effort {
             Effort::Tolerance(tolerance) => self.first_length(tolerance),
             Effort::Step(longest) => {
@@ -130,6 +129,7 @@ impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
                 self.left().abs() / count.max(1.0)
             }
         };
+        let mut watch = event.map(|event| Watch::new(event, &self));
         let mut fall = None;
         while fall.is_none() && self.left() * self.sense > 0.0 {
             let taken = match effort {

@@ -154,4 +154,11 @@ fn the_first_of_several_falls_is_found() {
         let crates = crates.until(0.0, &[0.0], &[], 2.0, event);
         assert!((crates.unwrap().time - 0.4).abs() < 1e-15);
     }
+    // It rises and falls within the step, or after a start at zero long before the end.
+    let bump = |_: f64, y: &[f64; 1]| (y[0] - 0.15) * (0.4 - y[0]);
+    let hop = |_: f64, y: &[f64; 1]| y[0] * (0.4 - y[0]);
+    for (event, end) in [(&bump as &Event<1>, 2.0), (&hop, 1e9)] {
+        let run = Leg { end, ..leg }.follow(Some(event), Effort::Tolerance(1e-6));
+        assert!((run.unwrap().time - 0.4).abs() < 1e-15);
+    }
 }

@@ -54,7 +54,7 @@ impl Particles {
     ///
     /// # Errors
     /// [`Error::Empty`]; [`Error::NotPositive`] for a mass; [`Error::NotFinite`] for a mass, position, velocity,
-    /// or if the totals overflow.
+    /// or if the total mass or the centre's place or velocity overflows. Momentum and energy may still exceed the greatest double.
     ///
     /// ```
     /// use spinning_bodies::{conservation::{Particle, Particles}, frame::SpaceVector};
@@ -190,10 +190,10 @@ impl Particles {
     pub fn energy_split(&self) -> EnergyParts {
         let relative = self.particles.iter().map(|p| {
             let [_, v] = self.relative(p);
-            0.5 * p.mass * v.dot(&v)
+            0.5 * (p.mass * v).dot(&v)
         });
         EnergyParts {
-            translational: 0.5 * self.mass * self.velocity().dot(&self.velocity()),
+            translational: 0.5 * (self.mass * self.velocity()).dot(&self.velocity()),
             relative: relative.sum(),
         }
     }

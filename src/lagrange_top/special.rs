@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 use super::motion::LagrangeTop;
 use crate::error::{Error, Result, finite, not_negative, positive, refused, within};
 use crate::frame::{Attitude, BodyVector};
-use crate::precise::{Extended, Number, shifted};
+use crate::precise::{Extended, Number, shifted, sum_of_products};
 
 /// The rates dφ/dt at which the axis can precess at a given tilt without nutation, rad/s (7.3).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -338,7 +338,10 @@ pub fn tilt_after_kick(transverse: f64, weight_moment: f64, l3: f64, kick: f64) 
     let gravity = number(weight_moment).quotient(number(transverse));
     let spin2 = number(l3).quotient(number(transverse)).square();
     let kick2 = number(kick).square();
-    let linear = gravity.times(4.0) - kick2 - spin2;
+    // 4g − l² exactly, for next to the threshold nothing else is left.
+    let fall = [transverse, weight_moment];
+    let above = sum_of_products(&[fall, fall, fall, fall, [l3, -l3]]);
+    let linear = above.quotient(number(transverse).square()) - kick2;
     let product = (gravity * kick2).times(16.0);
     let root = (linear.square() + product).square_root();
     // u, and 2 − u from the product of the roots of its own equation: both without a difference.

@@ -160,6 +160,12 @@ fn at_the_end_of_the_doubles_a_time_is_refused() -> Result<()> {
 fn the_ends_of_the_doubles() -> Result<()> {
     let standing = LagrangeTop::above_upright(1e-134, 1e-134, 1e240, 0.0, 0.0, 0.0)?;
     within((standing.energy() / 1e240 - 1.0).abs(), 1e-15);
+    // What a turn multiplies leaves the doubles, and what comes of it does not: it takes axis 2 to the vertical.
+    let omega = vector([1.5e8, -1.5e8, 1.5e8]);
+    let turned = Attitude::from_quaternion(1.0, 1.0, 1.0, 1.0)?;
+    let heavy = LagrangeTop::new(1e300, 1e300, 0.0, omega, turned)?;
+    let vertical = heavy.vertical_angular_momentum();
+    within((vertical / -1.5e308 - 1.0).abs(), 1e-15);
     // Next to upright θ₁²/θ₀² is λ/(λ − 1), λ = 9/4.
     let sunk = dip(1.0, 1.0, 3.0, 1e-200)?;
     let ratio = 3.0 / 5.0_f64.sqrt();

@@ -4,9 +4,10 @@
 //! |---|---|---|
 //! | gravity | [`Gravity`](super::effects::Gravity), downward | a free body, in closed form |
 //! | friction | [`Viscous`](super::effects::Viscous), [`Regularised`](super::effects::Regularised), [`Coulomb`], [`NoSlip`](super::effects::NoSlip) | a table without friction |
-//! | resistance | [`Resistance`](super::effects::Resistance) to rolling and pivoting | |
+//! | resistance | [`Resistance`](super::effects::Resistance) to rolling and pivoting, except in the impact of a landing | |
 //!
-//! The table only pushes. Where the reaction falls to zero the body takes off, flies in closed form, and lands with an inelastic impact.
+//! The table only pushes. Where the reaction falls to zero the body takes off, flies in closed form, and lands with an inelastic impact. Where friction would press
+//! the body into the table by more than any reaction lifts it (Painlevé 1895), the contact jams: an impulse slows its slip at once.
 //! Coulomb's law is not smoothed: a body whose slip comes to rest rolls while the force needed for that lies within the cone of friction, and
 //! slides again when it does not. The time of each change is located.
 //!
@@ -33,7 +34,7 @@ use super::effects::Effect;
 use super::engine::{self, Ahead, Flow, Trace, planned, solved, to_accuracy};
 use super::{Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Error, Result, each_finite, positive};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::integrators::{Cost, Effort, Kept, Leg, Passage, Stop, System, Watched};
 use crate::rolling::Coulomb;
@@ -138,9 +139,7 @@ impl TableTop {
 
     fn on_the_table(&self, tolerance: f64) -> Result<OnTheTable> {
         let start = numbers(&self.start);
-        for number in start {
-            finite("the start of a body on a table", number)?;
-        }
+        each_finite("the start of a body on a table", start)?;
         let table = self.table;
         let size = table.body.surface.size;
         let turning = self.start.omega.norm() + (table.gravity / size).sqrt();
@@ -294,7 +293,7 @@ impl Tabulated for State {
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Mode {
     Sliding,
-    /// Sliding by Coulomb's law, near rest: slower than [`NEAR`].
+    /// Sliding near the end of it: by Coulomb's law slower than [`NEAR`], or with friction that all but jams the contact, [`CLOSE`].
     Stopping,
     /// Sliding by Coulomb's law, just after rest.
     Leaving,
@@ -314,6 +313,11 @@ impl Mode {
 
 /// Slip, in units of μg/ω with ω the rate of the motion, below which a body is near rest: it would stop within this fraction of a radian.
 const NEAR: f64 = 0.05;
+/// The [lift](Contact::lift) below which friction all but jams the contact, if the reaction exceeds [`HEAVY`], in units of mass times acceleration of the motion; and
+/// the lift that counts as none, in units of what presses the body on the table.
+const CLOSE: f64 = 0.1;
+const HEAVY: f64 = 10.0;
+const JAMMED: f64 = 1e-9;
 /// Slip in the same units, for a tolerance of 1, below which a body leaving its rest slips in the direction that friction determines; the error of that grows as slip^(5/2).
 const LEFT: f64 = 0.4;
 const POWER: f64 = 0.4;
@@ -374,7 +378,8 @@ impl OnTheTable {
 
     /// The slip at which the mode of leaving rest ends.
     fn left(&self, law: Coulomb) -> f64 {
-        self.stopping_speed(law) * (LEFT * self.tolerance.powf(POWER)).min(0.5 * NEAR)
+        let tolerance = self.tolerance.max(FINEST);
+        self.stopping_speed(law) * (LEFT * tolerance.powf(POWER)).min(0.5 * NEAR)
     }
 
     /// The slip that counts as none.
@@ -402,10 +407,6 @@ impl OnTheTable {
             .filter_map(|climb| self.table.landed(y, climb, &|_| Ok(())).ok())
     }
 
-    fn slip(&self, y: &Numbers) -> f64 {
-        self.table.slides(&Pose::of(y)).slip.norm()
-    }
-
     fn takeoff(&self, time: f64, y: &Numbers) -> TakeOff {
         let (height, climb) = self.body().height(&Pose::of(y));
         TakeOff {
@@ -417,7 +418,12 @@ impl OnTheTable {
 
     /// How a body in contact with the table goes on; without slip, near rest, or where friction jams the contact, the state may change.
     fn settled(&self, t: f64, y: &mut Numbers) -> Result<Mode> {
-        let mut mode = self.supported(y);
+        let mode = self.supported(y);
+        self.kept_down(t, mode, y)
+    }
+
+    /// This mode, unless friction jams the contact, or nothing presses the body on the table.
+    fn kept_down(&self, t: f64, mut mode: Mode, y: &mut Numbers) -> Result<Mode> {
         if self.jams(&mode, y) {
             *y = self.table.jammed(y)?;
             mode = self.supported(y);
@@ -428,47 +434,46 @@ impl OnTheTable {
                 });
             }
         }
-        if self.contact(&mode, &Pose::of(y)).reaction > 0.0 {
+        if self.pressing(&mode, &self.contact(&mode, &Pose::of(y))) > 0.0 {
             return Ok(mode);
         }
         self.released(t, y)
     }
 
-    /// Whether friction leaves no reaction that keeps a body pressed on the table out of it.
-    fn jams(&self, mode: &Mode, y: &Numbers) -> bool {
-        let pose = Pose::of(y);
-        let slides = !matches!(mode, Mode::Rolling | Mode::Airborne(_));
-        slides
-            && self.contact(mode, &pose).reaction < 0.0
-            && self.smooth().slides(&pose).reaction > 0.0
+    /// What keeps the body on the table, in units of its weight: the reaction, and while the body slides the reaction without friction and resistance.
+    ///
+    /// Both of them vanish together, but at a contact that is about to jam the reaction becomes infinite; and beyond, friction may hold down a body that would take
+    /// off, which no contact with the least elasticity bears.
+    fn pressing(&self, mode: &Mode, contact: &Contact) -> f64 {
+        let rolls = *mode == Mode::Rolling;
+        contact.reaction * if rolls { 1.0 } else { contact.lift } / self.weight()
     }
 
-    /// The table without friction and resistance.
-    fn smooth(&self) -> Table {
-        Table {
-            friction: None,
-            resistance: None,
-            ..self.table
-        }
+    /// Whether friction leaves no reaction that keeps a body pressed on the table out of it.
+    fn jams(&self, mode: &Mode, y: &Numbers) -> bool {
+        let contact = self.contact(mode, &Pose::of(y));
+        let pressing = self.pressing(mode, &contact);
+        *mode != Mode::Rolling && pressing > 0.0 && contact.lift < JAMMED * pressing
+    }
+
+    /// How far a sliding body is from the end of it, less than 1 near it.
+    fn distance_to_rest(&self, contact: &Contact) -> f64 {
+        let slow = |law| contact.slip.norm() / (NEAR * self.stopping_speed(law));
+        let slow = self.coulomb().map_or(f64::INFINITY, slow);
+        let heavy = HEAVY * self.body().mass() * self.velocity_scale() * self.turning;
+        slow.min((contact.lift / CLOSE).max(heavy / contact.reaction.abs()))
     }
 
     /// The equations of a body in contact; without slip or near rest the state may change.
     fn supported(&self, y: &mut Numbers) -> Mode {
-        match self.table.friction {
-            Some(Friction::NoSlip) => {
-                *y = self.body().rolled(y);
-                Mode::Rolling
-            }
-            Some(Friction::Coulomb(law)) => {
-                let slip = self.slip(y);
-                if slip <= 2.0 * self.still() {
-                    self.stopped(law, y)
-                } else if slip <= NEAR * self.stopping_speed(law) {
-                    Mode::Stopping
-                } else {
-                    Mode::Sliding
-                }
-            }
+        if self.table.friction == Some(Friction::NoSlip) {
+            *y = self.body().rolled(y);
+            return Mode::Rolling;
+        }
+        let contact = self.table.slides(&Pose::of(y));
+        match self.coulomb() {
+            Some(law) if contact.slip.norm() <= 2.0 * self.still() => self.stopped(law, y),
+            _ if self.distance_to_rest(&contact) <= 1.0 => Mode::Stopping,
             _ => Mode::Sliding,
         }
     }
@@ -492,9 +497,8 @@ impl OnTheTable {
 
     /// Lets the body take off, if it can: under the constraint of rolling, the horizontal force may be what holds it up.
     fn released(&self, time: f64, y: &Numbers) -> Result<Mode> {
-        if self.table.friction == Some(Friction::NoSlip)
-            && self.smooth().slides(&Pose::of(y)).reaction >= 0.0
-        {
+        let contact = self.table.rolls(&Pose::of(y));
+        if self.table.friction == Some(Friction::NoSlip) && contact.reaction * contact.lift >= 0.0 {
             return Err(Error::Integration {
                 reason: "pure rolling takes a level force where nothing presses the body to the table; let it slide by Coulomb's law",
                 time,
@@ -573,71 +577,69 @@ impl Flow<NUMBERS> for OnTheTable {
         self.table.rates(y, &pose, &self.contact(&mode, &pose))
     }
 
-    /// The least margin: the reaction over the weight; the slip's distance from rest, or from the end of being near rest; the distance of rolling from the rim of the cone.
+    /// The least margin: what presses the body on the table; the distance of a slip from rest, or from the end of being near rest; the distance of rolling from the
+    /// rim of the cone.
     fn margin(&self, mode: Mode, _: f64, y: &Numbers) -> Option<f64> {
         if self.is_free() {
             return None;
         }
-        let pose = Pose::of(y);
-        let contact = match mode {
-            Mode::Rolling => self.table.rolls(&pose),
-            _ => self.table.slides(&pose),
-        };
-        let pressed = contact.reaction / self.weight();
-        let Some(law) = self.coulomb() else {
-            return Some(pressed);
-        };
-        let near = NEAR * self.stopping_speed(law);
+        let contact = self.contact(&mode, &Pose::of(y));
+        let pressed = self.pressing(&mode, &contact);
         let slip = contact.slip.norm();
-        Some(match mode {
-            Mode::Rolling => pressed.min(pressed * (law.grip - contact.traction.norm())),
-            Mode::Stopping => pressed
-                .min((slip / self.still()).ln())
-                .min(2.0 - slip / near),
-            Mode::Leaving => {
-                let left = self.left(law);
-                let contact = self.contact(&mode, &pose);
-                let forward = contact.slip.dot(&contact.traction) <= 0.0;
-                let along = if forward { slip } else { -slip };
-                pressed.min(1.0 - along / left).min(along / left + ROUNDING)
+        let near = self.distance_to_rest(&contact);
+        Some(match (mode, self.coulomb()) {
+            (Mode::Rolling, None) => pressed,
+            (Mode::Rolling, Some(law)) => {
+                pressed.min(pressed * (law.grip - contact.traction.norm()))
             }
-            _ => pressed.min(slip / near - 1.0),
+            (Mode::Leaving, Some(law)) => {
+                let left = self.left(law);
+                let along = slip.copysign(-contact.slip.dot(&contact.traction));
+                let ends = pressed.min(1.0 - along / left).min(along / left + ROUNDING);
+                ends.min(contact.lift)
+            }
+            (Mode::Stopping, law) => {
+                let moves = law.map_or(f64::INFINITY, |_| (slip / self.still()).ln());
+                pressed.min(moves).min(contact.lift).min(2.0 - near)
+            }
+            _ => pressed.min(near - 1.0),
         })
     }
 
     fn next(&self, mode: Mode, _: Stop, t: f64, y: &mut Numbers) -> Result<Mode> {
-        if matches!(mode, Mode::Airborne(_)) || self.jams(&mode, y) {
+        if matches!(mode, Mode::Airborne(_)) {
             return self.settled(t, y);
         }
-        let pose = Pose::of(y);
-        let pressed = self.contact(&mode, &pose).reaction > LIFTED * self.weight();
-        let (Some(law), true) = (self.coulomb(), pressed) else {
+        let contact = self.contact(&mode, &Pose::of(y));
+        if self.pressing(&mode, &contact) <= LIFTED * contact.lift.abs() {
             return self.released(t, y);
-        };
-        let slip = self.slip(y);
-        Ok(match mode {
-            Mode::Rolling => {
+        }
+        let slip = contact.slip.norm();
+        let mode = match (mode, self.coulomb()) {
+            (Mode::Rolling, None) => return self.released(t, y),
+            (Mode::Rolling, _) => {
                 *y = self.body().rolled(y);
                 Mode::Leaving
             }
-            Mode::Leaving if slip < 0.5 * self.left(law) => self.stopped(law, y),
-            Mode::Stopping if slip <= 2.0 * self.still() => self.stopped(law, y),
-            Mode::Stopping if slip < 0.5 * self.left(law) => {
+            (Mode::Leaving, Some(law)) if slip < 0.5 * self.left(law) => self.stopped(law, y),
+            (Mode::Stopping, Some(law)) if slip <= 2.0 * self.still() => self.stopped(law, y),
+            (Mode::Stopping, Some(law)) if slip < 0.5 * self.left(law) => {
                 // The slip has passed its rest, or has come as close to it as the steps resolve.
                 match self.holds(law, y) {
                     true => self.stopped(law, y),
                     false => Mode::Leaving,
                 }
             }
-            Mode::Stopping if slip > NEAR * self.stopping_speed(law) => Mode::Sliding,
+            (Mode::Stopping, _) if self.distance_to_rest(&contact) > 1.0 => Mode::Sliding,
             _ => Mode::Stopping,
-        })
+        };
+        self.kept_down(t, mode, y)
     }
 
     fn known(&self, mode: Mode, ahead: &Ahead<'_, NUMBERS>) -> Option<Result<Passage<Numbers>>> {
-        match (mode, self.coulomb()) {
-            (Mode::Airborne(takeoff), _) if !self.is_free() => Some(self.flown(takeoff, ahead)),
-            (Mode::Stopping, Some(law)) => Some(self.slowed(law, ahead)),
+        match mode {
+            Mode::Airborne(takeoff) if !self.is_free() => Some(self.flown(takeoff, ahead)),
+            Mode::Stopping => Some(self.slowed(ahead)),
             _ => None,
         }
     }
@@ -675,9 +677,9 @@ impl OnTheTable {
         Ok(passage)
     }
 
-    /// The motion near rest, where friction turns with the slip, ever faster. The variable is not the time but ∫μg dt/|slip|, in which the slip decays
-    /// exponentially and its direction turns at a finite rate.
-    fn slowed(&self, law: Coulomb, ahead: &Ahead<'_, NUMBERS>) -> Result<Passage<Numbers>> {
+    /// The motion near rest, where friction turns with the slip, ever faster, or near a jam, where the reaction becomes infinite. The variable is not the time but
+    /// ∫μg dt/(|slip| lift), in which the slip decays exponentially, its direction turns at a finite rate, and nothing is infinite.
+    fn slowed(&self, ahead: &Ahead<'_, NUMBERS>) -> Result<Passage<Numbers>> {
         let (now, y) = ahead.start;
         let parted = |z: &[f64; NUMBERS + 1]| -> Numbers { core::array::from_fn(|n| z[n]) };
         // The rates of state and time.
@@ -686,7 +688,8 @@ impl OnTheTable {
             let y = parted(z);
             let pose = Pose::of(&y);
             let contact = self.table.slides(&pose);
-            let pace = contact.slip.norm() / (law.grip * self.table.gravity);
+            let slow = |law| contact.slip.norm() / self.stopping_speed(law);
+            let pace = contact.lift * self.coulomb().map_or(1.0, slow) / self.turning;
             let rates = self.table.rates(&y, &pose, &contact);
             core::array::from_fn(|n| pace * rates.get(n).unwrap_or(&1.0))
         };

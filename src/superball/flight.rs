@@ -496,7 +496,9 @@ impl Flight {
     fn on_the_floor(&self, ball: &InFlight, landed: f64, t: f64) -> Result<InFlight> {
         let [_, tangential] = self.restitution();
         let motion = ball.motion;
-        let (way, [velocity, rim_speed]) = if self.grip.is_some() {
+        let (way, [velocity, rim_speed]) = if tangential == -1.0 {
+            (t * motion.velocity, [motion.velocity, motion.rim_speed])
+        } else if self.grip.is_some() {
             let start = Moment::moving(motion.velocity, motion.rim_speed);
             let load = Load::weight(self.gravity);
             let course = Course::new(self.kappa, load, (self.grip, None, None), start, t)?;
@@ -505,8 +507,6 @@ impl Flight {
         } else if tangential.abs() < 1.0 || motion.contact_speed(Surface::Floor) == 0.0 {
             let common = self.common(&motion);
             (t * common, [common; 2])
-        } else if tangential == -1.0 {
-            (t * motion.velocity, [motion.velocity, motion.rim_speed])
         } else {
             let condition = "tangential restitution must be below 1 for a motion after infinitely many bounces, each of which reverses the contact speed";
             return refused(condition, tangential);

@@ -29,6 +29,9 @@ pub(crate) struct Contact {
     pub(crate) slip: Vector3<f64>,
     /// Normal reaction, N.
     pub(crate) reaction: f64,
+    /// Upward acceleration of the point in contact for every newton of reaction, over that without friction and couple. Where it is negative, friction presses the
+    /// body into the table by more than the reaction lifts it (Painlevé 1895).
+    pub(crate) lift: f64,
     /// The level force of the table divided by the normal one.
     pub(crate) traction: Vector3<f64>,
     /// Ω̇, rad/s².
@@ -128,13 +131,13 @@ impl Touch<'_> {
         }
         let lever = self.arm.cross(up);
         let pushed = body.inverse * torque;
-        let reaction = reaction.unwrap_or_else(|| {
-            (gravity + lever.dot(&self.free) - up.dot(&self.whirl))
-                / (1.0 / body.mass + lever.dot(&pushed))
-        });
+        let lifted = 1.0 / body.mass + lever.dot(&pushed);
+        let reaction = reaction
+            .unwrap_or_else(|| (gravity + lever.dot(&self.free) - up.dot(&self.whirl)) / lifted);
         Contact {
             slip: self.slip,
             reaction,
+            lift: lifted / (1.0 / body.mass + lever.dot(&(body.inverse * lever))),
             traction: traction.unwrap_or_else(Vector3::zeros),
             omega_rate: pushed * reaction - self.free,
             power,

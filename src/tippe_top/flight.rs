@@ -223,8 +223,8 @@ impl Yielding {
     ///
     /// The independent variable is the impulse, in units of velocity. It grows to the end, although the approach may even quicken for a time, where friction presses the body into
     /// the table: the energy at the contact only falls, and by more than the approach times the impulse. Under Coulomb's law the variable is the impulse over the
-    /// slip, so that the direction of a vanishing slip turns at a finite rate. Once a smooth law holds the slip constant, the rest is skipped: steps
-    /// short enough for a sharp law would take minutes there.
+    /// slip, so that the direction of a vanishing slip turns at a finite rate, and the slip is followed by its logarithm and its direction. Once a smooth law holds
+    /// the slip constant, the rest is skipped: steps short enough for a sharp law would take minutes there.
     fn slowed(
         &self,
         friction: Friction,
@@ -241,33 +241,41 @@ impl Yielding {
         let second = across.unwrap_or_else(|| up.cross(&Vector3::ith(up.iamin(), 1.0)).normalize());
         let first = second.cross(up);
         let unit = up.dot(&(matrix * up));
-        // The remaining slip along two level directions, and the remaining approach.
-        let level = |y: &[f64; 3]| first * y[0] + second * y[1];
+        // The remaining slip along two level directions, or its logarithm and angle; and the remaining approach.
+        let level = |y: &[f64; 3]| match sudden {
+            true => (first * y[1].cos() + second * y[1].sin()) * (size * y[0].exp()),
+            false => first * y[0] + second * y[1],
+        };
         let rate = |_: f64, y: &[f64; 3]| {
             let slip = level(y);
-            let pace = if sudden { slip.norm() } else { 1.0 } / unit;
-            let pushed = matrix * (up + friction.traction(&slip)) * pace;
-            [pushed.dot(&first), pushed.dot(&second), -pushed.dot(up)]
+            let pushed = matrix * (up + friction.traction(&slip)) / unit;
+            let (along, pace) = match sudden {
+                true => (slip / slip.norm(), slip.norm()),
+                false => (first, 1.0),
+            };
+            let (across, approach) = (up.cross(&along), -pushed.dot(up) * pace);
+            [pushed.dot(&along), pushed.dot(&across), approach]
         };
         let margin = |_: f64, y: &[f64; 3]| {
             let slips = if sudden {
-                y[0].hypot(y[1]) / size - NO_SLIP
+                y[0] - NO_SLIP.ln()
             } else {
                 let [a, b, normal] = rate(0.0, y);
                 a.hypot(b) / normal.abs() - SETTLED
             };
             (y[2] / fall).min(slips)
         };
-        let start = [slip.dot(&first), slip.dot(&second), fall];
+        let least = NO_SLIP * (size + fall);
+        let (from, scale) = if sudden { (0.0, 1.0) } else { (size, least) };
+        let start = [from, 0.0, fall];
         if margin(0.0, &start) <= 0.0 {
             return Ok((*slip, 0.0));
         }
-        let least = NO_SLIP * (size + fall);
         let leg = Leg {
             system: &Watched(&rate, |_| spent(A_STEP), 0.0) as &dyn System<3>,
             kept: Kept::Nothing,
             start: (0.0, &start),
-            scales: &[least, least, fall],
+            scales: &[scale, scale, fall.max(SMALL * size)],
             times: &[],
             // The event ends it.
             end: f64::MAX.sqrt(),
@@ -288,6 +296,8 @@ const A_STEP: u64 = 12;
 const IN_A_BLOW: f64 = 1e-13;
 /// A slip that changes by less than this fraction of the change in approach is held constant by a smooth law.
 const SETTLED: f64 = 1e-12;
+/// An approach below this fraction of the slip is known no better than to the rounding of the slip, and followed to no more.
+const SMALL: f64 = 1e-2;
 /// A slip below this fraction of the velocity at the beginning of an impact counts as rest.
 const NO_SLIP: f64 = 1e-15;
 

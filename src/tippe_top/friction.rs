@@ -130,7 +130,8 @@ macro_rules! from {
 }
 from!(Coulomb Regularised Viscous);
 
-/// A couple at the contact that resists rolling and pivoting in proportion to the rate: per normal force τ = −a Ω_level − b Ω_vertical.
+/// A couple at the contact that resists rolling and pivoting in proportion to the rate: per normal force τ = −a Ω_level − b Ω_vertical. It belongs to a contact that
+/// lasts: impacts are computed without it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Resistance {
     rolling: f64,

@@ -306,8 +306,9 @@ fn s4_6_a_ball_that_lies_on_the_floor() {
     assert_eq!(lies(0.0, 0.0).exact(1e20).unwrap(), still);
     assert_eq!(lies(0.5, 0.5).followed(&[3.0]).unwrap()[0], rolls);
     // A smooth one slides; bounces that lose nothing are infinitely many here, too.
-    for normal in [0.0, 0.5, 1.0] {
-        let smooth = (WEIGHT, Some(Restitution::new(normal, -1.0).unwrap()), None);
+    let gripped = Some(Coulomb::new(0.3).unwrap());
+    for (normal, grip) in [(0.0, None), (0.5, None), (1.0, None), (0.5, gripped)] {
+        let smooth = (WEIGHT, Some(Restitution::new(normal, -1.0).unwrap()), grip);
         let slides = Flight::new(0.4, 1.0, smooth, thrown(0.0, 0.0, 0.5, 0.0)).unwrap();
         let slides = slides.followed(&[3.0]).unwrap()[0];
         assert_eq!(numbers(&slides), [1.5, 0.0, 0.0, 0.5, 0.0]);

@@ -27,6 +27,8 @@
 //! # Ok::<(), spinning_bodies::Error>(())
 //! ```
 
+use core::cell::Cell;
+
 use nalgebra::Vector3;
 
 use super::columns::{Columns, columns};
@@ -34,7 +36,7 @@ use super::effects::Effect;
 use super::engine::{self, Ahead, Flow, Trace, planned, solved, to_accuracy};
 use super::{Motion, Plan, Request, Scene, Solver, Tabulated};
 use crate::conservation::Law;
-use crate::error::{Error, Result, each_finite, positive};
+use crate::error::{Error, Result, each_finite, positive, stopped};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::integrators::{Cost, Effort, Kept, Leg, Passage, Stop, System, Watched};
 use crate::rolling::Coulomb;
@@ -318,6 +320,8 @@ const NEAR: f64 = 0.05;
 const CLOSE: f64 = 0.1;
 const HEAVY: f64 = 10.0;
 const JAMMED: f64 = 1e-9;
+/// The most evaluations of the impact by which a jam is resolved: a tenth of a second.
+const MOST_OF_A_JAM: u64 = 1_000_000;
 /// Slip in the same units, for a tolerance of 1, below which a body leaving its rest slips in the direction that friction determines; the error of that grows as slip^(5/2).
 const LEFT: f64 = 0.4;
 const POWER: f64 = 0.4;
@@ -425,13 +429,24 @@ impl OnTheTable {
     /// This mode, unless friction jams the contact, or nothing presses the body on the table.
     fn kept_down(&self, t: f64, mut mode: Mode, y: &mut Numbers) -> Result<Mode> {
         if self.jams(&mode, y) {
-            *y = self.table.jammed(y)?;
+            let taken = Cell::new(0);
+            let spent = |evaluations| {
+                taken.set(taken.get() + evaluations);
+                match taken.get() > MOST_OF_A_JAM {
+                    true => stopped(
+                        "friction jams the contact, and slows its slip in too many steps; let it be weaker",
+                        t,
+                    ),
+                    false => Ok(()),
+                }
+            };
+            *y = self.table.jammed(y, &spent)?;
             mode = self.supported(y);
             if self.jams(&mode, y) {
-                return Err(Error::Integration {
-                    reason: "friction and resistance press the body into the table by more than any reaction lifts it; let them be weaker",
-                    time: t,
-                });
+                return stopped(
+                    "friction and resistance press the body into the table by more than any reaction lifts it; let them be weaker",
+                    t,
+                );
             }
         }
         if self.pressing(&mode, &self.contact(&mode, &Pose::of(y))) > 0.0 {

@@ -165,12 +165,12 @@ impl Table {
     ///
     /// # Errors
     /// As for [`landed`](Self::landed).
-    pub(crate) fn jammed(&self, y: &Numbers) -> Result<Numbers> {
+    pub(crate) fn jammed(&self, y: &Numbers, spent: Spent<'_>) -> Result<Numbers> {
         let pose = Pose::of(y);
         let (_, climb) = self.body.height(&pose);
         let reach = self.body.center.norm() + self.body.surface.greatest();
         let speed = pose.level.norm() + pose.omega.norm() * reach;
-        self.landed(y, climb - NO_SLIP * speed, &|_| Ok(()))
+        self.landed(y, climb - NO_SLIP * speed, spent)
     }
 
     /// The state after an impulse that brings the point in contact to rest.

@@ -92,13 +92,8 @@ fn s1_1_the_reconstructed_cat_turns_over() {
         }
     }
     // Forward and back, degrees: exactly half a turn.
-    for (forward, back) in [
-        (70.0, 49.59),
-        (80.0, 41.43),
-        (90.0, 34.09),
-        (100.0, 27.32),
-        (120.0, 14.57),
-    ] {
+    let back = [49.59, 41.43, 34.09, 27.32, 14.57];
+    for (forward, back) in [70.0, 80.0, 90.0, 100.0, 120.0].into_iter().zip(back) {
         let forward = f64::to_radians(forward);
         let found = closed.back_bend_for_half_turn(forward).unwrap().unwrap();
         near!(found.to_degrees(), back, 1e-3..=5e-3);

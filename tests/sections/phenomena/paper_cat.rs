@@ -19,12 +19,8 @@ fn s1_1_the_paper_cat_needs_air() -> Result<()> {
     }
     assert_eq!(cat.righting(1.2, 2.0, 0.0, 0.0), 0.0);
     // Heights of fall, m: Runge and Kutta's method in steps of 0.1 ms, by another program.
-    for (degrees, fall) in [
-        (150.0, 0.609_746),
-        (170.0, 0.825_466),
-        (175.0, 0.965_072),
-        (179.0, 1.291_469),
-    ] {
+    let falls = [0.609_746, 0.825_466, 0.965_072, 1.291_469];
+    for (degrees, fall) in [150.0, 170.0, 175.0, 179.0].into_iter().zip(falls) {
         let tilt = f64::to_radians(degrees);
         let scene = shape::PaperCat::new(cat, tilt)?.with(g)?;
         let airy = scene.with(air)?;

@@ -175,12 +175,10 @@ fn everything_turns_as_omega_says() {
     // The yo-yo and the superball do not tell how far they have turned; the feet of the crawler do not turn.
     let first = "billiard-shot chiral-top egg meteorite nutation-dies paper-cat racket rattleback sleeping-top strip swivel tippe-top \
                  withdrawn-sheet";
-    let others = [
-        ("cat", &[2][..]),
-        ("heavy-body", &[0, 1]),
-        ("skater", &[0, 1, 4]),
-        ("spool", &[0, 2]),
-    ];
+    let others: [&[usize]; 4] = [&[2], &[0, 1], &[0, 1, 4], &[0, 2]];
+    let others = ["cat", "heavy-body", "skater", "spool"]
+        .into_iter()
+        .zip(others);
     let first = first.split(' ').map(|name| (name, &[0][..]));
     for (name, solids) in first.chain(others) {
         for t in [0.11, 0.27] {

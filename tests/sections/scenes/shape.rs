@@ -99,9 +99,8 @@ fn viscous_friction_undoes_the_swivel() {
 fn a_run_by_steps_gets_past_every_corner() -> Result<()> {
     let mut path = PHASES;
     path.duration = 1.4;
-    let swivel = shape::Swivel::new(0.6, 2.0)?.with(path)?;
-    let rubbed = swivel.with(BearingFriction::new(1e-4)?)?;
-    let turning = rubbed.with_angular_momentum(20.0)?;
+    let swivel = shape::Swivel::new(0.6, 2.0)?.with_angular_momentum(20.0)?;
+    let turning = swivel.with(path)?.with(BearingFriction::new(1e-4)?)?;
     let end = turning.simulate(&asking([5.0, 266.0], 1e-10))?.rows[1].1;
     near!(end.angular_momentum + 1e-4 * end.lower, 20.0, 1e-12);
     Ok(())

@@ -54,12 +54,8 @@ fn s4_6_tangential_restitution() {
         let after = |m, &s: &Surface| bounce_with(m, s, kappa, e);
         surfaces.iter().fold(thrown, after).velocity
     };
-    for (e, v) in [
-        (1.0, -0.9708),
-        (0.8, -0.7167),
-        (0.6, -0.4819),
-        (0.4, -0.2640),
-    ] {
+    let velocities = [-0.9708, -0.7167, -0.4819, -0.2640];
+    for (e, v) in [1.0, 0.8, 0.6, 0.4].into_iter().zip(velocities) {
         near!(third(0.4, e), v, 1e-5..=5e-5);
     }
     near!(return_threshold(0.4).unwrap(), 0.13809, 1e-6..=5e-6);

@@ -79,7 +79,7 @@ fn the_length_of_the_quaternion_does_not_matter() {
     }
 }
 
-/// Units that are powers of two change no bit, as long as the numbers themselves are doubles.
+/// Units that are powers of two change no bit, as long as the numbers themselves are doubles. The last, a general method of the laboratory, is left out.
 #[test]
 fn units_do_not_matter() {
     let ends = |unit: f64, beat: f64| -> Vec<[f64; 4]> {

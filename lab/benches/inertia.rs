@@ -3,14 +3,14 @@
 //! `cargo bench -p lab --bench inertia`. Errors are against 106-bit arithmetic on the very numbers given. Times
 //! are the least of several runs, ours and the peer's in turn.
 //!
-//! One run on two cores of an AMD EPYC server, Rust 1.95:
+//! One run on two cores of an Intel Xeon server, Rust 1.95:
 //!
 //! | task | ours | peer | ratio of times |
 //! |---|---|---|---|
-//! | mesh of 1.3 million triangles at the origin | 13 ns a triangle, inertia to 2e-15 | parry3d-f64: 69 ns, 4e-14 | 0.19 |
-//! | the same, a million radii away | 24 ns, inertia to 8e-16 | parry3d-f64: 67 ns, 4e-14 | 0.36 |
-//! | principal axes, matrices at random | 150 ns, moments to 3e-16 | nalgebra: 960 ns, 2e-15 | 0.16 |
-//! | principal axes, gaps of 1e-6 to 1e-14 | 151 ns, moments to 3e-16 | nalgebra: 603 ns, 2e-15 | 0.25 |
+//! | mesh of 1.3 million triangles at the origin | 11 ns a triangle, inertia to 2e-15 | parry3d-f64: 34 ns, 4e-14 | 0.32 |
+//! | the same, a million radii away | 12 ns, inertia to 8e-16 | parry3d-f64: 34 ns, 4e-14 | 0.34 |
+//! | principal axes, matrices at random | 98 ns, moments to 3e-16 | nalgebra: 323 ns, 2e-15 | 0.31 |
+//! | principal axes, gaps of 1e-6 to 1e-14 | 93 ns, moments to 3e-16 | nalgebra: 234 ns, 2e-15 | 0.40 |
 
 mod shared;
 

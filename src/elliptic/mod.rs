@@ -45,7 +45,7 @@
 //!
 //! `cargo bench -p lab --bench elliptic_accuracy` prints the whole comparison. The price is time: 0.03–0.3 µs a
 //! complete integral and 0.3–9 µs an incomplete one, where `ellip` itself reports 0.01–0.3 µs. Relative to Boost in long double, which has 64 bits, in one
-//! run: F 1.7 of its time, E(φ) 0.9, Π(φ) 0.7–0.8, R_F 1.9–2.0, R_D 0.6, R_J 0.7–0.8, R_C 1.8, R_G 1.5 (`cargo bench -p lab --bench elliptic` prints them).
+//! run: F 1.7 of its time, E(φ) 0.9, Π(φ) 0.7–0.8, R_F 1.9–2.0, R_D 0.6, R_J 0.7–0.8, R_C 1.8–2.1, R_G 1.5 (`cargo bench -p lab --bench elliptic` prints them).
 
 mod carlson;
 mod integrals;

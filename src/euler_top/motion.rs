@@ -42,8 +42,8 @@ impl EulerTop {
     /// (kg m²/s) and this attitude at time 0.
     ///
     /// Domain: any moments that a body can have, rods and laminae included, at any scale; any L, however close to an axis
-    /// or to the separatrix. The doubles given are taken as exact. Cost: fourteen to nineteen evaluations of
-    /// [`at`](Self::at), for constants to 106 bits; with them later times lose no digit.
+    /// or to the separatrix. The doubles given are taken as exact. Cost: some fifteen evaluations of
+    /// [`at`](Self::at), thirty next to an axis or to the separatrix, for constants to 106 bits; with them later times lose no digit.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite), also if Ω or the rate of the motion would leave the range of doubles; [`Error::Negative`](crate::Error::Negative) and
@@ -322,7 +322,7 @@ impl EulerTop {
     /// (L₁, L₂, L₃) = (P₁ cn u, P₂ sn u, P₃ dn u), u = u₀ + λt, and the attitude turned about L by an angle that theta functions
     /// give. Error observed against 998 references of 32 digits, ordinary bodies and every hard case: attitude at most
     /// 9e-16 rad, Ω and L 5e-16, at any time up to 10⁹ periods; beyond, up to 10⁻²⁶ of the angle turned is added. Cost: the same at every
-    /// time, that of one sn, cn, dn in the GNU Scientific Library.
+    /// time, about that of one sn, cn, dn in the GNU Scientific Library.
     ///
     /// ```
     /// use spinning_bodies::euler_top::{EulerTop, Regime};

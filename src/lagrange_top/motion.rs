@@ -30,7 +30,7 @@ impl LagrangeTop {
     /// L₃ is zero whatever Ω₃) are allowed. An axis exactly upright or hanging stays there, spinning or not, unless Ω has a part across it.
     /// Only the direction of the attitude's quaternion counts. An upright or hanging axis, a plane pendulum and the sleeping threshold are recognised exactly for
     /// the numbers given, pure precession and cusps up to their rounding. A tilted start on the separatrix can rarely be given in doubles; rounded, it lies beside it, and
-    /// [`kind`](Self::kind) says so. [`from_integrals`](Self::from_integrals) and [`above_upright`](Self::above_upright) reach the separatrix. Cost: some thirty-five evaluations of
+    /// [`kind`](Self::kind) says so. [`from_integrals`](Self::from_integrals) and [`above_upright`](Self::above_upright) reach the separatrix. Cost: some thirty evaluations of
     /// [`at`](Self::at).
     ///
     /// # Errors
@@ -277,7 +277,7 @@ impl LagrangeTop {
     ///
     /// Attitude and Ω come from two theta functions, which are regular in the upright and the hanging position too. Error observed against 857
     /// references of 32 digits, hard cases included: attitude at most 9e-16 rad, Ω 1.2e-15 relative, 1 ∓ h 8e-16, without growth up to
-    /// 10³ nutations. Cost: the same at every time, that of two or three triples of Jacobi functions.
+    /// 10³ nutations. Cost: the same at every time, that of five triples of Jacobi functions, prepared.
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::OutOfRange`] beyond 2⁵³ quarter periods or 2⁶² radians.

@@ -118,10 +118,8 @@ fn as_html(mut settings: Config) -> anyhow::Result<Config> {
     let mut html: Table = settings.get("output.spinning-bodies")?.unwrap_or_default();
     html.remove("command");
     html.extend(settings.get::<Table>("output.html")?.unwrap_or_default());
-    settings.set(
-        "output",
-        Table::from_iter([("html".to_owned(), html.into())]),
-    )?;
+    let alone = Table::from_iter([("html".to_owned(), html.into())]);
+    settings.set("output", alone)?;
     Ok(settings)
 }
 

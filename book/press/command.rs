@@ -10,7 +10,9 @@ use crate::scenes::output::Format;
 use crate::scenes::scan::Scan;
 use crate::scenes::{Motion, film, plot};
 use crate::usage::{self, Cli, Command};
-use crate::writer::{Target, by_ending, can_be_written_into, folder_of, say, tell};
+use crate::writer::{
+    Target, by_ending, can_be_written_into, folder_of, is_standard_output, say, say_beside, tell,
+};
 use crate::{Error, Result, accuracy, appendix, binding, ebook, interrupt, live, scenes, watch};
 use clap::{Parser, ValueEnum};
 use figures::on_your_table::Paper;
@@ -57,8 +59,7 @@ fn obey(command: Option<Command>) -> Result<()> {
         Some(Command::Figures(asked)) => figures(root, asked).map(drop),
         Some(Command::Sheets(asked)) => {
             can_be_written_into(&asked.out)?;
-            let mut papers = Paper::ALL.into_iter();
-            let paper = papers.find(|paper| paper.name() == asked.paper);
+            let paper = Paper::ALL.into_iter().find(|one| one.name() == asked.paper);
             let sheets = drawings::sheets(paper.unwrap_or(Paper::A4), &asked.out)?;
             sheets.iter().try_for_each(|sheet| say_where(sheet))
         }
@@ -115,6 +116,7 @@ fn figures(root: &Path, asked: usage::Figures) -> Result<Vec<Drawing>> {
         false => PathBuf::from("."),
     });
     if asked.check {
+        std::fs::read_dir(&folder).map_err(Error::file(&folder))?;
         let drawings = draw(&entries, &values)?;
         drawings::check(&drawings, &folder)?;
         let (count, folder) = (drawings.len(), folder.display());
@@ -122,26 +124,25 @@ fn figures(root: &Path, asked: usage::Figures) -> Result<Vec<Drawing>> {
         return Ok(drawings);
     }
     can_be_written_into(&folder)?;
-    let table = asked.data.map(|file| {
+    let data = asked.data.as_deref();
+    if data.is_some() {
         drawings::only(&entries, "--data")?;
-        Format::of(Some(Format::Csv), Some(&file))?;
-        Target::new(Some(&file), None)
-    });
-    let table = table.transpose()?;
+        Format::of(Some(Format::Csv), data)?;
+    }
+    let table = Target::new(data, None)?;
     let drawings = draw(&entries, &values)?;
-    if let Some(table) = table {
+    if data.is_some() {
         table.put(drawings::data(&drawings)?)?;
     }
     let changed = drawings::write(&drawings, copying, &folder)?;
     if let ([drawing], false) = (&drawings[..], asked.set.is_empty()) {
         let Figure { claim, details, .. } = &drawing.figure;
-        say(&format!("{claim} {details}\n"))?;
+        say_beside(data, &format!("{claim} {details}\n"))?;
     }
     let (count, folder) = (drawings.len(), folder.display());
     let s = if count == 1 { "" } else { "s" };
-    say(&format!(
-        "{count} figure{s} in {folder}, {changed} changed\n"
-    ))?;
+    let told = format!("{count} figure{s} in {folder}, {changed} changed\n");
+    say_beside(data, &told)?;
     Ok(drawings)
 }
 
@@ -229,15 +230,20 @@ fn drawn(
 fn accuracy(root: &Path, asked: usage::Accuracy) -> Result<()> {
     let csv = asked.csv.as_deref();
     let (Some(scene), Some(file)) = (&asked.scene, asked.plot) else {
-        return say(&accuracy::run(root, asked.scene.as_deref(), csv)?.text);
+        let report = accuracy::run(root, asked.scene.as_deref(), csv)?;
+        return say_beside(csv, &report.text);
     };
     if let (Some(_), Some(output)) = (&file, &asked.output) {
         let told = "--plot has a FILE already, expected no --output";
         return Err(Error::Input(format!("{told}, got {}", output.display())));
     }
-    let output = file.or(asked.output);
+    let output = file.or(asked.output).unwrap_or_else(|| "-".into());
+    if is_standard_output(&output) && csv.is_some_and(is_standard_output) {
+        let told = "--csv and --plot: both on standard output, expected a FILE for one of them";
+        return Err(Error::Input(told.to_owned()));
+    }
     let input = scenes::file(root, Path::new(scene));
-    drawn(output.as_deref(), input.as_deref(), || {
+    drawn(Some(&output), input.as_deref(), || {
         accuracy::picture(root, scene, csv)
     })
 }

@@ -81,9 +81,8 @@ pub fn epub(root: &Path, drawings: &[Drawing], file: &Path) -> Result<()> {
     let settings = Config::from_disk(root.join("book/book.toml")).map_err(wrong)?;
     let mut typesetter = Typesetter::new(root, drawings, Medium::Ebook)?;
     let book = binding::typeset(settings, root, &mut typesetter)?;
-    let (processed, _) = book
-        .preprocess_book(&MarkdownRenderer::new())
-        .map_err(wrong)?;
+    let processed = book.preprocess_book(&MarkdownRenderer::new());
+    let (processed, _) = processed.map_err(wrong)?;
     let bytes = packed(drawings, &processed, &typesetter.pieces)
         .map_err(|error| Error::Failed(format!("the EPUB: {error}")))?;
     write_if_changed(file, &bytes).map(drop)
@@ -108,10 +107,8 @@ fn packed(drawings: &[Drawing], book: &Book, pieces: &Pieces) -> anyhow::Result<
         let name = path.with_extension("xhtml").display().to_string();
         let body = flush_left(&pieces.fill(&xhtml(&chapter.content))?);
         let id = name.replace('.', "-");
-        let mathml = match body.contains("<math") {
-            true => " properties=\"mathml\"",
-            false => "",
-        };
+        let mathml = body.contains("<math").then_some(" properties=\"mathml\"");
+        let mathml = mathml.unwrap_or_default();
         manifest += &format!(
             "<item id=\"{id}\" href=\"{name}\" media-type=\"application/xhtml+xml\"{mathml}/>\n"
         );

@@ -34,9 +34,8 @@ pub fn build(root: &Path) -> Result<(PathBuf, usize)> {
     let library = library.map_err(|error| Error::Failed(format!("rustc: {error}")))?;
     if !Path::new(String::from_utf8_lossy(&library.stdout).trim()).is_dir() {
         let why = "the compiler cannot build for a browser: `rustup target add";
-        return Err(Error::Failed(format!(
-            "{why} {TARGET}` installs what is missing"
-        )));
+        let told = format!("{why} {TARGET}` installs what is missing");
+        return Err(Error::Failed(told));
     }
     let target = root.join("target");
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());

@@ -40,7 +40,7 @@ impl Target {
             true => Path::new("/dev/stdin"),
             false => input,
         });
-        let (name, place) = match path.filter(|path| *path != Path::new("-")) {
+        let (name, place) = match path.filter(|path| !is_standard_output(path)) {
             None => (Path::new("standard output"), Place::StandardOutput),
             Some(path) => (path, Place::of(path, input)?),
         };
@@ -89,7 +89,6 @@ impl Place {
             return refused("expected a file, this is a folder");
         }
         match &there {
-            Some(_) if are_one(path, Path::new("/dev/stdout")) => return Ok(Self::StandardOutput),
             Some(there) if !there.is_file() => return Ok(Self::AsItIs),
             Some(_) if input.is_some_and(|input| are_one(path, input)) => {
                 return refused("this is the input file; the output needs another name");
@@ -127,6 +126,23 @@ fn into(to: impl Write, contents: impl FnOnce(Writing<'_>) -> io::Result<()>) ->
 /// As for [`Target::write`].
 pub fn say(text: &str) -> Result<()> {
     Target::new(None, None)?.put(text)
+}
+
+/// Prints something beside a document: to standard error if the document is on standard output.
+///
+/// # Errors
+/// As for [`say`].
+pub fn say_beside(document: Option<&Path>, text: &str) -> Result<()> {
+    if document.is_some_and(is_standard_output) {
+        tell(text.trim_end());
+        return Ok(());
+    }
+    say(text)
+}
+
+/// Whether a file of this name is the standard output, as it is for `-`.
+pub fn is_standard_output(path: &Path) -> bool {
+    path == Path::new("-") || are_one(path, Path::new("/dev/stdout"))
 }
 
 /// Prints a line to standard error. If that is closed as well, nothing can be done.

@@ -97,10 +97,8 @@ pub fn picture(root: &Path, scene: &str, csv: Option<&Path>) -> Result<Figure> {
         true => "evaluations",
         false => "time, s",
     };
-    let title = match scene.strip_suffix(".toml") {
-        Some(path) => path.rsplit('/').next().unwrap_or(path),
-        None => scene,
-    };
+    let path = scene.strip_suffix(".toml");
+    let title = path.map_or(scene, |path| path.rsplit('/').next().unwrap_or(path));
     Ok(prices(title, [price, "error"], &report.curves))
 }
 

@@ -48,10 +48,9 @@ pub fn text<'a>(heading: &str, floor: f64, swept: &'a [Swept]) -> String {
         false => |evaluations: f64| format!("{evaluations} evaluations"),
     };
     for target in TARGETS {
-        let ranked = ranking(&rows, "", target).into_iter();
+        let mut ranked = ranking(&rows, "", target);
         // Below the floor only a closed form is known to be as good as its own estimate.
-        let ranked = ranked.filter(|(method, _)| target >= floor || CLOSED.contains(method));
-        let ranked: Vec<_> = ranked.collect();
+        ranked.retain(|(method, _)| target >= floor || CLOSED.contains(method));
         let told = match ranked[..] {
             [] if target < floor => "unknown: the judges do not agree to that".to_owned(),
             [(best, least), ..] if target < floor => {
@@ -80,9 +79,8 @@ fn kept<'a>(rows: impl Iterator<Item = &'a Measurement>) -> impl Iterator<Item =
 /// Cost and error at each effort that ran; the cost is at least one evaluation if no times were measured.
 pub fn points(rows: &[Measurement]) -> Vec<[f64; 2]> {
     let paid = |row: &Measurement| row.seconds.unwrap_or(row.evaluations.max(1) as f64);
-    kept(rows.iter())
-        .map(|row| [paid(row), worst(row)])
-        .collect()
+    let points = kept(rows.iter()).map(|row| [paid(row), worst(row)]);
+    points.collect()
 }
 
 /// The greater of both errors, if there are two.

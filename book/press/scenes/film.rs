@@ -138,15 +138,16 @@ pub fn stills(
     let title = stem(&motion.name);
     let film = filmed(&motion, &title, count, 1.0)?;
     whole(folder, |stills| {
-        std::fs::create_dir(stills).map_err(Error::file(stills))?;
+        std::fs::create_dir(stills).map_err(Error::file(folder))?;
         let digits = count.to_string().len();
         counted(count, "stills", |done| {
-            for (k, figure) in film.stills().enumerate() {
-                let path = stills.join(format!("{:0digits$}.{}", k + 1, ending(&form)));
-                std::fs::write(&path, file(&figure, form.into())?).map_err(Error::file(&path))?;
+            film.stills().enumerate().try_for_each(|(k, figure)| {
+                let name = format!("{:0digits$}.{}", k + 1, ending(&form));
+                let written = std::fs::write(stills.join(&name), file(&figure, form.into())?);
                 done();
-            }
-            Ok::<_, Error>(())
+                // Named is what was asked for, not where it is made.
+                written.map_err(Error::file(&folder.join(name)))
+            })
         })?;
         // One that was empty gives way if it is so still.
         match folder.exists() {

@@ -18,7 +18,6 @@ pub mod scan;
 use std::fs::File;
 use std::io::{Read, read_to_string, stdin};
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 use lab::general::DifferentialEquations;
 use spinning_bodies::scene::files::{self, KeyRow};
@@ -180,16 +179,14 @@ pub fn run(name: &str, scene: &AnyScene, request: &Request) -> Result<Table> {
     Ok(table)
 }
 
-/// Reads a scene file (`-` is standard input), runs the scene, and returns the motion with the seconds that it took.
+/// Reads a scene file (`-` is standard input) and runs the scene.
 ///
 /// # Errors
 /// [`Error::Scene`] for a file that is not a scene, [`Error::Input`] for a scene that is impossible; [`Error::Failed`] where the motion could not be
 /// followed; [`Error::File`].
-pub fn simulate(path: impl AsRef<Path>) -> Result<(Table, f64)> {
+pub fn simulate(path: impl AsRef<Path>) -> Result<Table> {
     let motion = Motion::read(path.as_ref())?;
-    let start = Instant::now();
-    let table = run(&motion.name, &motion.scene, &motion.request)?;
-    Ok((table, start.elapsed().as_secs_f64()))
+    run(&motion.name, &motion.scene, &motion.request)
 }
 
 /// The file that a name stands for: a path, or a file of `book/scenes` with or without its ending.

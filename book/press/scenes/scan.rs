@@ -63,11 +63,8 @@ fn rounded(value: f64) -> f64 {
 
 impl Over {
     fn read(text: &str) -> Option<Self> {
-        let (rest, logarithmic) = match text.strip_suffix(":log") {
-            Some(rest) => (rest, true),
-            None => (text, false),
-        };
-        let (rest, count) = rest.rsplit_once(':')?;
+        let bare = text.strip_suffix(":log");
+        let (rest, count) = bare.unwrap_or(text).rsplit_once(':')?;
         let range = |text: &str| {
             let (path, range) = text.split_once('=')?;
             let (from, to) = range.split_once("..")?;
@@ -78,7 +75,7 @@ impl Over {
         Some(Self {
             ranges: rest.split(',').map(range).collect::<Option<_>>()?,
             count: count.trim().parse().ok()?,
-            logarithmic,
+            logarithmic: bare.is_some(),
         })
     }
 
@@ -318,9 +315,8 @@ impl Scan {
         let count = self.points();
         match self.overs.len() {
             2 if count > MOST_FIELDS => {
-                return refused(format!(
-                    "expected at most {MOST_FIELDS} points for a map, got {count}"
-                ));
+                let most = format!("expected at most {MOST_FIELDS} points for a map");
+                return refused(format!("{most}, got {count}"));
             }
             1 | 2 => (),
             more => return refused(format!("expected one --over, or two for a map, got {more}")),
@@ -428,11 +424,10 @@ fn set(name: &str, text: &str, path: &str, value: f64) -> Result<String> {
     files::set(text, path, value).ok_or_else(|| {
         let numbers = files::numbers(text);
         // A number that shares only the table with it would be no help.
-        let key = |path: &str| path.split_once('.').map_or(path, |(_, key)| key).to_owned();
-        let alike = |number: &&str| {
-            let other = key(number);
-            !files::meant(&key(path), std::iter::once(other.as_str())).is_empty()
-        };
+        fn key(path: &str) -> &str {
+            path.split_once('.').map_or(path, |(_, key)| key)
+        }
+        let alike = |number: &&str| !files::meant(key(path), [key(number)].into_iter()).is_empty();
         let near = files::meant(path, numbers.iter().map(String::as_str).filter(alike));
         Error::Input(format!(
             "{name}: there is no number `{path}` to vary; keys are joined by dots, and places in a list count from 0{near}"
@@ -472,10 +467,8 @@ fn crossing(motion: &Motion, name: &str, level: f64, rows: &[[f64; 2]]) -> Resul
         let at = |k: usize| from[0] + (to[0] - from[0]) * (k as f64 / PARTS as f64);
         let table = motion.at(&(1..PARTS).map(at).collect::<Vec<_>>())?;
         let closer = [vec![from], table.numbers(["t", name])?, vec![to]].concat();
-        match first(&closer) {
-            Some(closer) => found = closer,
-            None => break,
-        }
+        let Some(closer) = first(&closer) else { break };
+        found = closer;
     }
     let ([from, _], [to, _], part) = found;
     Ok(Some(from + (to - from) * part))

@@ -22,7 +22,7 @@ fn a_scan_is_its_scenes_one_by_one() {
     assert!(lines[0].ends_with(",status"));
     // Ω₁ = 0.25, I₃ = 3: the fifth point.
     let fifth = saved(&RACKET.replace("[0.01, 1.0", "[0.25, 1.0"));
-    let (table, _) = simulate(fifth.path()).unwrap();
+    let table = simulate(fifth.path()).unwrap();
     let (t, row) = table.rows().last().unwrap();
     let numbers = [0.25, 3.0, t].into_iter().chain(row);
     let numbers: String = numbers.map(|n| format!("{n:?},")).collect();

@@ -15,7 +15,7 @@ use spinning_bodies::scene::{Progress, Solver};
 fn every_scene_of_the_book_runs_and_its_ledger_balances() {
     let mut count = 0;
     for path in files_below(Path::new("scenes")).unwrap() {
-        let (table, _) = simulate(&path).unwrap_or_else(|error| panic!("{error}"));
+        let table = simulate(&path).unwrap_or_else(|error| panic!("{error}"));
         assert!(!table.ledger.entries().is_empty(), "{}", path.display());
         let width = table.columns.len();
         let wide = table.rows().all(|(_, row)| row.len() == width);
@@ -70,7 +70,7 @@ fn every_scene_of_the_book_is_run_by_a_chapter() {
 
 #[test]
 fn the_columns_of_a_table_are_found_by_name() {
-    let (table, _) = simulate("scenes/racket.toml").unwrap();
+    let table = simulate("scenes/racket.toml").unwrap();
     let rows = table.numbers(["omega2", "t"]).unwrap();
     for ([omega2, t], (time, row)) in rows.into_iter().zip(table.rows()) {
         assert_eq!((t, omega2), (time, row[5]));
@@ -107,7 +107,7 @@ fn the_order_in_which_keys_and_effects_are_listed_changes_nothing() {
 
 #[test]
 fn numbers_are_read_back_exactly() {
-    let (table, _) = simulate(super::saved(RACKET).path()).unwrap();
+    let table = simulate(super::saved(RACKET).path()).unwrap();
     let text = written(RACKET, output::Format::Csv);
     let mut lines = text.lines();
     let head = "t,qw,qx,qy,qz,omega1,omega2,omega3,energy";

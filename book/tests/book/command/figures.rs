@@ -56,13 +56,24 @@ fn a_figure_is_drawn_as_it_is_wanted() {
     assert!(told.contains("lower than 53.13 degrees"));
     let svg = std::fs::read_to_string(out.join("spool-dial.svg")).unwrap();
     assert!(svg.contains("53.13°") && svg.contains("background:#161923"));
-    let rows = std::fs::read_to_string(table).unwrap();
+    let rows = std::fs::read_to_string(&table).unwrap();
     let mut lines = rows.lines();
     assert_eq!(lines.next(), Some("curve,angle (°),acceleration (m/s²)"));
     // a = T(R cos θ − r)/(R(M + I/R²)) = 0.2 · (1 − 0.6)/(1.5 · 0.2)
     let level = lines.next().unwrap().split(',').nth(2).unwrap();
     let level: f64 = level.parse().unwrap();
     assert!((level - 0.08 / 0.3).abs() < 1e-15, "{level}");
+    // On standard output they stand alone.
+    let alone = ["--out", out_name, "--data", "-"];
+    assert_eq!(printed(&book(&[&wanted[..], &alone].concat())), rows);
+}
+
+#[test]
+fn a_folder_that_is_not_there_is_told_before_any_drawing() {
+    let output = typed("figures --check --out nowhere");
+    let told = text(&output.stderr);
+    let at_once = told.starts_with("error: nowhere: ") && told.lines().count() == 1;
+    assert!(output.status.code() == Some(1) && at_once, "{told}");
 }
 
 #[test]

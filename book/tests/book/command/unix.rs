@@ -85,6 +85,19 @@ fn pipes_and_devices_stay_what_they_are() {
 }
 
 #[test]
+fn a_picture_without_room_is_told_by_the_name_asked_for() {
+    let folder = scratch();
+    let stills = quoted(&folder.path().join("stills"));
+    // A file may have one block, which no picture is content with.
+    let limit = "trap '' XFSZ; ulimit -f 1";
+    let output = shell(&format!("{limit}; {BOOK} scene spool --frames {stills} 2"));
+    let told = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{told}");
+    assert!(told.contains("/stills/1.svg: "), "{told}");
+    assert!(names(folder.path()).is_empty());
+}
+
+#[test]
 fn the_input_is_not_overwritten() {
     let (folder, file) = racket(3);
     let at = |name: &str| folder.path().join(name);

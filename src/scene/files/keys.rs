@@ -1,5 +1,6 @@
 //! The declaration of a key: its name, the expected value, its bounds, and its row on the page of keys.
 
+use core::f64::consts::PI;
 use core::fmt::Display;
 
 use crate::error::Number;
@@ -47,9 +48,10 @@ impl Key {
             Some(Bound::Positive) => ", positive".to_owned(),
             Some(Bound::NotNegative) => ", not negative".to_owned(),
             Some(Bound::From(least, most)) => {
-                // Counts are written without an exponent.
-                let told = |bound: f64| match bound.fract() {
-                    0.0 => bound.to_string(),
+                let told = |bound: f64| match bound {
+                    PI => "π".to_owned(),
+                    // Counts are written without an exponent.
+                    _ if bound.fract() == 0.0 => bound.to_string(),
                     _ => Number(bound).to_string(),
                 };
                 format!(" from {} to {}", told(least), told(most))

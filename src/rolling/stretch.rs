@@ -261,16 +261,13 @@ fn candidates(acts: bool, value: f64) -> &'static [Hold] {
 }
 
 impl Stretch {
-    /// The state `t` seconds after the start: quadratics in time.
+    /// The state `t` seconds after the start: quadratics in time, whose mean rates are those half-way. (The second derivative of the heat, a product of
+    /// two accelerations, may not be a double where the heat is.)
     pub fn at(&self, t: f64) -> State {
-        let rates = self.rates(0.0, &self.state);
-        let bends = self.bends();
-        core::array::from_fn(|n| self.state[n] + t * (rates[n] + 0.5 * t * bends[n]))
-    }
-
-    /// The second derivatives of the state, which are constant.
-    fn bends(&self) -> State {
-        self.flow(self.pace.rates, [0.0; 3], self.sheet[1])
+        let half = 0.5 * t;
+        let speeds = core::array::from_fn(|n| self.state[n + 1] + half * self.pace.rates[n]);
+        let rates = self.flow(speeds, self.pace.rates, self.sheet_speed(half));
+        core::array::from_fn(|n| self.state[n] + t * rates[n])
     }
 
     /// The rates of the state `t` seconds after the start.
@@ -313,7 +310,8 @@ impl Stretch {
 
     /// The first event that ends the stretch before `longest`, and the time until it.
     pub fn next(&self, longest: f64) -> Option<(f64, Happening)> {
-        let (rates, bends) = (self.rates(0.0, &self.state), self.bends());
+        let rates = self.rates(0.0, &self.state);
+        let bends = self.flow(self.pace.rates, [0.0; 3], self.sheet[1]);
         let motions = self.ends(&self.state).zip(self.ends(&rates));
         let motions = motions.zip(self.ends(&bends));
         let mut soonest = None;

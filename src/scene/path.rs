@@ -202,14 +202,13 @@ impl Turnover {
             forward(part, rate, 0.0)
         } else if u < 0.75 {
             let [part, rate] = self.pace.at(2.0 * u - 0.5);
-            let mean = 0.5 * (self.forward + self.back);
-            let swing = 0.5 * (self.forward - self.back);
-            let (sin, cos) = (TAU * part).sin_cos();
+            let (s, c) = (0.5 * TAU * part).sin_cos();
             let direction_rate = TAU * rate * 2.0 / self.duration;
             Bend {
-                angle: mean + swing * cos,
+                // Of squares, which do not cancel where the smaller bend is nil.
+                angle: self.forward * c * c + self.back * s * s,
                 direction: TAU * part,
-                angle_rate: -swing * sin * direction_rate,
+                angle_rate: (self.back - self.forward) * s * c * direction_rate,
                 direction_rate,
             }
         } else {

@@ -457,3 +457,20 @@ fn a_slip_of_the_pen_is_answered_with_what_was_meant() {
     let line = told(&RACKET.replace("[effects]", "[effects]\nzzz = 1"));
     assert!(!line.contains("did you mean"), "{line}");
 }
+
+/// All of them were refused: an integral below the rounding of an angle, an energy below the doubles.
+#[test]
+fn what_hardly_moves_is_followed() {
+    let cat = "kind = \"cat\"\n[body]\nmass = [1, 1]\naxial = [1e-3, 1e-3]\ntransverse = [0.02, 0.02]\nto_joint = [0.2, 0.2]\n\
+        [effects.turnover]\nforward = 0\nback = 1\nduration = 1\n[run]\nuntil = 1\nsamples = 1001\n";
+    let roller = "kind = \"roller\"\n[body]\nmass = 1\nradius = 1e-60\n[initial]\nvelocity = 1e-120\n\
+        [effects]\ngravity = 1e-180\nfriction = 0.2\n[run]\ntimes = [1e60]\n";
+    let swivel = "kind = \"swivel\"\n[body]\nlower = 1e-61\nupper = 1e-60\n[effects]\nbearing_friction = 1e-62\n[run]\ntimes = [1]\n";
+    let strip = "kind = \"strip\"\n[body]\nwidth = 1e-62\nareal_density = 1e59\nfluid_density = 1e120\n[initial]\nangle = 1\n\
+        [effects]\ndrag = [2, 0.5]\n[run]\ntimes = [1e-61]\n";
+    for (text, rows) in [(cat, 1001), (roller, 1), (swivel, 1), (strip, 1)] {
+        let table = simulate(super::saved(text).path());
+        let table = table.unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(table.rows().count(), rows);
+    }
+}

@@ -167,7 +167,7 @@ impl Flow<3> for Swivel {
 
     fn scales(&self) -> [f64; 3] {
         let (moment, fastest) = self.extremes();
-        [1.0, moment * fastest, 1.0]
+        [1.0, (moment * fastest).max(f64::MIN_POSITIVE), 1.0]
     }
 
     fn pace(&self) -> f64 {

@@ -130,8 +130,7 @@ impl Constants {
     /// Converts to SI the constants of a motion with `momentum` as the unit of L and 2^`exponent` as that of rates.
     fn restore_units(&mut self, (momentum, exponent): (f64, i32)) {
         for rate in [&mut self.course.rate, &mut self.turning_rate] {
-            let digits = *rate;
-            *rate = Extended { digits, exponent }.narrow();
+            *rate = DoubleDouble::from_parts(*rate, exponent);
         }
         for amplitude in &mut self.amplitudes {
             *amplitude *= momentum;

@@ -1,10 +1,9 @@
 //! The kinds of number in which a geometric method computes: single, double, or two doubles.
 
 use core::fmt::Debug;
-use core::ops::{Add, Mul, Neg, Sub};
 
 use crate::precise::quick::{COSINE, SINE};
-use crate::precise::{DoubleDouble, Number};
+use crate::precise::{DoubleDouble, Number, Operators};
 
 /// A number: `f32`, `f64` or [`DoubleDouble`].
 ///
@@ -39,22 +38,13 @@ pub trait Real: Functions {
     /// use spinning_bodies::integrators::geometric::Real;
     /// assert_eq!(0.1_f64.two_words().to_double(), 0.1);
     /// ```
-    fn two_words(self) -> DoubleDouble;
+    fn two_words(self) -> DoubleDouble {
+        DoubleDouble::from(self.to_double())
+    }
 }
 
 /// The operators of a number and the functions of a rotation. Sealed: other crates cannot implement it.
-pub trait Functions:
-    Copy
-    + Debug
-    + PartialEq
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Neg<Output = Self>
-    + Send
-    + Sync
-    + 'static
-{
+pub trait Functions: Operators + Debug + PartialEq + Send + Sync + 'static {
     /// The unit of rounding: half the distance from 1 to the next number.
     const ROUNDING: f64;
 
@@ -111,10 +101,6 @@ macro_rules! machine {
             #[inline(always)]
             fn to_double(self) -> f64 {
                 f64::from(self)
-            }
-
-            fn two_words(self) -> DoubleDouble {
-                DoubleDouble::from(f64::from(self))
             }
         }
 

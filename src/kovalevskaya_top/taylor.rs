@@ -1,24 +1,12 @@
 //! The Euler–Poisson equations solved by power series, and the projection onto the surface of the constants (8.2).
 
-use core::ops::{Add, Div, Mul, Neg, Sub};
-
 use nalgebra::{Matrix4, Quaternion, SMatrix, SVector};
 
 use super::constants::{Constants, Phase, WidePhase};
-use crate::precise::DoubleDouble;
+use crate::precise::{DoubleDouble, Operators};
 
 /// One double or two.
-pub(super) trait Numeral:
-    Copy
-    + From<f64>
-    + Into<DoubleDouble>
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
-{
-}
+pub(super) trait Numeral: Operators + From<f64> + Into<DoubleDouble> {}
 
 impl Numeral for f64 {}
 impl Numeral for DoubleDouble {}

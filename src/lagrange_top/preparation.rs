@@ -286,14 +286,9 @@ impl<N: Number> Top<N> {
     fn constants(&self, q: Quaternion<f64>, omega: BodyVector) -> Result<Constants> {
         let mut constants = self.without_factors();
         constants.fit(q, omega)?;
-        let exponent = self.exponent;
-        for rate in constants
-            .rates
-            .iter_mut()
-            .chain([&mut constants.course.rate])
-        {
-            let digits = *rate;
-            *rate = Extended { digits, exponent }.narrow();
+        let rates = constants.rates.iter_mut();
+        for rate in rates.chain([&mut constants.course.rate]) {
+            *rate = DoubleDouble::from_parts(*rate, self.exponent);
         }
         positive("the rate of nutation", constants.course.rate.value())?;
         constants.pull = self.pull;

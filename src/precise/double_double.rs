@@ -69,10 +69,7 @@ impl DoubleDouble {
     pub(crate) fn product(a: f64, b: f64) -> Self {
         if a.abs().max(b.abs()) > SPLITTABLE {
             let high = a * b;
-            return Self {
-                high,
-                low: a.mul_add(b, -high),
-            };
+            return Self::new(high, a.mul_add(b, -high));
         }
         let (high, low) = quick::exact_product(a, b);
         Self { high, low }
@@ -161,10 +158,7 @@ impl Neg for DoubleDouble {
 
     #[inline]
     fn neg(self) -> Self {
-        Self {
-            high: -self.high,
-            low: -self.low,
-        }
+        Self::new(-self.high, -self.low)
     }
 }
 

@@ -144,10 +144,8 @@ impl Neg for Extended {
     type Output = Self;
 
     fn neg(self) -> Self {
-        Self {
-            digits: -self.digits,
-            exponent: self.exponent,
-        }
+        let digits = -self.digits;
+        Self { digits, ..self }
     }
 }
 
@@ -185,20 +183,13 @@ pub(crate) fn power(exponent: i32) -> f64 {
 
 /// `value · 2^exponent`, in steps that overflow or underflow only if the result does.
 pub(crate) fn shifted(value: f64, exponent: i32) -> f64 {
-    if exponent.abs() < 900 && value.abs() < 1e30 && value.abs() > 1e-30 {
-        return value * power(exponent);
-    }
-    if value == 0.0 {
-        return value;
-    }
-    let mut left = exponent.clamp(-4000, 4000);
-    let mut result = value;
+    let (mut shifted, mut left) = (value, exponent.clamp(-4000, 4000));
     while left != 0 {
         let step = left.clamp(-1000, 1000);
-        result *= power(step);
+        shifted *= power(step);
         left -= step;
     }
-    result
+    shifted
 }
 
 #[cfg(test)]

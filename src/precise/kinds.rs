@@ -4,16 +4,13 @@ use super::angle::angle;
 use super::double_double::DoubleDouble;
 use super::extended::{Extended, shifted};
 use super::logarithm::logarithm;
-use super::number::Number;
+use super::number::{Number, Operators};
 use super::quick;
 
-impl Number for DoubleDouble {
-    #[inline]
-    fn product(a: f64, b: f64) -> Self {
-        let (high, low) = quick::exact_product(a, b);
-        Self::new(high, low)
-    }
+impl Operators for DoubleDouble {}
+impl Operators for Extended {}
 
+impl Number for DoubleDouble {
     fn from_parts(digits: DoubleDouble, exponent: i32) -> Self {
         Extended { digits, exponent }.narrow()
     }
@@ -62,11 +59,6 @@ impl Number for DoubleDouble {
         }
     }
 
-    #[inline]
-    fn exceeds(self, other: Self) -> bool {
-        self.high() > other.high() || (self.high() == other.high() && self.low() > other.low())
-    }
-
     fn logarithm(self) -> Self {
         logarithm(self, 0)
     }
@@ -83,12 +75,6 @@ impl Number for DoubleDouble {
     fn add_alike(self, other: Self) -> Self {
         let leading = Self::sum(self.high(), other.high());
         Self::ordered_sum(leading.high(), leading.low() + (self.low() + other.low()))
-    }
-
-    #[inline]
-    fn times(self, factor: f64) -> Self {
-        let leading = DoubleDouble::product(self.high(), factor);
-        Self::ordered_sum(leading.high(), leading.low() + self.low() * factor)
     }
 
     #[inline]

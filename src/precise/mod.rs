@@ -22,4 +22,4 @@ pub use double_double::DoubleDouble;
 pub(crate) use double_double::{RIGHT_ANGLE, RIGHT_ANGLE_REST, power_of_two_below};
 pub(crate) use extended::{Extended, exponent_of, power, shifted, sum_of_products};
 pub(crate) use logarithm::{FIFTH, THIRD, logarithm};
-pub(crate) use number::Number;
+pub(crate) use number::{Number, Operators};

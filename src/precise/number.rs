@@ -4,16 +4,22 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::double_double::DoubleDouble;
 
-/// A number in which the constants of an exact motion are formed. Sums and differences keep its digits however much cancels.
-pub(crate) trait Number:
+/// A number with the four operations.
+pub trait Operators:
     Copy
     + Add<Output = Self>
     + Sub<Output = Self>
     + Mul<Output = Self>
     + Div<Output = Self>
     + Neg<Output = Self>
-    + From<DoubleDouble>
 {
+}
+
+impl Operators for f32 {}
+impl Operators for f64 {}
+
+/// A number in which the constants of an exact motion are formed. Sums and differences keep its digits however much cancels.
+pub(crate) trait Number: Operators + From<DoubleDouble> {
     /// The number equal to a finite double.
     #[inline]
     fn from_double(value: f64) -> Self {

@@ -49,6 +49,7 @@ pub mod pythagoras;
 pub mod rolling;
 pub mod rotating_fluid;
 pub mod scene;
+mod search;
 pub mod superball;
 pub mod tippe_top;
 pub mod yo_yo;

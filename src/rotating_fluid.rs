@@ -12,9 +12,11 @@
 //! # Ok::<(), spinning_bodies::Error>(())
 //! ```
 
+use core::convert::Infallible;
 use core::f64::consts::FRAC_PI_2;
 
 use crate::error::{Result, within};
+use crate::search::halved;
 
 /// An oblate spheroid in equilibrium: semi-axes a = b > c, turning about c.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -93,7 +95,8 @@ impl MaclaurinSpheroid {
     /// ```
     pub fn fastest() -> Self {
         let slope = |t: f64| (9.0 + t * t) * t.atan() - t * (9.0 + 7.0 * t * t) / (1.0 + t * t);
-        let t = bisect(slope, 2.0, 3.0);
+        let Ok([below, above]) = halved([2.0, 3.0], 0.0, |t| Ok::<_, Infallible>(slope(t) < 0.0));
+        let t = 0.5 * (below + above);
         let secant = 1.0_f64.hypot(t);
         let e = t / secant;
         Self::of([e, 1.0 / secant], e * e)
@@ -204,7 +207,10 @@ fn equilibrium_axis_ratio(b: f64) -> f64 {
             aa * bb / ((aa + u) * (bb + u)) - cc / (cc + u)
         })
     };
-    bisect(excess, 1e-3 * b, b)
+    let Ok([below, above]) = halved([1e-3 * b, b], 0.0, |c| {
+        Ok::<_, Infallible>(excess(c) >= 0.0)
+    });
+    0.5 * (below + above)
 }
 
 /// abc ∫₀^∞ `factor`(u, [a², b², c²]) du/Δ by the trapezoidal rule in x, u = exp(π/2 sinh x) (Takahasi & Mori 1974).
@@ -223,20 +229,4 @@ fn potential_integral(axes: [f64; 3], factor: impl Fn(f64, [f64; 3]) -> f64) -> 
         sum += factor(u, squares) / delta * u * FRAC_PI_2 * x.cosh();
     }
     axes.iter().product::<f64>() * STEP * sum
-}
-
-/// Where `f` changes sign between `low` and `high`, to the last place.
-fn bisect(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
-    let sign = f(low).signum();
-    loop {
-        let middle = low + 0.5 * (high - low);
-        if middle <= low || middle >= high {
-            return middle;
-        }
-        if f(middle).signum() == sign {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
 }

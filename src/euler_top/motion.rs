@@ -8,9 +8,9 @@ use crate::elliptic::Parameter;
 use crate::elliptic::lanes::{fill, turned};
 use crate::error::{Result, finite, not_negative, positive, refused};
 use crate::frame::{Attitude, BodyVector, SpaceVector, finite_vector};
-use crate::inertia::principal::ascending;
 use crate::inertia::{InertiaMatrix, PrincipalMoments};
 use crate::precise::{DoubleDouble, Extended, Number, power_of_two_below, sum_of_products};
+use crate::search::ascending;
 
 /// A free rigid body whose motion has been prepared.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -196,7 +196,7 @@ impl EulerTop {
         }
         PrincipalMoments::new(moments[0], moments[1], moments[2])?;
         not_negative("the kinetic energy", energy)?;
-        let order = ascending(moments);
+        let order = ascending([0, 1, 2], &moments);
         let i = order.map(|k| moments[k]);
         // L² − 2EI_k.
         let [least, middle, greatest] = i.map(|moment| {

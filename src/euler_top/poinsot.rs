@@ -7,8 +7,8 @@
 use super::evaluation::handedness;
 use crate::error::{Result, positive, refused};
 use crate::frame::BodyVector;
-use crate::inertia::principal::ascending;
 use crate::precise::{DoubleDouble, Number, exponent_of, power_of_two_below, shifted};
+use crate::search::ascending;
 
 /// The axis that the polhode circles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -84,7 +84,7 @@ impl Poinsot {
         }
         l.direction("the angular momentum")?;
         let (given, size) = (l.components(), l.components().amax());
-        let axes = ascending(moments);
+        let axes = ascending([0, 1, 2], &moments);
         let [least, _, greatest] = axes.map(|k| moments[k]);
         if least / greatest < LEAST_RATIO {
             let condition = "the smallest moment must be at least 1e-100 of the largest";

@@ -8,10 +8,10 @@ use crate::elliptic::lanes::Course;
 use crate::elliptic::modulus::{Descent, Squares};
 use crate::elliptic::theta::{Elevation, Turning};
 use crate::error::{Result, refused};
-use crate::inertia::principal::ascending;
 use crate::precise::{
     DoubleDouble, Extended, Number, RIGHT_ANGLE, exponent_of, power_of_two_below, sum_of_products,
 };
+use crate::search::ascending;
 
 /// What kind of motion a free top makes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,7 +65,7 @@ impl Start {
 
     /// Refuses a rod with L along itself, and one whose other two moments differ.
     pub(super) fn refuse_impossible_rod(&self, moments: [f64; 3]) -> Result<()> {
-        let [first, middle, last] = ascending(moments);
+        let [first, middle, last] = ascending([0, 1, 2], &moments);
         if moments[first] > 0.0 {
             return Ok(());
         }
@@ -180,7 +180,7 @@ pub(super) fn decide_from<N: Number>(
     if l.iter().all(|component| component.is_zero()) {
         return (Regime::AtRest, None);
     }
-    let order = ascending(moments);
+    let order = ascending([0, 1, 2], &moments);
     let i = order.map(|k| moments[k]);
     if i[0] == i[2] {
         return (Regime::Sphere, None);

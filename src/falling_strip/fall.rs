@@ -4,7 +4,8 @@ use core::f64::consts::{FRAC_1_PI, PI, TAU};
 
 use super::plate::{AddedMass, Drag, Equations, Lift, Plate, RotationalDamping};
 use crate::error::{Result, positive, within};
-use crate::integrators::{Effort, Kept, System, halved, order_eight};
+use crate::integrators::{Effort, Kept, System, order_eight};
+use crate::search::halved;
 
 /// The coefficients fitted for the forces of the fluid, all dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq)]

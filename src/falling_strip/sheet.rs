@@ -5,7 +5,7 @@ use core::f64::consts::PI;
 use super::fall::{Coefficients, Fall, Regime, Start};
 use super::plate::Plate;
 use crate::error::{Result, finite, positive, refused};
-use crate::integrators::halved;
+use crate::search::halved;
 
 /// The Froude number at which flutter turns into tumbling: the measured value and its uncertainty.
 ///

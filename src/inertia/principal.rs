@@ -9,6 +9,7 @@ use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
 use crate::error::{Error, Result, each_finite};
 use crate::precise::{DoubleDouble, Extended, Number, quick};
+use crate::search::ascending;
 
 /// Principal moments, ascending, and principal axes (2.4).
 ///
@@ -256,16 +257,9 @@ fn refine_small_moments<N: Number>(
     }
 }
 
-/// The order of the moments, ascending.
-pub(crate) fn ascending(moments: [f64; 3]) -> [usize; 3] {
-    let mut order = [0, 1, 2];
-    order.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
-    order
-}
-
 /// A diagonal matrix: its own entries in order, and coordinate axes, the last reversed if need be.
 fn coordinate_axes(diagonal: [f64; 3]) -> PrincipalAxes {
-    let order = ascending(diagonal);
+    let order = ascending([0, 1, 2], &diagonal);
     let [first, second, _] = order.map(|i| V::ith(i, 1.0));
     PrincipalAxes {
         moments: order.map(|i| diagonal[i]),

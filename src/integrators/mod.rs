@@ -17,41 +17,14 @@ pub use problem::{
 };
 
 use crate::error::Result;
-
-/// The last number found for which a condition holds and the first for which it fails, by bisection between two such numbers: no further apart
-/// than `width`, or neighbouring doubles.
-pub(crate) fn halved(
-    [mut holds, mut fails]: [f64; 2],
-    width: f64,
-    condition: impl Fn(f64) -> Result<bool>,
-) -> Result<[f64; 2]> {
-    while (fails - holds).abs() > width {
-        let middle = 0.5 * (holds + fails);
-        if middle == holds || middle == fails {
-            break;
-        }
-        if condition(middle)? {
-            holds = middle;
-        } else {
-            fails = middle;
-        }
-    }
-    Ok([holds, fails])
-}
-
-/// The places of these numbers, in ascending order of the numbers.
-pub(crate) fn ascending_places(numbers: &[f64]) -> Vec<usize> {
-    let mut places: Vec<usize> = (0..numbers.len()).collect();
-    places.sort_by(|&i, &j| numbers[i].total_cmp(&numbers[j]));
-    places
-}
+use crate::search::ascending;
 
 /// States at times in any order, from `follow`, which takes ordered times: first those before 0, backward from 0, then the others, ascending.
 pub(crate) fn both_ways<Y: Clone>(
     times: &[f64],
     mut follow: impl FnMut(&[f64]) -> Result<Vec<Y>>,
 ) -> Result<Vec<Y>> {
-    let mut before = ascending_places(times);
+    let mut before = ascending(Vec::from_iter(0..times.len()), times);
     let after = before.split_off(before.partition_point(|&i| times[i] < 0.0));
     before.reverse();
     let mut states = vec![None; times.len()];

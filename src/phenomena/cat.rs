@@ -8,8 +8,8 @@ use super::holonomy::ShapePlane;
 use super::quadrature::integral;
 use crate::error::{Error, Result, positive, within};
 use crate::frame::{Attitude, BodyVector, finite_vector};
-use crate::integrators::halved;
 use crate::precise::power_of_two_below;
+use crate::search::halved;
 
 /// One half of a cat: a body of revolution with the spine as its axis.
 #[derive(Debug, Clone, Copy, PartialEq)]

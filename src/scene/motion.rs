@@ -4,7 +4,8 @@ use super::budget::{Budget, Progress};
 use super::plan::{Choice, Plan};
 use crate::conservation::{Law, Ledger, Value};
 use crate::error::{Error, Result, finite, within};
-use crate::integrators::{Cost, Effort, GeneralMethods, ascending_places};
+use crate::integrators::{Cost, Effort, GeneralMethods};
+use crate::search::ascending;
 
 /// A request to a scene: at which times, how accurately, and by which solver.
 #[derive(Debug, Clone)]
@@ -273,7 +274,7 @@ impl<S> OpenLedger<S> {
             ledger: Ledger::new(),
             rows: times.iter().copied().zip(states).collect(),
         };
-        let order = ascending_places(times);
+        let order = ascending(Vec::from_iter(0..times.len()), times);
         Self { motion, order }
     }
 

@@ -4,8 +4,8 @@ use num_traits::Num;
 
 use super::{Motion, Surface, kicked};
 use crate::error::{Result, not_negative, positive, refused, within};
-use crate::integrators::halved;
 use crate::rolling::Coulomb;
+use crate::search::halved;
 
 /// Coefficients of restitution for the two velocities of the contact point.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -8,7 +8,8 @@ use super::friction::Friction;
 use crate::error::{Result, stopped};
 use crate::euler_top::{FreeBody, State};
 use crate::frame::BodyVector;
-use crate::integrators::{Effort, Kept, Leg, System, Watched, halved};
+use crate::integrators::{Effort, Kept, Leg, System, Watched};
+use crate::search::halved;
 
 /// A free body whose centre of mass moves on a parabola.
 #[derive(Debug, Clone)]

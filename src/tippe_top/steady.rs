@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::bodies::{eccentric_ball, offset};
 use super::body::ConvexBody;
 use crate::error::{Result, finite, positive};
-use crate::integrators::halved;
+use crate::search::halved;
 
 /// An axisymmetric top on a sphere: mass M, radius R, C at α R from the centre, moments I1 across the axis and I3 about it.
 ///

@@ -26,11 +26,6 @@ pub enum VeselovOrder {
 impl VeselovOrder {
     /// All orders.
     pub const ALL: [Self; 4] = [Self::Two, Self::Four, Self::Six, Self::Ten];
-
-    /// Correction terms.
-    const fn terms(self) -> usize {
-        self as usize / 2 - 1
-    }
 }
 
 /// The discrete free top of Moser and Veselov (1991), with moments of inertia modified for order 2, 4, 6 or 10 (Hairer and Vilmart 2006).
@@ -88,7 +83,8 @@ impl<T: Real> Integrator<T> for MoserVeselov {
         let inverse = self.moments.map(|i| T::from_double(i / unit).reciprocal());
         let scale = T::from_double(1.0 / unit) * step;
         let l = phase.l.map(|component| scale * component);
-        let (factor, summand) = corrections(inverse, l, self.order.terms());
+        let terms = self.order as usize / 2 - 1;
+        let (factor, summand) = corrections(inverse, l, terms);
         let inverse = inverse.map(|a| a + (a * factor + summand));
         if !inverse.iter().all(|a| a.to_double() > 0.0) {
             let reason = "the step is too long for moments of inertia that make up for it";

@@ -4,9 +4,9 @@ use super::coefficients::{NYSTROM_6, NYSTROM_11, S6, S10, STRANG, part_steps};
 use super::stepper::{Rule, Run, Steps, checked_moments, unit};
 use super::{Integrator, Phase, Stepper, Torque};
 use crate::error::Result;
-use crate::inertia::principal::ascending;
 use crate::integrators::real::{Real, Sums, dot, exponential, product};
 use crate::precise::{DoubleDouble, Number};
+use crate::search::ascending;
 
 /// Order of a splitting; `as u32` gives the number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,36 +24,13 @@ impl Order {
     pub const ALL: [Self; 3] = [Self::Two, Self::Four, Self::Six];
 }
 
-/// The axes by which the energy of a free body is split, |L|²/2I₂ + ½(1/I₁ − 1/I₂)L₁² + ½(1/I₃ − 1/I₂)L₃², I₁ ≤ I₂ ≤ I₃.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Axes {
-    /// The axis of the least or of the greatest moment, with that moment; `inner` is the other.
-    outer: (usize, f64),
-    inner: (usize, f64),
-    middle: f64,
-}
+/// The axes by which the energy of a free body is split, |L|²/2I₂ + ½(1/I₁ − 1/I₂)L₁² + ½(1/I₃ − 1/I₂)L₃², each with its moment: an outer one, of the
+/// least or of the greatest moment, the middle one, and the other, the inner one.
+type Axes = [(usize, f64); 3];
 
-impl Axes {
-    fn new(moments: [f64; 3]) -> Result<Self> {
-        let moments = checked_moments(moments)?;
-        let [outer, (_, middle), inner] = ascending(moments).map(|axis| (axis, moments[axis]));
-        Ok(Self {
-            outer,
-            inner,
-            middle,
-        })
-    }
-
-    /// The rotations about the outer and the inner axis.
-    fn rotations<T: Real>(&self) -> [About<T>; 2] {
-        [self.outer, self.inner].map(|(axis, moment)| {
-            let [middle, moment] = [self.middle, moment].map(T::from_double);
-            // Differences first: the moments may be nearly equal.
-            let product = middle * moment;
-            let rate = T::from_double(0.5) * (middle - moment) * product.reciprocal();
-            About { axis, rate }
-        })
-    }
+fn axes(moments: [f64; 3]) -> Result<Axes> {
+    let moments = checked_moments(moments)?;
+    Ok(ascending([0, 1, 2], &moments).map(|axis| (axis, moments[axis])))
 }
 
 /// A free body, by rotations about its axes of least and of greatest moment in turn.
@@ -85,7 +62,7 @@ impl FreeSplitting {
     /// assert!(FreeSplitting::new([1.0, -2.0, 2.5], Order::Four).is_err());
     /// ```
     pub fn new(moments: [f64; 3], order: Order) -> Result<Self> {
-        let axes = Axes::new(moments)?;
+        let axes = axes(moments)?;
         Ok(Self { axes, order })
     }
 }
@@ -108,20 +85,23 @@ impl<T: Real> Integrator<T> for FreeSplitting {
         let size = Number::square_root(dot(exact, exact));
         let halved = step.two_words() * DoubleDouble::from(0.5);
         // Half the angle about L in a step has two words: in one, 10⁷ steps would lose five digits.
-        let half = size * halved / DoubleDouble::from(self.axes.middle);
+        let [outer, (_, middle), inner] = self.axes;
+        let half = size * halved / DoubleDouble::from(middle);
         let direction = unit(l);
-        let [outer, inner] = self.axes.rotations();
         let splitting = match self.order {
             Order::Two => STRANG,
             Order::Four => S6,
             Order::Six => S10,
         };
-        let rule = Alternating::new(splitting, step, 2, (outer, (), inner), move |run, steps| {
+        let (outer, inner) = (about(outer, middle), about(inner, middle));
+        let inner = move |run: &mut Run<T>, [_, h, _]: [T; 3]| inner(run, h);
+        let postponed = move |run: &mut Run<T>, steps: u64| {
             // The attitude q exp(tL₀/2I₂) times the product of the other rotations.
             let (sine, cosine) = T::sine_and_cosine(half * DoubleDouble::from(steps as f64));
             let [x, y, z] = direction.map(|component| sine * component);
             run.q.values = product(product(q, [cosine, x, y, z]), run.q.values);
-        });
+        };
+        let rule = Alternating::new(splitting, step, 2, outer, inner, postponed);
         Ok(Steps::boxed(run, rule))
     }
 }
@@ -162,13 +142,12 @@ impl<N> HeavySplitting<N> {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(moments: [f64; 3], torque: N, order: Order) -> Result<Self> {
-        let mut axes = Axes::new(moments)?;
-        let [outer, inner] =
-            [axes.outer, axes.inner].map(|(_, moment)| (moment - axes.middle).abs());
+        let mut axes = axes(moments)?;
+        let [outer, inner] = [axes[0], axes[2]].map(|(_, moment)| (moment - axes[1].1).abs());
         // A rotation with rate 0 comes first, to be left out. At order 4 the slower one comes first, which needs 0.85 of the steps for the same error
         // (geometric mean of 300 bodies).
         if inner == 0.0 || order == Order::Four && inner < outer {
-            (axes.outer, axes.inner) = (axes.inner, axes.outer);
+            axes.reverse();
         }
         Ok(Self {
             axes,
@@ -189,146 +168,122 @@ impl<T: Real, N: Torque<T>> Integrator<T> for HeavySplitting<N> {
 
     fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {
         let run = Run::new(phase, step)?;
-        let axes = self.axes;
-        let [outer, inner] = axes.rotations();
-        let about_momentum = T::from_double(0.5) * T::from_double(axes.middle).reciprocal();
-        let (kick, drift) = (Kick(&self.torque), Drift(about_momentum, inner));
+        let [outer, (_, middle), inner] = self.axes;
+        let kick = |run: &mut Run<T>, h: T| {
+            let torque = self.torque.torque(&run.phase());
+            run.l.add_all(torque.map(|component| component * h));
+        };
+        // The rotation about L and the one about the inner axis; the first turns by half this angle per unit of L and time.
+        let about_momentum = T::from_double(0.5) * T::from_double(middle).reciprocal();
+        let about_inner = about(inner, middle);
+        let drift = move |run: &mut Run<T>, h: T| {
+            let turn = exponential(run.l.values.map(|x| x * (about_momentum * h)));
+            run.q.add_all(product(run.q.values, turn));
+            about_inner(run, h);
+        };
         // A rotation with rate 0 is left out.
-        let unequal = axes.outer.1 != axes.middle;
+        let unequal = outer.1 != middle;
         let splitting = match self.order {
             Order::Two => STRANG,
             Order::Four => NYSTROM_6,
             Order::Six if unequal => S10,
             Order::Six => NYSTROM_11,
         };
+        let postponed = |_: &mut Run<T>, _| ();
         Ok(if unequal {
-            let rule = Alternating::new(splitting, step, 3, (outer, kick, drift), |_, _| ());
+            let inner = move |run: &mut Run<T>, [before, h, after]: [T; 3]| {
+                kick(run, before);
+                drift(run, h);
+                kick(run, after);
+            };
+            let outer = about(outer, middle);
+            let rule = Alternating::new(splitting, step, 3, outer, inner, postponed);
             Steps::boxed(run, rule)
         } else {
-            let rule = Alternating::new(splitting, step, 2, (kick, (), drift), |_, _| ());
+            let inner = move |run: &mut Run<T>, [_, h, _]: [T; 3]| drift(run, h);
+            let rule = Alternating::new(splitting, step, 2, kick, inner, postponed);
             Steps::boxed(run, rule)
         })
     }
 }
 
-/// A motion that is exact over any time `h`.
-trait Motion<T: Real> {
-    fn over(&self, run: &mut Run<T>, h: T);
-}
-
-/// No motion.
-impl<T: Real> Motion<T> for () {
-    #[inline(always)]
-    fn over(&self, _: &mut Run<T>, _: T) {}
-}
-
-/// The change of L by a torque.
-struct Kick<'a, N>(&'a N);
-
-impl<T: Real, N: Torque<T>> Motion<T> for Kick<'_, N> {
-    #[inline(always)]
-    fn over(&self, run: &mut Run<T>, h: T) {
-        let torque = self.0.torque(&run.phase());
-        run.l.add_all(torque.map(|component| component * h));
-    }
-}
-
-/// The rotation about L, given by half its angle per unit of L and time, and the one about an axis.
-struct Drift<T>(T, About<T>);
-
-impl<T: Real> Motion<T> for Drift<T> {
-    #[inline(always)]
-    fn over(&self, run: &mut Run<T>, h: T) {
-        let turn = exponential(run.l.values.map(|x| x * (self.0 * h)));
-        run.q.add_all(product(run.q.values, turn));
-        self.1.over(run, h);
-    }
-}
-
-/// The rotation about one of the body's axes, by half its angle per unit of L along it and time.
-struct About<T> {
-    axis: usize,
-    rate: T,
-}
-
-impl<T: Real> Motion<T> for About<T> {
-    #[inline(always)]
-    fn over(&self, run: &mut Run<T>, h: T) {
-        let half = self.rate * h;
-        match self.axis {
-            0 => about::<T, 0>(run, half),
-            1 => about::<T, 1>(run, half),
-            _ => about::<T, 2>(run, half),
-        }
-    }
-}
-
-/// A splitting into an outer and an inner motion, a third on the way between them, and what is postponed to the end.
+/// A splitting into an outer and an inner motion, and what is postponed to the end.
 ///
 /// The last outer motion of a step and the first of the next are combined, so a step ends before it; a phase that is read has it added.
-struct Alternating<T, O, B, I, F> {
-    /// Lengths of the outer motion, the one between, the inner, and again the one between.
-    stages: Vec<[T; 4]>,
+struct Alternating<T, O, I, F> {
+    /// The length of the outer motion; those of the inner one, and of what lies between the two before and after it.
+    stages: Vec<(T, [T; 3])>,
     /// Pairs of sine and cosine in a stage.
     pairs: u64,
-    motions: (O, B, I),
+    outer: O,
+    inner: I,
     postponed: F,
     /// Length of the outer motion that is still due.
     due: T,
 }
 
-impl<T: Real, O, B, I, F: Fn(&mut Run<T>, u64)> Alternating<T, O, B, I, F> {
-    fn new(splitting: &[f64], step: T, pairs: u64, motions: (O, B, I), postponed: F) -> Self {
+impl<T: Real, O, I, F> Alternating<T, O, I, F> {
+    fn new(splitting: &[f64], step: T, pairs: u64, outer: O, inner: I, postponed: F) -> Self {
         let mut after = 0.0;
         let part_steps = part_steps(splitting);
+        let length = |part: f64| T::from_double(part) * step;
         let stages = part_steps.chunks_exact(2).map(|pair| {
-            let (outer, inner) = (pair[0], pair[1]);
             // A step and its mirror image alternate: the step before the inner motion has the length by which it completes the outer one.
-            let before = outer - after;
-            after = inner - before;
-            [outer, before, inner, after].map(|part| T::from_double(part) * step)
+            let before = pair[0] - after;
+            after = pair[1] - before;
+            (length(pair[0]), [before, pair[1], after].map(length))
         });
         Self {
             stages: stages.collect(),
             pairs,
-            motions,
+            outer,
+            inner,
             postponed,
             due: T::from_double(0.0),
         }
     }
 }
 
-impl<T, O, B, I, F> Rule<T> for Alternating<T, O, B, I, F>
+impl<T, O, I, F> Rule<T> for Alternating<T, O, I, F>
 where
     T: Real,
-    O: Motion<T>,
-    B: Motion<T>,
-    I: Motion<T>,
+    O: Fn(&mut Run<T>, T),
+    I: Fn(&mut Run<T>, [T; 3]),
     F: Fn(&mut Run<T>, u64),
 {
     #[inline(always)]
     fn step(&mut self, run: &mut Run<T>) -> Result<u64> {
-        let (outer, between, inner) = &self.motions;
-        for &[first, before, middle, after] in &self.stages {
-            outer.over(run, self.due + first);
-            between.over(run, before);
-            inner.over(run, middle);
-            between.over(run, after);
+        for &(outer, inner) in &self.stages {
+            (self.outer)(run, self.due + outer);
+            (self.inner)(run, inner);
             self.due = T::from_double(0.0);
         }
-        self.due = self.stages[0][0];
+        (self.due, _) = self.stages[0];
         Ok(self.stages.len() as u64 * self.pairs)
     }
 
     fn finish(&self, run: &mut Run<T>, steps: u64) {
-        self.motions.0.over(run, self.due);
+        (self.outer)(run, self.due);
         (self.postponed)(run, steps);
+    }
+}
+
+/// The rotation about one of the body's axes by which its energy differs from that of a body with the middle moment alone.
+fn about<T: Real>((axis, moment): (usize, f64), middle: f64) -> impl Fn(&mut Run<T>, T) {
+    let [middle, moment] = [middle, moment].map(T::from_double);
+    // Differences first: the moments may be nearly equal.
+    let product = middle * moment;
+    let rate = T::from_double(0.5) * (middle - moment) * product.reciprocal();
+    move |run, h| match axis {
+        0 => turn_about::<T, 0>(run, rate * h),
+        1 => turn_about::<T, 1>(run, rate * h),
+        _ => turn_about::<T, 2>(run, rate * h),
     }
 }
 
 /// Turns the body about one of its axes by 2·`half` times L along it.
 #[inline(always)]
-fn about<T: Real, const AXIS: usize>(run: &mut Run<T>, half: T) {
+fn turn_about<T: Real, const AXIS: usize>(run: &mut Run<T>, half: T) {
     let (j, k) = ((AXIS + 1) % 3, (AXIS + 2) % 3);
     let l = run.l.values;
     let (s, v) = (half * l[AXIS]).turn();

@@ -244,13 +244,22 @@ pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64> {
     })
 }
 
+/// Refuses the first of these values that does not pass this check.
+pub(crate) fn each(
+    check: fn(&'static str, f64) -> Result<f64>,
+    quantity: &'static str,
+    values: impl IntoIterator<Item = f64>,
+) -> Result<()> {
+    let mut values = values.into_iter();
+    values.try_for_each(|value| check(quantity, value).map(drop))
+}
+
 /// Refuses the first of these values that is not finite.
 pub(crate) fn each_finite(
     quantity: &'static str,
     values: impl IntoIterator<Item = f64>,
 ) -> Result<()> {
-    let mut values = values.into_iter();
-    values.try_for_each(|value| finite(quantity, value).map(drop))
+    each(finite, quantity, values)
 }
 
 /// `value`, if it is finite and greater than zero.
@@ -268,12 +277,33 @@ pub(crate) fn not_negative(quantity: &'static str, value: f64) -> Result<f64> {
 /// `value`, if it is finite and lies between `least` and `greatest`, both included.
 pub(crate) fn within(quantity: &'static str, value: f64, least: f64, greatest: f64) -> Result<f64> {
     let holds = (least..=greatest).contains(&finite(quantity, value)?);
-    accepted(value, holds, || Error::OutOfRange {
+    accepted(value, holds, || {
+        out_of_range(quantity, value, [least, greatest])
+    })
+}
+
+/// The error of a value outside this range.
+pub(crate) const fn out_of_range(quantity: &'static str, value: f64, range: [f64; 2]) -> Error {
+    let [least, greatest] = range;
+    Error::OutOfRange {
         quantity,
         value,
         least,
         greatest,
-    })
+    }
+}
+
+/// The size of a vector, if that is not zero.
+pub(crate) fn not_zero(quantity: &'static str, size: f64) -> Result<f64> {
+    accepted(size, size != 0.0, || Error::ZeroVector { quantity })
+}
+
+/// Refuses an empty list.
+pub(crate) fn not_empty<T>(quantity: &'static str, list: &[T]) -> Result<()> {
+    match list.is_empty() {
+        true => Err(Error::Empty { quantity }),
+        false => Ok(()),
+    }
 }
 
 /// The error of a condition that does not hold, with the value that breaks it.
@@ -295,11 +325,6 @@ pub(crate) fn same_length(wanted: usize, found: usize) -> Result<()> {
 }
 
 /// The refusal of a time so far from 0 that no digit of the phase would be left; `limit` is the greatest time at which some are.
-pub(crate) fn too_long(t: f64, limit: f64) -> Error {
-    Error::OutOfRange {
-        quantity: "the time",
-        value: t,
-        least: -limit,
-        greatest: limit,
-    }
+pub(crate) const fn too_long(t: f64, limit: f64) -> Error {
+    out_of_range("the time", t, [-limit, limit])
 }

@@ -27,7 +27,7 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector3};
 
-use crate::error::{Error, Result, each_finite, finite};
+use crate::error::{Result, each_finite, finite, not_zero};
 use crate::precise::power_of_two_below;
 
 /// Axes attached to the body, turning with it.
@@ -177,7 +177,7 @@ impl<Axes> FrameVector<Axes> {
     /// The unit vector of the same direction.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] and [`Error::ZeroVector`], in which the vector is called `quantity`.
+    /// [`Error::NotFinite`](crate::Error::NotFinite) and [`Error::ZeroVector`](crate::Error::ZeroVector), in which the vector is called `quantity`.
     ///
     /// ```
     /// use spinning_bodies::frame::BodyVector;
@@ -187,10 +187,7 @@ impl<Axes> FrameVector<Axes> {
     /// ```
     pub fn direction(&self, quantity: &'static str) -> Result<Self> {
         each_finite(quantity, <[f64; 3]>::from(self.components))?;
-        let largest = self.components.amax();
-        if largest == 0.0 {
-            return Err(Error::ZeroVector { quantity });
-        }
+        let largest = not_zero(quantity, self.components.amax())?;
         let scaled = self.components / largest;
         Ok(Self::from_components(scaled / scaled.norm()))
     }
@@ -327,7 +324,7 @@ impl Attitude {
     /// The attitude with quaternion `w + x i + y j + z k`, normalised.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] if a component is not finite, [`Error::ZeroVector`] if all are zero.
+    /// [`Error::NotFinite`](crate::Error::NotFinite) if a component is not finite, [`Error::ZeroVector`](crate::Error::ZeroVector) if all are zero.
     ///
     /// ```
     /// use spinning_bodies::frame::Attitude;
@@ -339,12 +336,7 @@ impl Attitude {
     pub fn from_quaternion(w: f64, x: f64, y: f64, z: f64) -> Result<Self> {
         each_finite("a quaternion component", [w, x, y, z])?;
         let quaternion = Quaternion::new(w, x, y, z);
-        let largest = quaternion.coords.amax();
-        if largest == 0.0 {
-            return Err(Error::ZeroVector {
-                quantity: "the attitude quaternion",
-            });
-        }
+        let largest = not_zero("the attitude quaternion", quaternion.coords.amax())?;
         Ok(Self(UnitQuaternion::from_quaternion(quaternion / largest)))
     }
 
@@ -356,7 +348,7 @@ impl Attitude {
     /// The attitude after a turn by `angle` (radians, right-handed) about an axis, from the identity.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for the axis or the angle, [`Error::ZeroVector`] for the axis.
+    /// [`Error::NotFinite`](crate::Error::NotFinite) for the axis or the angle, [`Error::ZeroVector`](crate::Error::ZeroVector) for the axis.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector, SpaceVector};
@@ -376,7 +368,7 @@ impl Attitude {
     /// inverse of [`euler_angles`](Self::euler_angles). Error: a few 10⁻¹⁶ rad, however many turns the angles count.
     ///
     /// # Errors
-    /// [`Error::NotFinite`].
+    /// [`Error::NotFinite`](crate::Error::NotFinite).
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, EulerAngles};
@@ -504,7 +496,7 @@ impl Mul for Attitude {
 
 #[cfg(feature = "serde")]
 impl TryFrom<[f64; 4]> for Attitude {
-    type Error = Error;
+    type Error = crate::Error;
 
     fn try_from([w, x, y, z]: [f64; 4]) -> Result<Self> {
         let quaternion = Quaternion::new(w, x, y, z);

@@ -20,7 +20,7 @@ use core::f64::consts::{PI, TAU};
 
 use nalgebra::{Complex, DMatrix};
 
-use crate::error::{Error, Result, each_finite, finite, refused, within};
+use crate::error::{Result, each_finite, finite, refused, within};
 
 type C = Complex<f64>;
 
@@ -50,8 +50,8 @@ impl TruncatedFluid {
     /// Domain: `size` odd, from 3 to 63; wave vectors are taken modulo `size`. Modes not given are zero.
     ///
     /// # Errors
-    /// [`Error::Condition`] for an even size, [`Error::OutOfRange`] for one out of range or for the wave vector zero,
-    /// which carries no motion, [`Error::NotFinite`].
+    /// [`Error::Condition`](crate::Error::Condition) for an even size, [`Error::OutOfRange`](crate::Error::OutOfRange) for one out of range or for the wave vector zero,
+    /// which carries no motion, [`Error::NotFinite`](crate::Error::NotFinite).
     ///
     /// ```
     /// use nalgebra::Complex;
@@ -257,7 +257,7 @@ impl TruncatedFluid {
     /// and N³ operations for the modes.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for the step, [`Error::Condition`] if the iteration does not converge; the fluid is then unchanged.
+    /// [`Error::NotFinite`](crate::Error::NotFinite) for the step, [`Error::Condition`](crate::Error::Condition) if the iteration does not converge; the fluid is then unchanged.
     ///
     /// ```
     /// use nalgebra::Complex;
@@ -300,10 +300,8 @@ impl TruncatedFluid {
             }
             last = moved;
         }
-        Err(Error::Condition {
-            condition: "the step must be short enough for the iteration to converge",
-            value: step,
-        })
+        let condition = "the step must be short enough for the iteration to converge";
+        refused(condition, step)
     }
 }
 

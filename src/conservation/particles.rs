@@ -1,7 +1,7 @@
 //! Point masses: their momentum, angular momentum and energy, about any point.
 
 use super::force::ForceAndTorque;
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Result, finite, not_empty, positive};
 use crate::frame::{SpaceVector, finite_vector};
 
 /// A point mass, its position and its velocity.
@@ -53,7 +53,7 @@ impl Particles {
     /// The collection of these particles.
     ///
     /// # Errors
-    /// [`Error::Empty`]; [`Error::NotPositive`] for a mass; [`Error::NotFinite`] for a mass, position, velocity,
+    /// [`Error::Empty`](crate::Error::Empty); [`Error::NotPositive`](crate::Error::NotPositive) for a mass; [`Error::NotFinite`](crate::Error::NotFinite) for a mass, position, velocity,
     /// or if the total mass or the centre's place or velocity overflows. Momentum and energy may still exceed the greatest double.
     ///
     /// ```
@@ -66,11 +66,7 @@ impl Particles {
     /// ```
     pub fn new(particles: impl Into<Vec<Particle>>) -> Result<Self> {
         let particles = particles.into();
-        if particles.is_empty() {
-            return Err(Error::Empty {
-                quantity: "the list of particles",
-            });
-        }
+        not_empty("the list of particles", &particles)?;
         for particle in &particles {
             positive("the mass of a particle", particle.mass)?;
             finite_vector("the position of a particle", particle.position)?;
@@ -203,7 +199,7 @@ impl Particles {
     /// `field` gives the force on a particle in newtons; it may look at mass, position and velocity.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] if the field or a total is not finite.
+    /// [`Error::NotFinite`](crate::Error::NotFinite) if the field or a total is not finite.
     ///
     /// ```
     /// use spinning_bodies::{conservation::{Particle, Particles}, frame::SpaceVector};
@@ -240,7 +236,7 @@ impl Particles {
     /// general only then: "equal and opposite" is not enough for dL/dt = N.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] if a force or the total is not finite. Cost: one call for each of the n(n−1)/2 pairs.
+    /// [`Error::NotFinite`](crate::Error::NotFinite) if a force or the total is not finite. Cost: one call for each of the n(n−1)/2 pairs.
     ///
     /// ```
     /// use spinning_bodies::{conservation::{Particle, Particles}, frame::SpaceVector};

@@ -4,7 +4,7 @@ use super::carlson;
 use super::landen::SMALL;
 use super::modulus::Modulus;
 use super::parameter::{Characteristic, Parameter};
-use crate::error::{Error, Result, finite, within};
+use crate::error::{Result, finite, not_zero, refused, within};
 use crate::precise::{DoubleDouble as Dd, Extended, Number, RIGHT_ANGLE, power_of_two_below};
 
 /// K = ∫₀^{π/2} dθ/√(1 − m sin²θ) for m ≤ 1, the quarter period; π/2 at m = 0, ln(4/√mc) for mc → 0, infinite at mc = 0.
@@ -339,16 +339,14 @@ fn complete(kind: Kind, parameter: Characteristic) -> Result<Dd> {
 /// The parameter, if its complete integrals are real: m ≤ 1.
 fn real(parameter: Characteristic) -> Result<Characteristic> {
     if parameter.nc() < 0.0 {
-        return Err(not_real(parameter.n));
+        return not_real(parameter.n);
     }
     Ok(parameter)
 }
 
-fn not_real(m: Dd) -> Error {
-    Error::Condition {
-        condition: "m sin² must not exceed 1 between 0 and phi, where the integral is not real",
-        value: m.value(),
-    }
+fn not_real<T>(m: Dd) -> Result<T> {
+    let condition = "m sin² must not exceed 1 between 0 and phi, where the integral is not real";
+    refused(condition, m.value())
 }
 
 /// An integral from 0 to the angle between 0 and π/2 that has this sine and cosine.
@@ -381,7 +379,7 @@ impl<N: Number> Place<N> {
         let (s2, c2) = (s.square(), c.square());
         let delta2 = c2 + mc * s2;
         if delta2.leading() < 0.0 {
-            return Err(not_real(numbers[2]));
+            return not_real(numbers[2]);
         }
         Ok(Self {
             s,
@@ -404,10 +402,8 @@ impl<N: Number> Place<N> {
                 let [n, nc] = [n, nc].map(N::from);
                 let p = self.c2 + nc * self.s2;
                 if p.is_zero() {
-                    return Err(Error::Condition {
-                        condition: "n sin² phi must not be 1, where the integral of the third kind is infinite",
-                        value: n.narrow().value(),
-                    });
+                    let condition = "n sin² phi must not be 1, where the integral of the third kind is infinite";
+                    return refused(condition, n.narrow().value());
                 }
                 if self.c2.is_zero() && self.delta2.is_zero() {
                     return Ok(Dd::from(f64::INFINITY.copysign(p.leading())));
@@ -665,12 +661,7 @@ fn reflected(u: Dd, negative: bool, parameter: Parameter) -> f64 {
 pub fn inverse_cn_sn(x: f64, y: f64, parameter: Parameter) -> Result<f64> {
     let x = finite("x along cn", x)?;
     let y = finite("y along sn", y)?;
-    let size = x.abs().max(y.abs());
-    if size == 0.0 {
-        return Err(Error::ZeroVector {
-            quantity: "direction (cn, sn)",
-        });
-    }
+    let size = not_zero("direction (cn, sn)", x.abs().max(y.abs()))?;
     let unit = power_of_two_below(size);
     let (c, s) = (x / unit, y.abs() / unit);
     let (c2, s2) = (Dd::product(c, c), Dd::product(s, s));

@@ -1,7 +1,7 @@
 //! A top under gravity about a fixed point, and the question which tops have a further integral (tutorial 5.3, 8.1, 8.2).
 
 use super::{AxisMoments, rate, runge_kutta};
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Result, finite, out_of_range, positive};
 use crate::frame::{BodyVector, finite_vector};
 
 /// A top with a fixed point O under uniform gravity.
@@ -58,7 +58,7 @@ impl HeavyTop {
     /// The kind is decided here, by exact equality: a top whose moments miss Kovalevskaya's ratio by one ulp is not one of hers.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for the lever.
+    /// [`Error::NotFinite`](crate::Error::NotFinite) for the lever.
     ///
     /// ```
     /// use spinning_bodies::{euler_equations::{AxisMoments, HeavyTop, Integrability}, frame::BodyVector};
@@ -215,8 +215,8 @@ impl HeavyTop {
     /// changes the value of a chaotic motion by up to 40 per cent, for it follows another orbit. Cost: 8·`duration`/`step` rates.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] for duration or step, [`Error::NotFinite`] for the start or if the motion is lost,
-    /// [`Error::OutOfRange`] for more than 10⁹ steps.
+    /// [`Error::NotPositive`](crate::Error::NotPositive) for duration or step, [`Error::NotFinite`](crate::Error::NotFinite) for the start or if the motion is lost,
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) for more than 10⁹ steps.
     ///
     /// ```
     /// use spinning_bodies::{euler_equations::{AxisMoments, HeavyTop, TopState}, frame::BodyVector};
@@ -233,12 +233,7 @@ impl HeavyTop {
         finite_vector("the vertical", start.up)?;
         let steps = (duration / step).round();
         if !(1.0..=1e9).contains(&steps) {
-            return Err(Error::OutOfRange {
-                quantity: "the number of steps",
-                value: steps,
-                least: 1.0,
-                greatest: 1e9,
-            });
+            return Err(out_of_range("the number of steps", steps, [1.0, 1e9]));
         }
         const APART: f64 = 1e-8;
         let mut y = pack(start);

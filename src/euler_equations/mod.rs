@@ -21,7 +21,7 @@ pub(crate) use heavy::classify;
 pub use heavy::{HeavyTop, Integrability, Integral, TopState};
 pub use springs::SpringBody;
 
-use crate::error::{Result, positive};
+use crate::error::{Result, each, positive};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::inertia::{InertiaMatrix, MassProperties, PrincipalMoments};
 
@@ -45,9 +45,7 @@ impl AxisMoments {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(i1: f64, i2: f64, i3: f64) -> Result<Self> {
-        for moment in [i1, i2, i3] {
-            positive("a principal moment", moment)?;
-        }
+        each(positive, "a principal moment", [i1, i2, i3])?;
         PrincipalMoments::new(i1, i2, i3)?;
         Ok(Self([i1, i2, i3]))
     }
@@ -160,9 +158,7 @@ pub fn rate_in_any_axes(
     let principal = inertia.principal_axes();
     let [i1, i2, i3] = principal.moments;
     let axes = principal.axes;
-    for moment in [i1, i2, i3] {
-        positive("a principal moment", moment)?;
-    }
+    each(positive, "a principal moment", [i1, i2, i3])?;
     let along = |v: BodyVector| BodyVector::from_components(axes.tr_mul(&v.components()));
     let change = rate(&AxisMoments([i1, i2, i3]), along(omega), along(torque));
     Ok(BodyVector::from_components(axes * change.components()))

@@ -1,7 +1,7 @@
 //! Euler's equations without Euler: six masses on stiff springs, and Newton's law for each (tutorial 5.1).
 
 use super::AxisMoments;
-use crate::error::{Result, finite, positive};
+use crate::error::{Result, each_finite, finite, positive};
 use crate::frame::{BodyVector, finite_vector};
 use nalgebra::{Matrix3, Vector3};
 
@@ -90,9 +90,7 @@ impl SpringBody {
             forces = self.forces();
             self.kick(&forces, 0.5 * h);
         }
-        for position in &self.positions {
-            finite("a position", position.sum())?;
-        }
+        each_finite("a position", self.positions.iter().map(|place| place.sum()))?;
         Ok(())
     }
 

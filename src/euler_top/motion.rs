@@ -6,7 +6,7 @@ use super::evaluation::{Constants, Moving, State, vector};
 use super::preparation::{Quantity, Regime, Start, decide, decide_from, ratio};
 use crate::elliptic::Parameter;
 use crate::elliptic::lanes::{fill, turned};
-use crate::error::{Result, finite, not_negative, positive, refused};
+use crate::error::{Result, each, each_finite, finite, not_negative, positive, refused};
 use crate::frame::{Attitude, BodyVector, SpaceVector, finite_vector};
 use crate::inertia::{InertiaMatrix, PrincipalMoments};
 use crate::precise::{DoubleDouble, Extended, Number, power_of_two_below, sum_of_products};
@@ -191,9 +191,7 @@ impl EulerTop {
         [l_squared, share]: [f64; 2],
         attitude: Attitude,
     ) -> Result<Self> {
-        for moment in moments {
-            positive("a principal moment", moment)?;
-        }
+        each(positive, "a principal moment", moments)?;
         PrincipalMoments::new(moments[0], moments[1], moments[2])?;
         not_negative("the kinetic energy", energy)?;
         let order = ascending([0, 1, 2], &moments);
@@ -233,9 +231,7 @@ impl EulerTop {
         (name, quantity, start): (&'static str, Quantity, BodyVector),
         attitude: Attitude,
     ) -> Result<Self> {
-        for moment in moments {
-            not_negative("a principal moment", moment)?;
-        }
+        each(not_negative, "a principal moment", moments)?;
         let components = finite_vector(name, start)?.components().into();
         let start = Start {
             quantity,
@@ -260,9 +256,8 @@ impl EulerTop {
         (regime, constants): (Regime, Option<Constants>),
     ) -> Result<Self> {
         let l = exact.map(Extended::value);
-        for component in l.into_iter().chain(ratio(l, moments)) {
-            finite("a component of angular velocity or momentum", component)?;
-        }
+        let components = l.into_iter().chain(ratio(l, moments));
+        each_finite("a component of angular velocity or momentum", components)?;
         let angular_momentum = vector(l);
         if angular_momentum.components().amax() > f64::MAX / 2.0 {
             finite("the size of the angular momentum", angular_momentum.norm())?;
@@ -275,9 +270,8 @@ impl EulerTop {
                 finite("the rate of the motion", rate)?;
                 // L may swing onto an axis with a smaller moment, where Ω is greater than at the start, or round up.
                 let peaks = ratio(constants.axes.restore(constants.amplitudes), moments);
-                for peak in peaks {
-                    finite("twice the greatest angular velocity", 2.0 * peak)?;
-                }
+                let doubled = peaks.map(|peak| 2.0 * peak);
+                each_finite("twice the greatest angular velocity", doubled)?;
                 Motion::Moving(Moving::new(constants, peaks, attitude)?)
             }
         };

@@ -5,7 +5,7 @@
 //! the first two are sums of squares, the third is a difference of two squares in 106 bits.
 
 use super::evaluation::handedness;
-use crate::error::{Result, positive, refused};
+use crate::error::{Result, each, positive, refused};
 use crate::frame::BodyVector;
 use crate::precise::{DoubleDouble, Number, exponent_of, power_of_two_below, shifted};
 use crate::search::ascending;
@@ -79,9 +79,7 @@ impl Poinsot {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(moments: [f64; 3], l: BodyVector) -> Result<Self> {
-        for moment in moments {
-            positive("a principal moment", moment)?;
-        }
+        each(positive, "a principal moment", moments)?;
         l.direction("the angular momentum")?;
         let (given, size) = (l.components(), l.components().amax());
         let axes = ascending([0, 1, 2], &moments);

@@ -4,7 +4,7 @@
 //! Radar saw both periods in 1992. Computed here: the two periods, from the moments and one angular velocity. Quoted: moments, angular velocity, observed periods.
 
 use super::EulerTop;
-use crate::error::{Result, positive, refused, within};
+use crate::error::{Result, each, positive, refused, within};
 use crate::frame::{Attitude, BodyVector};
 
 /// Moments about the middle, the short and the long axis over that about the long one, dimensionless (quoted: radar, 1992 to
@@ -52,9 +52,7 @@ pub fn top() -> Result<EulerTop> {
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn mode(moments: [f64; 3], ratio: f64) -> Result<EulerTop> {
-    for moment in moments {
-        positive("a principal moment", moment)?;
-    }
+    each(positive, "a principal moment", moments)?;
     let [i1, i2, i3] = moments;
     if !(i1 <= i2 && i2 <= i3 && i1 < i3) {
         return refused("the moments must ascend and not all be equal", i3 - i1);

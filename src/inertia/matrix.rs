@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::moments::possible;
 use super::principal::{PrincipalAxes, symmetric, symmetric_axes};
 use crate::error::{Error, Result, each_finite, finite, not_negative, within};
 use crate::frame::{Attitude, BodyVector, finite_vector};
@@ -70,7 +71,8 @@ impl InertiaMatrix {
         finite("the trace of the inertia matrix", symmetric.trace())?;
         // Near the end of the range, scaled down: moments of an indefinite matrix could overflow there.
         let unit = if symmetric.amax() > 1e300 { 0.125 } else { 1.0 };
-        let [smallest, middle, largest] = symmetric_axes(&(symmetric * unit)).moments;
+        let moments = symmetric_axes(&(symmetric * unit)).moments;
+        let [smallest, _, largest] = moments;
         let slack = relative * largest.abs().max(smallest.abs());
         if smallest < -slack {
             return Err(Error::Negative {
@@ -78,13 +80,7 @@ impl InertiaMatrix {
                 value: smallest,
             });
         }
-        if largest - middle > smallest + slack {
-            return Err(Error::TriangleInequality {
-                smallest,
-                middle,
-                largest,
-            });
-        }
+        possible(moments, slack)?;
         Ok(Self(symmetric))
     }
 

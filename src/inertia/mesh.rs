@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::body::MassProperties;
 use super::matrix::{InertiaMatrix, SLACK_OF_SUMS};
-use crate::error::{Error, Result, positive};
+use crate::error::{Error, Result, not_empty, positive};
 use crate::frame::BodyVector;
 
 mod formats;
@@ -52,11 +52,7 @@ pub fn mesh_mass_properties(
     density: f64,
 ) -> Result<MassProperties> {
     positive("the density", density)?;
-    if vertices.is_empty() {
-        return Err(Error::Empty {
-            quantity: "the list of vertices",
-        });
-    }
+    not_empty("the list of vertices", vertices)?;
     let first = triangles.first().ok_or(Error::Empty {
         quantity: "the list of triangles",
     })?;

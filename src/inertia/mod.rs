@@ -42,6 +42,7 @@ pub use ellipsoid::ellipsoid_of_inertia;
 pub use matrix::InertiaMatrix;
 pub use mesh::{Mesh, icosphere, mesh_mass_properties, mesh_of_obj, mesh_of_stl};
 pub use moments::PrincipalMoments;
+pub(crate) use moments::possible;
 pub use motion::{AngularMomentumSplit, EnergySplit, RigidMotion};
 pub use platonic::PlatonicSolid;
 pub use principal::{PrincipalAxes, principal_axes_of};

@@ -1,6 +1,6 @@
 //! Three principal moments, sorted, and checked that a body can have them.
 
-use crate::error::{Error, Result, not_negative};
+use crate::error::{Error, Result, each, not_negative};
 
 /// Principal moments I₁ ≤ I₂ ≤ I₃ in kg m², checked that a body can have them.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,22 +37,11 @@ impl PrincipalMoments {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(a: f64, b: f64, c: f64) -> Result<Self> {
-        for moment in [a, b, c] {
-            not_negative("a principal moment", moment)?;
-        }
+        each(not_negative, "a principal moment", [a, b, c])?;
         // Adding 0.0 turns −0 into +0: quotients and roots would carry the sign on.
         let mut sorted = [a, b, c].map(|moment| moment + 0.0);
         sorted.sort_by(f64::total_cmp);
-        let [smallest, middle, largest] = sorted;
-        // I3 − I2 ≤ I1 rather than I1 + I2 ≥ I3: the sum may overflow, and the difference is exact
-        // wherever the decision is close (I3 ≤ 2 I2).
-        if largest - middle > smallest + 4.0 * f64::EPSILON * largest {
-            return Err(Error::TriangleInequality {
-                smallest,
-                middle,
-                largest,
-            });
-        }
+        possible(sorted, 4.0 * f64::EPSILON * sorted[2])?;
         Ok(Self(sorted))
     }
 
@@ -114,4 +103,17 @@ impl PrincipalMoments {
             [1.0, 0.0, 0.0]
         }
     }
+}
+
+/// Refuses ascending moments that no body has, beyond this slack.
+pub(crate) fn possible([smallest, middle, largest]: [f64; 3], slack: f64) -> Result<()> {
+    // I3 − I2 ≤ I1 rather than I1 + I2 ≥ I3: the sum may overflow, and the difference is exact wherever the decision is close (I3 ≤ 2 I2).
+    if largest - middle > smallest + slack {
+        return Err(Error::TriangleInequality {
+            smallest,
+            middle,
+            largest,
+        });
+    }
+    Ok(())
 }

@@ -7,13 +7,15 @@
 //! All functions multiply mass·length first and then by length, so nothing over- or underflows before the result
 //! does. The tests of Section 2 hold every moment to 16 eps. Cost: a few dozen operations.
 //!
-//! Errors, the same for all: [`Error::NotPositive`], [`Error::Negative`] or [`Error::NotFinite`] for an argument, and
-//! [`Error::NotFinite`] if a moment overflows.
+//! Errors, the same for all: [`Error::NotPositive`](crate::Error::NotPositive), [`Error::Negative`](crate::Error::Negative) or [`Error::NotFinite`](crate::Error::NotFinite) for an argument, and
+//! [`Error::NotFinite`](crate::Error::NotFinite) if a moment overflows.
 
 use super::body::MassProperties;
 use super::matrix::InertiaMatrix;
 use super::platonic::PlatonicSolid;
-use crate::error::{Error, Result, each_finite, finite, not_negative, positive, within};
+use crate::error::{
+    Result, each, each_finite, finite, not_negative, out_of_range, positive, within,
+};
 use crate::frame::BodyVector;
 
 /// The body at the origin whose mass has the means ⟨x²⟩ = f₁a₁², ⟨y²⟩ = f₂a₂², ⟨z²⟩ = f₃a₃².
@@ -81,9 +83,7 @@ pub fn wire_box(mass: f64, edges: [f64; 3]) -> Result<MassProperties> {
 
 /// For each edge direction, the share of the mass at its two ends.
 fn shares_at_ends(edges: [f64; 3], share: impl Fn(f64, f64, f64) -> f64) -> Result<[f64; 3]> {
-    for edge in edges {
-        positive("an edge", edge)?;
-    }
+    each(positive, "an edge", edges)?;
     let [a, b, c] = edges;
     Ok([share(a, b, c), share(b, c, a), share(c, a, b)])
 }
@@ -127,7 +127,7 @@ pub fn spherical_shell(mass: f64, radius: f64) -> Result<MassProperties> {
 /// as for a thick one: `inner` = 0 is [`ball`], `inner` = `outer` is [`spherical_shell`], both to rounding.
 ///
 /// # Errors
-/// See the [module](self); `outer` must be positive, and [`Error::OutOfRange`] unless 0 ≤ `inner` ≤ `outer`.
+/// See the [module](self); `outer` must be positive, and [`Error::OutOfRange`](crate::Error::OutOfRange) unless 0 ≤ `inner` ≤ `outer`.
 ///
 /// ```
 /// use spinning_bodies::inertia::shapes;
@@ -267,7 +267,7 @@ pub fn cone(mass: f64, radius: f64, height: f64) -> Result<MassProperties> {
 /// axis R²s²(1/18 − s/30 + s²/240)/(1 − s/3)².
 ///
 /// # Errors
-/// See the [module](self); the radius must be positive, and [`Error::OutOfRange`] unless −R < `cut` ≤ R.
+/// See the [module](self); the radius must be positive, and [`Error::OutOfRange`](crate::Error::OutOfRange) unless −R < `cut` ≤ R.
 ///
 /// ```
 /// use spinning_bodies::inertia::shapes;
@@ -280,12 +280,11 @@ pub fn ball_without_cap(mass: f64, radius: f64, cut: f64) -> Result<MassProperti
     positive("the radius", radius)?;
     let cut = finite("the height of the cut", cut)?;
     if !(-radius < cut && cut <= radius) {
-        return Err(Error::OutOfRange {
-            quantity: "the height of the cut",
-            value: cut,
-            least: -radius,
-            greatest: radius,
-        });
+        return Err(out_of_range(
+            "the height of the cut",
+            cut,
+            [-radius, radius],
+        ));
     }
     // The sum first: of a thin cap all the digits are in it. Halves of the greatest radii can be added.
     let s = (0.5 * radius + 0.5 * cut) / (0.5 * radius);
@@ -333,7 +332,7 @@ pub fn racket(mass: f64, head: f64, handle: f64) -> Result<MassProperties> {
 /// About a diameter: M(R²/2 + 5r²/8).
 ///
 /// # Errors
-/// See the [module](self); [`Error::OutOfRange`] unless 0 ≤ `tube_radius` ≤ `ring_radius`.
+/// See the [module](self); [`Error::OutOfRange`](crate::Error::OutOfRange) unless 0 ≤ `tube_radius` ≤ `ring_radius`.
 ///
 /// ```
 /// use spinning_bodies::inertia::shapes;

@@ -9,7 +9,7 @@ use super::pendulum::Pendulum;
 use super::precession::Precession;
 use super::separation::{Separation, Variables};
 use super::taylor::{FullState, about_third, shortest};
-use crate::error::{Result, finite, not_negative, positive, refused, too_long, within};
+use crate::error::{Result, each, finite, not_negative, positive, refused, too_long, within};
 use crate::euler_equations::{AxisMoments, HeavyTop, TopState};
 use crate::euler_top::EulerTop;
 use crate::frame::{Attitude, BodyVector, finite_vector};
@@ -170,9 +170,7 @@ impl KovalevskayaTop {
         up: [DoubleDouble; 3],
         attitude: Attitude,
     ) -> Result<Self> {
-        for moment in moments {
-            positive("a principal moment", moment)?;
-        }
+        each(positive, "a principal moment", moments)?;
         let axial = moments[2];
         for moment in &moments[..2] {
             let ratio = moment / axial;

@@ -6,7 +6,7 @@
 use std::f64::consts::PI;
 
 use super::motion::LagrangeTop;
-use crate::error::{Error, Result, finite, not_negative, positive, refused, within};
+use crate::error::{Error, Result, finite, not_negative, out_of_range, positive, refused, within};
 use crate::frame::{Attitude, BodyVector};
 use crate::precise::{Extended, Number, shifted, sum_of_products};
 
@@ -384,12 +384,11 @@ pub fn pendulum_between(inner: f64, outer: f64, gravity: f64) -> Result<Lagrange
     positive("gravity over length", gravity)?;
     let (half_sum, half_difference) = (0.5 * (inner + outer), 0.5 * (outer - inner));
     if outer < inner || half_sum >= 0.5 * PI {
-        return Err(Error::OutOfRange {
-            quantity: "the greater angle",
-            value: outer,
-            least: inner,
-            greatest: PI - inner,
-        });
+        return Err(out_of_range(
+            "the greater angle",
+            outer,
+            [inner, PI - inner],
+        ));
     }
     // The quaternion of the start has half the angle, which must be a normal number.
     let least = 2.0 * f64::MIN_POSITIVE;

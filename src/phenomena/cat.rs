@@ -6,8 +6,9 @@ use nalgebra::{Matrix3, Unit, UnitQuaternion, Vector3};
 
 use super::holonomy::ShapePlane;
 use super::quadrature::integral;
-use crate::error::{Error, Result, positive, within};
+use crate::error::{Result, positive, within};
 use crate::frame::{Attitude, BodyVector, finite_vector};
+use crate::inertia::possible;
 use crate::precise::power_of_two_below;
 use crate::search::halved;
 
@@ -66,7 +67,7 @@ impl Bend {
     /// ```
     pub fn relative(&self) -> Attitude {
         let axis = Unit::new_unchecked(self.axis());
-        Attitude::from_unit(*UnitQuaternion::from_axis_angle(&axis, self.angle).quaternion())
+        UnitQuaternion::from_axis_angle(&axis, self.angle).into()
     }
 }
 
@@ -87,7 +88,7 @@ impl Cat {
     /// The cat with these halves, front and rear.
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`]; [`Error::TriangleInequality`] for moments that no body has.
+    /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite); [`Error::TriangleInequality`](crate::Error::TriangleInequality) for moments that no body has.
     ///
     /// ```
     /// use spinning_bodies::phenomena::{Cat, Half};
@@ -101,13 +102,7 @@ impl Cat {
             positive("the moment about the spine", half.axial)?;
             positive("the moment across the spine", half.transverse)?;
             positive("the distance to the joint", half.to_joint)?;
-            if half.axial > 2.0 * half.transverse {
-                return Err(Error::TriangleInequality {
-                    smallest: half.transverse,
-                    middle: half.transverse,
-                    largest: half.axial,
-                });
-            }
+            possible([half.transverse, half.transverse, half.axial], 0.0)?;
         }
         Ok(Self { halves })
     }
@@ -172,7 +167,7 @@ impl Cat {
     /// with c from centre to centre and μ the reduced mass. Observed error, as an error of L: 3e-16 of its largest term.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] if the shape or L is not.
+    /// [`Error::NotFinite`](crate::Error::NotFinite) if the shape or L is not.
     ///
     /// ```
     /// use spinning_bodies::{frame::BodyVector, phenomena::{Bend, Cat, Half}};
@@ -242,7 +237,7 @@ impl EqualHalves {
     /// The cat with these moments of each half, kg m².
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::TriangleInequality`].
+    /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite), [`Error::TriangleInequality`](crate::Error::TriangleInequality).
     ///
     /// ```
     /// use spinning_bodies::phenomena::EqualHalves;
@@ -289,7 +284,7 @@ impl EqualHalves {
     /// Observed error: 4 ulp.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for γ outside 0…π.
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) for γ outside 0…π.
     ///
     /// ```
     /// use spinning_bodies::phenomena::EqualHalves;
@@ -325,7 +320,7 @@ impl EqualHalves {
     /// Kane and Scher's cat (1969), which bends back less than forward. Observed error: 2e-16.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for bends outside 0…π.
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) for bends outside 0…π.
     ///
     /// ```
     /// use spinning_bodies::phenomena::EqualHalves;
@@ -344,7 +339,7 @@ impl EqualHalves {
     /// bisection finds it to the last bit.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a bend outside 0…π.
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) for a bend outside 0…π.
     ///
     /// ```
     /// use spinning_bodies::phenomena::EqualHalves;

@@ -1,6 +1,6 @@
 //! On perfect ice: why wriggling takes you nowhere (tutorial 1.1, picture a).
 
-use crate::error::{Error, Result, finite, positive};
+use crate::error::{Result, finite, not_empty, positive};
 use crate::integrators::System;
 
 /// A part of a body on ice.
@@ -18,7 +18,7 @@ pub struct Part {
 /// A closed cycle of shapes brings them back, bit for bit.
 ///
 /// # Errors
-/// [`Error::Empty`] without parts; [`Error::NotPositive`] for a mass; [`Error::NotFinite`].
+/// [`Error::Empty`](crate::Error::Empty) without parts; [`Error::NotPositive`](crate::Error::NotPositive) for a mass; [`Error::NotFinite`](crate::Error::NotFinite).
 ///
 /// ```
 /// use spinning_bodies::phenomena::{Part, feet};
@@ -36,11 +36,7 @@ pub fn feet(parts: &[Part], center: [f64; 2]) -> Result<[f64; 2]> {
             *sum += part.mass * finite("the place of a part", place)?;
         }
     }
-    if parts.is_empty() {
-        return Err(Error::Empty {
-            quantity: "the list of parts",
-        });
-    }
+    not_empty("the list of parts", parts)?;
     Ok([
         finite("the place of the feet", center[0] - moment[0] / mass)?,
         finite("the place of the feet", center[1] - moment[1] / mass)?,

@@ -1,6 +1,6 @@
 //! Integrals of smooth functions, to rounding.
 
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, finite, out_of_range};
 use crate::precise::DoubleDouble;
 
 /// ∫ f from `from` to `to`, for a function that is smooth between them.
@@ -27,12 +27,9 @@ pub(crate) fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64) -> Result<f64
     let mut left = vec![([from, to], whole, 1e-14 * size, 40)];
     while let Some(([begin, end], whole, allowed, deeper)) = left.pop() {
         if halvings == MOST_HALVINGS {
-            return Err(Error::OutOfRange {
-                quantity: "the end of what a million evaluations integrate",
-                value: to,
-                least: from.min(begin),
-                greatest: from.max(begin),
-            });
+            let quantity = "the end of what a million evaluations integrate";
+            let covered = [from.min(begin), from.max(begin)];
+            return Err(out_of_range(quantity, to, covered));
         }
         halvings += 1;
         let middle = 0.5 * (begin + end);

@@ -1,7 +1,7 @@
 //! A ball on a sheet that is withdrawn from under it (tutorial 4.5): it stops dead.
 
 use super::friction::Coulomb;
-use crate::error::{Error, Result, finite, positive, refused};
+use crate::error::{Result, finite, not_empty, positive, refused};
 
 /// The speed of the sheet from time 0 on: linear between the points given, constant after the last one.
 ///
@@ -16,7 +16,7 @@ impl SheetSpeeds {
     /// Through these points: time (s), in ascending order from 0, and speed (m/s).
     ///
     /// # Errors
-    /// [`Error::Empty`]; [`Error::NotFinite`]; [`Error::Condition`] unless the times start at 0 and never go back.
+    /// [`Error::Empty`](crate::Error::Empty); [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Condition`](crate::Error::Condition) unless the times start at 0 and never go back.
     ///
     /// ```
     /// use spinning_bodies::rolling::SheetSpeeds;
@@ -26,11 +26,8 @@ impl SheetSpeeds {
     /// ```
     pub fn through(points: impl Into<Vec<(f64, f64)>>) -> Result<Self> {
         let points = points.into();
-        let Some(&(first, _)) = points.first() else {
-            return Err(Error::Empty {
-                quantity: "the list of the sheet's speeds",
-            });
-        };
+        not_empty("the list of the sheet's speeds", &points)?;
+        let (first, _) = points[0];
         if first != 0.0 {
             return refused("the sheet's speeds must begin at time 0", first);
         }
@@ -102,7 +99,7 @@ impl Sheet {
     /// A sheet of this friction, withdrawn at these speeds (positive: forward), whose edge is `margin` (m) behind the point of contact.
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`] for the margin.
+    /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite) for the margin.
     ///
     /// ```
     /// use spinning_bodies::rolling::{Coulomb, Sheet, SheetSpeeds};

@@ -3,7 +3,7 @@
 use super::budget::{Budget, Progress};
 use super::plan::{Choice, Plan};
 use crate::conservation::{Law, Ledger, Value};
-use crate::error::{Error, Result, finite, within};
+use crate::error::{Error, Result, each_finite, not_empty, within};
 use crate::integrators::{Cost, Effort, GeneralMethods};
 use crate::search::ascending;
 
@@ -58,14 +58,8 @@ impl Request {
     /// ```
     pub fn at(times: impl Into<Vec<f64>>) -> Result<Self> {
         let times = times.into();
-        if times.is_empty() {
-            return Err(Error::Empty {
-                quantity: "the list of times",
-            });
-        }
-        for &t in &times {
-            finite("the time", t)?;
-        }
+        not_empty("the list of times", &times)?;
+        each_finite("the time", times.iter().copied())?;
         Ok(Self {
             furthest: furthest(&times),
             times,

@@ -5,7 +5,7 @@ use super::effects::Effect;
 use super::engine::{Flow, OF_CLOSED_FORMS, ROUNDING, greater, planned, solved};
 use super::{Motion, Plan, Request, Scene};
 use crate::conservation::Law;
-use crate::error::{Result, finite, not_negative};
+use crate::error::{Result, each_finite, finite, not_negative};
 use crate::falling_strip::{Equations, Plate, RotationalDamping};
 use crate::integrators::Stop;
 
@@ -90,9 +90,7 @@ impl Strip {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(plate: Plate, start: StripStart) -> Result<Self> {
-        for component in start.velocity {
-            finite("the velocity at the start", component)?;
-        }
+        each_finite("the velocity at the start", start.velocity)?;
         finite("the angle at the start", start.angle)?;
         finite("the angular velocity at the start", start.omega)?;
         let equations = Equations::new(plate);

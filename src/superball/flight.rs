@@ -1,7 +1,9 @@
 //! A superball in flight (tutorial 4.6): from the hand to the floor, to the underside of a table, and so on, with the times of the bounces.
 
 use super::{BounceRotation, Motion, Restitution, Surface, bounce_with, gripping_bounce};
-use crate::error::{Error, Result, finite, not_negative, positive, refused, stopped, within};
+use crate::error::{
+    Result, finite, not_negative, out_of_range, positive, refused, stopped, within,
+};
 use crate::precise::{DoubleDouble, Number};
 use crate::rolling::{Coulomb, Course, Load, Moment};
 
@@ -71,8 +73,8 @@ impl Flight {
     /// diameter, infinite for the open sky), under gravity (m/s²), with losses in its bounces and a contact that may slip, each if it is there.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for κ or a start outside the room; [`Error::NotPositive`] for the room; [`Error::Negative`] for gravity;
-    /// [`Error::NotFinite`].
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) for κ or a start outside the room; [`Error::NotPositive`](crate::Error::NotPositive) for the room; [`Error::Negative`](crate::Error::Negative) for gravity;
+    /// [`Error::NotFinite`](crate::Error::NotFinite).
     ///
     /// ```
     /// use spinning_bodies::superball::{Flight, InFlight, Motion};
@@ -242,8 +244,8 @@ impl Flight {
     /// against 34 digits: 1e-15. Cost: two powers, whatever t.
     ///
     /// # Errors
-    /// [`Error::Condition`] if the ball is not elastic, or lies on the floor and would slip; [`Error::NotFinite`], [`Error::Negative`] for the
-    /// time; [`Error::NotFinite`] for a position that overflows; [`Error::OutOfRange`] beyond 2⁵³ flights, which a double cannot count.
+    /// [`Error::Condition`](crate::Error::Condition) if the ball is not elastic, or lies on the floor and would slip; [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Negative`](crate::Error::Negative) for the
+    /// time; [`Error::NotFinite`](crate::Error::NotFinite) for a position that overflows; [`Error::OutOfRange`](crate::Error::OutOfRange) beyond 2⁵³ flights, which a double cannot count.
     ///
     /// ```
     /// use spinning_bodies::superball::{Flight, InFlight, Motion};
@@ -284,12 +286,8 @@ impl Flight {
         };
         let mut whole = (since / flight).value().floor();
         if whole.is_nan() || whole >= MOST_FLIGHTS {
-            return Err(Error::OutOfRange {
-                quantity: "the time",
-                value: t,
-                least: 0.0,
-                greatest: flight.value() * MOST_FLIGHTS,
-            });
+            let latest = flight.value() * MOST_FLIGHTS;
+            return Err(out_of_range("the time", t, [0.0, latest]));
         }
         let mut later = since - flight.times(whole);
         if later.value() < 0.0 {
@@ -342,7 +340,7 @@ impl Flight {
     /// after which the ball no longer reaches it; the bounces before are followed.
     ///
     /// # Errors
-    /// [`Error::Integration`] after ten million bounces below the ceiling.
+    /// [`Error::Integration`](crate::Error::Integration) after ten million bounces below the ceiling.
     ///
     /// ```
     /// use spinning_bodies::superball::{Flight, InFlight, Motion, Restitution};
@@ -393,7 +391,7 @@ impl Flight {
     /// If the ball cannot slip, the sums over all bounces are geometric series, and none of these bounces is followed.
     ///
     /// # Errors
-    /// [`Error::Integration`] after ten million bounces; [`Error::Condition`] for times after the last bounce of a ball with e_t = 1 that cannot
+    /// [`Error::Integration`](crate::Error::Integration) after ten million bounces; [`Error::Condition`](crate::Error::Condition) for times after the last bounce of a ball with e_t = 1 that cannot
     /// slip: its contact speed is reversed infinitely often and has no last value.
     ///
     /// ```

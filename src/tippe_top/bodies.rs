@@ -25,8 +25,7 @@ pub fn eccentric_ball(
     alpha: f64,
     inertia: Matrix3<f64>,
 ) -> Result<ConvexBody> {
-    let surface = Surface::sphere(radius)?;
-    round_ended(mass, radius, alpha, inertia, surface)
+    round_ended(mass, radius, alpha, inertia, Surface::sphere(radius)?)
 }
 
 /// α, the offset of C over the radius, if 0 ≤ α < 1.

@@ -84,7 +84,7 @@ impl Pose {
 
     /// The attitude.
     pub(crate) fn attitude(&self) -> Attitude {
-        Attitude::from_unit(self.turn.into_inner())
+        self.turn.into()
     }
 }
 

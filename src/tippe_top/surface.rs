@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::error::{Result, positive};
+use crate::error::{Result, each, positive};
 use crate::frame::Attitude;
 
 /// The surface on which a body stands: a sphere, or an ellipsoid whose axes may be skew to those of inertia.
@@ -41,9 +41,7 @@ impl Surface {
     /// assert!(Surface::ellipsoid([0.2, 0.03, 0.02]).is_ok() && Surface::ellipsoid([0.2, 0.03, 0.0]).is_err());
     /// ```
     pub fn ellipsoid(semi_axes: [f64; 3]) -> Result<Self> {
-        for axis in semi_axes {
-            positive("a semi-axis of the surface", axis)?;
-        }
+        each(positive, "a semi-axis of the surface", semi_axes)?;
         let squares = Vector3::from(semi_axes).map(|axis| axis * axis);
         Ok(Self {
             size: (squares.sum() / 3.0).sqrt(),

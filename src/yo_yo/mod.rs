@@ -100,11 +100,6 @@ impl YoYo {
         Ok(self)
     }
 
-    /// I/(m r²) with the radius of the bare axle, dimensionless.
-    pub(crate) fn inertia_factor(&self) -> f64 {
-        self.inertia / (self.mass * self.axle * self.axle)
-    }
-
     /// k² = I/m, m².
     pub(crate) fn gyration_squared(&self) -> f64 {
         self.inertia / self.mass

@@ -28,6 +28,6 @@ pub fn sleeping_spin(toy: &YoYo, omega: f64, time: f64, torque: f64) -> f64 {
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn spin_after_waking(toy: &YoYo, omega: f64) -> f64 {
-    let factor = toy.inertia_factor();
+    let factor = toy.inertia / (toy.mass * toy.axle * toy.axle);
     omega * (factor / (1.0 + factor))
 }

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::icosphere::Mesh;
-use crate::error::{Error, Result, each_finite};
+use crate::error::{Error, Result, each_finite, not_empty};
 
 /// The mesh of an STL file, text or binary. Corners with the same coordinates become one vertex.
 ///
@@ -37,11 +37,7 @@ pub fn mesh_of_stl(bytes: &[u8]) -> Result<Mesh> {
         }
         corners
     };
-    if corners.is_empty() {
-        return Err(Error::Empty {
-            quantity: "the list of triangles",
-        });
-    }
+    not_empty("the list of triangles", &corners)?;
     let mut known = HashMap::new();
     let mut vertices = Vec::new();
     let mut indices = Vec::new();

@@ -1,6 +1,6 @@
 //! The traits of a geometric method and of its runs, the phase of a body, the sums that a run carries from step to step, and the loop that all runs share.
 
-use crate::error::{Error, Result, each_finite, finite};
+use crate::error::{Result, each_finite, finite, not_zero};
 use crate::euler_equations::AxisMoments;
 use crate::frame::{Attitude, BodyVector};
 use crate::integrators::Cost;
@@ -49,7 +49,7 @@ impl Phase {
     /// The attitude.
     ///
     /// # Errors
-    /// [`Error::NotFinite`]; [`Error::ZeroVector`] for a quaternion of norm 0.
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::ZeroVector`](crate::Error::ZeroVector) for a quaternion of norm 0.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -130,7 +130,7 @@ pub trait Integrator<T: Real = f64> {
     /// A run from this phase by steps of `step` seconds, backward if negative. What all steps share is computed here, once.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for phase and step; [`Error::ZeroVector`] for a quaternion of norm 0; [`Error::Integration`] for a step that the
+    /// [`Error::NotFinite`](crate::Error::NotFinite) for phase and step; [`Error::ZeroVector`](crate::Error::ZeroVector) for a quaternion of norm 0; [`Error::Integration`](crate::Error::Integration) for a step that the
     /// method cannot take.
     ///
     /// ```
@@ -150,7 +150,7 @@ pub trait Stepper<T: Real = f64> {
     /// Takes this many steps.
     ///
     /// # Errors
-    /// [`Error::Integration`] where an implicit step has no solution.
+    /// [`Error::Integration`](crate::Error::Integration) where an implicit step has no solution.
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -187,7 +187,7 @@ pub trait Stepper<T: Real = f64> {
     /// The present phase, the norm of its attitude 1 to rounding. Splittings complete it here by the rotation or two that they postpone.
     ///
     /// # Errors
-    /// [`Error::NotFinite`].
+    /// [`Error::NotFinite`](crate::Error::NotFinite).
     ///
     /// ```
     /// use spinning_bodies::frame::{Attitude, BodyVector};
@@ -228,11 +228,7 @@ impl<T: Real> Run<T> {
         phase.check()?;
         finite("the step", step.to_double())?;
         let size = phase.q.iter().map(|x| x.to_double().abs()).sum::<f64>();
-        if size == 0.0 {
-            return Err(Error::ZeroVector {
-                quantity: "the attitude's quaternion",
-            });
-        }
+        not_zero("the attitude's quaternion", size)?;
         Ok(Self {
             l: Sums::new(phase.l),
             q: Sums::new(unit(phase.q)),
@@ -260,7 +256,7 @@ impl<T: Real> Run<T> {
     /// The present phase with norm 1.
     ///
     /// # Errors
-    /// [`Error::NotFinite`].
+    /// [`Error::NotFinite`](crate::Error::NotFinite).
     pub fn settled(&self) -> Result<Phase<T>> {
         let Phase { l, q } = self.phase();
         let phase = Phase { l, q: unit(q) };

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
-use crate::error::{Result, finite, not_negative, positive, refused};
+use crate::error::{Result, each_finite, finite, not_negative, positive, refused};
 use crate::euler_equations::AxisMoments;
 use crate::frame::finite_vector;
 use crate::frame::{Attitude, BodyVector};
@@ -167,9 +167,8 @@ impl Body {
         let center = self.inward(finite_vector("the centre of mass", center)?);
         let [x, y, z]: [f64; 3] = center.components().into();
         let mass = not_negative("the mass", mass)?;
-        for arm in [mass * x, mass * y, mass * z] {
-            finite("mass times centre of mass", arm)?;
-        }
+        let arm = [mass * x, mass * y, mass * z];
+        each_finite("mass times centre of mass", arm)?;
         Ok(Self {
             mass,
             center: [x, y, z],

@@ -315,6 +315,7 @@ pub fn classes(values: &Values) -> Result<Figure> {
 fn band(pen: &mut Pen, [from, to]: [f64; 2], name: &str) {
     pen.line([[from, LEVEL], [to, LEVEL]], inked(7.0).alpha(0.4));
     let middle = 0.5 * (from + to);
-    let places = [22.0, -20.0, 40.0, -38.0, 60.0, -58.0, 80.0].map(|dy| [middle, LEVEL + dy]);
-    pen.name(places, name, label(Ink).strong());
+    let heights = [22.0, -20.0, 40.0, -38.0, 60.0, -58.0, 80.0];
+    let places = [0.0, 18.0, -18.0].map(|dx| heights.map(|dy| [middle + dx, LEVEL + dy]));
+    pen.name(places.concat(), name, label(Ink).strong());
 }

@@ -223,8 +223,8 @@ fn well_inside(p: Point, corners: [Point; 3]) -> bool {
 
 /// A multiple of one half as a whole number or a fraction, anything else with two decimals.
 fn halves(value: f64) -> String {
-    let doubled = 2.0 * value;
-    if doubled.fract() != 0.0 {
+    let doubled = (2.0 * value).round();
+    if (2.0 * value - doubled).abs() > 1e-9 {
         number(value, 2)
     } else if doubled % 2.0 == 0.0 {
         number(value, 0)

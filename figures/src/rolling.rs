@@ -119,12 +119,11 @@ pub fn billiard(values: &Values) -> Result<Figure> {
             let up = [dial, polar(dial, 9.8, FRAC_PI_2)];
             pen.line(up, inked(AXIS));
             pen.line([dial, polar(dial, 9.8, hand)], stroke(Omega, DATA));
-            if rolls {
-                pen.dot(tip(shot), 5.5);
-            } else {
+            if !rolls {
                 pen.arrow([ZERO, y], tip(shot), inked(DATA));
             }
         }
+        pen.dot([ZERO, level(sweet)], 5.5);
         pen.label([10.0, 30.0], Start, "*H*/*R*");
         pen.text([DIAL, 30.0], Middle, "spin", label(Omega));
         pen.label([ZERO, 30.0], Middle, "slip / *V*\u{2032}");

@@ -137,7 +137,7 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
         pen.ring(CENTER, 6.0, inked(SECONDARY));
         pen.dot(CENTER, 2.0);
         // On the side of the axis that the dotted line does not take.
-        let taken = (reached - 0.25 * TAU).sin().abs() < 0.3 && reached.sin() > 0.0;
+        let taken = (reached - 0.25 * TAU).sin().abs() < 0.55 && reached.sin() > 0.0;
         let (side, anchor) = if taken { (12.0, Start) } else { (-12.0, End) };
         pen.label(shifted(CENTER, [side, 5.0]), anchor, "*x*_{3}");
         for at in [rigid.at(0.0, 0.0), real.at(0.0, reached)] {

@@ -40,7 +40,7 @@ pub fn regimes(_: &Values) -> Result<Figure> {
     let [first, second, third] = numbers(widths, 1);
     let words = words!(
         "Wide strips flutter, narrow ones tumble; where the one becomes the other, experiment decides.",
-        "Mass ratio $I^* = 4\\sigma/(\\pi\\rho w)$. Flutter ends at $I^* = {ours}$ with the coefficients fitted to paper, at {theirs} with the published ones; measured is \
+        "Mass ratio $I^* = 4\\sigma/(\\pi\\rho b)$, $b$ the width. Flutter ends at $I^* = {ours}$ with the coefficients fitted to paper, at {theirs} with the published ones; measured is \
          {seen} (Froude number $0.67 \\pm 0.05$, grey band). For paper of 80 g/m² these are widths of {first}, {third} and {second} cm. Above: strips end on, to one scale.",
         "Two bars along a logarithmic axis of the mass ratio from a quarter to twelve. In the upper one, for paper, flutter ends at 0.53, within a grey band that marks the measured transition, and all the rest \
          is tumbling. In the lower one, with the published coefficients, flutter reaches to 1.22, a short stretch of tumbling follows, then mixed and chaotic motion, then \

@@ -131,7 +131,7 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
         for ((forward, _, _), points) in curves.iter().zip(&shown) {
             let end = points.last().copied().unwrap_or([LEFT, BOTTOM]);
             let turns = [90.0_f64, 0.0, -40.0, 40.0, 145.0, 180.0, -90.0];
-            let around = [1.0, 1.5, 2.2].into_iter().flat_map(|far| {
+            let around = [1.0, 1.5, 2.2, 3.0].into_iter().flat_map(|far| {
                 let turned = turns.map(|turn| turn.to_radians().sin_cos());
                 turned.map(|(up, right)| shifted(end, [25.0 * far * right, -14.0 * far * up]))
             });

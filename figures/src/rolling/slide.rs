@@ -9,7 +9,7 @@ parameters! {
     pub KAPPA: "kappa", r"\kappa", "", "moment of inertia of the ball over MR²", [0.3, 0.65], 0.4;
     FRICTION: "friction", r"\mu", "", "coefficient of friction", [0.05, 0.6], 0.2, logarithmic;
     SPEED: "speed", "V", "m/s", "velocity of the balls after the stroke", [0.5, 5.0], 2.0;
-    TOP: "top", "H/R", "", "height of the highest stroke over the radius", [1.6, 2.0], 1.8;
+    TOP: "top", "H/R", "", "height of the highest stroke over the radius", [1.66, 2.0], 1.8;
 }
 
 /// The parameters.

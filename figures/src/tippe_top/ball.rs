@@ -1,4 +1,4 @@
-//! A ball with a dark cap opposite to its centre of mass.
+//! A ball with a filled cap opposite to its centre of mass.
 
 use spinning_bodies::frame::Attitude;
 

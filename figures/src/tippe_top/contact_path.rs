@@ -19,7 +19,7 @@ pub fn path(values: &Values) -> Result<Figure> {
     let end = 1.25 * (spin / 200.0) / (3.0 * mu);
     let rows = run(&toy_scene(alpha, spin, mu)?, end, 4000, 1e-3)?;
     let aloft = rows.iter().filter(|row| row.1.support == Support::Airborne);
-    let aloft = aloft.count();
+    let aloft = short(100.0 * aloft.count() as f64 / rows.len() as f64, 2);
     // The contact lies opposite to the vertical, seen from K in the body's axes.
     let path: Vec<Vector> = rows.iter().map(|(_, s)| -s.up().components()).collect();
     let turned = path.windows(2).map(|pair| {
@@ -40,9 +40,9 @@ pub fn path(values: &Values) -> Result<Figure> {
         format!("On the ball, the point of contact stays within {most} degrees of the heavy pole.")
     };
     let rounds = number(turns, 1);
-    let flight = match aloft {
-        0 => ", and it never leaves the table".to_owned(),
-        _ => format!("; at {aloft} of the samples it is in the air"),
+    let flight = match aloft.as_str() {
+        "0" => ", and it never leaves the table".to_owned(),
+        _ => format!("; for {aloft} per cent of that time it is in the air"),
     };
     let words = words!(
         "{claim}",

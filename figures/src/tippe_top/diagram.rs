@@ -160,8 +160,9 @@ pub fn energies(values: &Values) -> Result<Figure> {
         let (fall, _) = &falls[2];
         let (from, to) = (fall[0][1], fall[fall.len() - 1][1]);
         if frame.y.at(to) - frame.y.at(from) > 20.0 {
-            let half = beside(100.0, 0.5 * (from + to), [9.0, 5.0]);
-            pen.remark(half, Start, "friction");
+            let shares = [0.5, 0.35, 0.65, 0.8].map(|share| from + share * (to - from));
+            let places = [34.0, -34.0].map(|x| shares.map(|at| beside(100.0, at, [x, 0.0])));
+            pen.name(places.concat(), "friction", small(Muted));
         }
     });
     let columns = "J as a spin (rad/s) | energy (mJ)";

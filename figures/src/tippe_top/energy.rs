@@ -28,7 +28,12 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
             "its energy falls: the spin pays for the climb, and friction takes {taken} times as much."
         )
     } else {
-        "what friction takes does not lift it.".to_owned()
+        let lifts = if gain > 0.0 {
+            "hardly lifts"
+        } else {
+            "does not lift"
+        };
+        format!("what friction takes {lifts} it.")
     };
     let claim = match half {
         Some(_) if last.tilt() > 3.0 => format!("While the top climbs, {paid}"),

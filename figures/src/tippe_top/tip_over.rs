@@ -54,7 +54,7 @@ pub fn tip_over(values: &Values) -> Result<Figure> {
     };
     let told = means.map(|mean| match mean {
         Some(mean) => format!("{}° a second", number(mean, 1)),
-        None => "too little to tell".to_owned(),
+        None => "it does not get there".to_owned(),
     });
     let (turns, slope) = (number(values.of(&TURNS), 0), number(rate.to_degrees(), 2));
     let ([slow, fast], [light, heavy]) = (&told, &named);
@@ -63,7 +63,7 @@ pub fn tip_over(values: &Values) -> Result<Figure> {
     let words = words!(
         "{claim}",
         "Tilt of the tutorial's toy, a ball with $R = 2$ cm, $I = \\frac25MR^2$, {turns} turns a second, $\\mu = {mu:.3}$ smoothed over 1 mm/s, released at {START} rad. Dashed: \
-         the estimate, {slope}° a second. Between 30° and 150° it makes {slow} for $\\alpha = {light}$ and {fast} for $\\alpha = {heavy}$. Dotted: by Jellett's integral, for \
+         the estimate, {slope}° a second. Mean pace from 30° to 150°: {slow} for $\\alpha = {light}$, {fast} for $\\alpha = {heavy}$. Dotted: by Jellett's integral, for \
          $\\alpha = {heavy}$.",
         "Tilt in degrees against time in seconds. A dashed straight line rises from near zero to 180 degrees at {reached} seconds. A grey curve, for the lighter clay, starts \
          late, and one in ink, for the heavier clay, climbs beside it; after {end:.2} seconds they stand at {low} and {high} degrees. \

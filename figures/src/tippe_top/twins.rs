@@ -49,7 +49,7 @@ pub fn twins(values: &Values) -> Result<Figure> {
         "{claim}",
         "Above: the three rods in the chiral top and in its image in a mirror between them. Below: both, spun clockwise at {spun} rad/s and {tilt:.0}° from the vertical, $\\mu = {mu:.2}$ smoothed over 1 mm/s, every {every} s. \
          The top {own}, its image {image}.",
-        "Left and right of a dotted line two transparent balls, each with three crossed rods that lean opposite ways. Below each a row of {PICTURES} balls with a dark cap, from release to {END} \
+        "Left and right of a dotted line two transparent balls, each with three crossed rods that lean opposite ways. Below each a row of {PICTURES} balls with a filled cap, from release to {END} \
          seconds later. The top on the left {own}, its mirror image on the right {image}."
     );
     let made = figure("chiral-twins", 346.0, words, |pen| {

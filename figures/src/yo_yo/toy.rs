@@ -8,7 +8,7 @@ pub const GRAVITY: f64 = 9.81;
 
 parameters! {
     pub AXLE: "axle", "r", "mm", "radius of the axle", [3.0, 9.0], 5.0;
-    pub LENGTH: "length", "L", "m", "length of the string", [0.4, 1.5], 1.0;
+    pub LENGTH: "length", r"\ell", "m", "length of the string", [0.4, 1.5], 1.0;
 }
 
 /// Mass of the toy, kg.

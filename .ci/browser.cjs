@@ -81,9 +81,9 @@ function wide() {
     return [`${widest} px wide in a window of ${limit} (${culprits.join(', ')})`];
 }
 
-// The body clips what sticks out, so the text column is measured as well.
+// The body and the page in it clip what sticks out, so the text column is measured as well.
 function clipped() {
-    const limit = document.documentElement.clientWidth;
+    const limit = Math.min(document.documentElement.clientWidth, document.querySelector('#mdbook-content').getBoundingClientRect().right);
     return [...document.querySelectorAll('main > *, main figure > *, main div > p, main .katex-base')]
         .filter((e) => !e.closest('.katex-display, .table-wrapper') && e.getClientRects().length > 0 && e.getBoundingClientRect().right > limit + 1)
         .slice(0, 3)

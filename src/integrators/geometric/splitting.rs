@@ -84,8 +84,8 @@ impl<T: Real> Integrator<T> for FreeSplitting {
         let exact = l.map(T::two_words);
         let size = Number::square_root(dot(exact, exact));
         let halved = step.two_words() * DoubleDouble::from(0.5);
-        // Half the angle about L in a step has two words: in one, 10⁷ steps would lose five digits.
         let [outer, (_, middle), inner] = self.axes;
+        // Half the angle about L in a step has two words: in one, 10⁷ steps would lose five digits.
         let half = size * halved / DoubleDouble::from(middle);
         let direction = unit(l);
         let splitting = match self.order {
@@ -211,7 +211,7 @@ impl<T: Real, N: Torque<T>> Integrator<T> for HeavySplitting<N> {
 ///
 /// The last outer motion of a step and the first of the next are combined, so a step ends before it; a phase that is read has it added.
 struct Alternating<T, O, I, F> {
-    /// The length of the outer motion; those of the inner one, and of what lies between the two before and after it.
+    /// The length of the outer motion; then of what lies between the two, of the inner motion, and again of what lies between.
     stages: Vec<(T, [T; 3])>,
     /// Pairs of sine and cosine in a stage.
     pairs: u64,

@@ -13,7 +13,7 @@ mod tableau;
 mod walk;
 
 use super::{Cost, Effort, Event, Passage, Solution, Stop, System, both_ways};
-use crate::error::{Result, each, each_finite, not_negative, positive};
+use crate::error::{Result, each_finite, not_negative, positive};
 use event::Watch;
 use tableau::Step;
 use walk::{MOST_STEPS, Walk, too_many};
@@ -60,12 +60,9 @@ impl<const N: usize, S: System<N> + ?Sized> Leg<'_, N, S> {
         let ends = [self.start.0, self.end];
         each_finite("the time", self.times.iter().copied().chain(ends))?;
         each_finite("the state at the start", *self.start.1)?;
-        let scales = self
-            .scales
-            .iter()
-            .copied()
-            .filter(|&scale| scale != f64::INFINITY);
-        each(not_negative, "the scale of a component", scales)?;
+        for &scale in self.scales.iter().filter(|&&scale| scale != f64::INFINITY) {
+            not_negative("the scale of a component", scale)?;
+        }
         match effort {
             Effort::Step(step) => positive("the step", step)?,
             Effort::Tolerance(tolerance) => positive("the tolerance", tolerance)?,

@@ -300,7 +300,7 @@ pub(crate) fn finite_vector<Axes>(
 }
 
 /// How the body stands in space: the rotation that turns body axes into space axes, as a unit quaternion. With the feature `serde`:
-/// `[w, x, y, z]`; a quaternion of norm 1 is read untouched, any other is normalised, and zero is refused.
+/// `[w, x, y, z]`; a quaternion of norm 1 is read untouched, any other is normalised, and zero is refused. (`{:?}` has nalgebra's order: x, y, z, w.)
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",

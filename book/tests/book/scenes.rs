@@ -473,4 +473,22 @@ fn what_hardly_moves_is_followed() {
         let table = table.unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(table.rows().count(), rows);
     }
+    // A paper cat that nothing turns costs the same in minutes as in seconds, but for their number.
+    let cost = |text: &str| simulate(super::saved(text).path()).unwrap().cost;
+    let cat = "kind = \"paper-cat\"\n[body]\nlever = 0\n[initial]\ntilt = 1\n[effects]\nair = 1.2\ngravity = 9.5\n[run]\ntimes = [1]\n";
+    let otherwise = cat.replace("9.5", "0.0023193359375").replace("[1]", "[64]");
+    assert_eq!(cost(cat), cost(&otherwise));
+}
+
+/// Both ends are on the page of keys.
+#[test]
+fn an_inertia_factor_is_more_than_nil_and_at_most_one() {
+    for kind in ["roller", "spool", "superball"] {
+        for (factor, fits) in [("0", false), ("1", true), ("1.1", false)] {
+            let text = format!("kind = \"{kind}\"\n[body]\ninertia_factor = {factor}\n");
+            let told = parse("mine.toml", &text).unwrap_err().to_string();
+            let refused = told.contains("positive, at most 1, got ");
+            assert_eq!(refused, !fits, "{kind} {factor}: {told}");
+        }
+    }
 }

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::body::{Matter, Round, inertia_factor};
 use super::file::{File, Made, listed, with};
-use super::keys::Bound::{From, NotNegative, Positive};
+use super::keys::Bound::{NotNegative, Positive, UpTo};
 use super::look::{Outline, free, rolling};
 use super::reader::Reader;
 use super::values::section;
@@ -22,7 +22,7 @@ section! {
         mass: f64, "a mass in kg", Positive;
         radius: f64, "a radius in m", Positive;
         shape: Option<Round>, "";
-        inertia_factor: Option<f64>, "I/MR², a ratio (0.4 if there is no shape either)", Positive;
+        inertia_factor: Option<f64>, "I/MR², a ratio (0.4 if there is no shape either)", UpTo(1.0);
     }
 
     /// `[initial]` of a roller.
@@ -187,7 +187,7 @@ section! {
     SuperballBody {
         mass: f64, "a mass in kg", Positive;
         shape: Option<Round>, "";
-        inertia_factor: Option<f64>, "I/MR², a ratio (0.4 if there is no shape either)", From(0.0, 1.0);
+        inertia_factor: Option<f64>, "I/MR², a ratio (0.4 if there is no shape either)", UpTo(1.0);
     }
 
     /// `[initial]` of a superball.
@@ -223,10 +223,6 @@ pub fn superball(
         bounces: 0,
     };
     let kappa = inertia_factor(file, file.body.inertia_factor, file.body.shape)?;
-    if kappa == 0.0 {
-        let told = " must be I/MR², a ratio, positive, got 0.0";
-        return file.wrong("body.inertia_factor", told);
-    }
     let ball = file.right("body.mass", Superball::new(file.body.mass, kappa, start))?;
     file.right("initial.height, initial.climb", ball.flight.checked())?;
     let ball = ball.under(effects.ceiling.unwrap_or(f64::INFINITY));

@@ -10,6 +10,8 @@ use crate::error::Number;
 pub(super) enum Bound {
     Positive,
     NotNegative,
+    /// Positive, and at most this.
+    UpTo(f64),
     /// With both bounds included.
     From(f64, f64),
 }
@@ -19,6 +21,7 @@ impl Bound {
         match self {
             Self::Positive => number > 0.0,
             Self::NotNegative => number >= 0.0,
+            Self::UpTo(most) => number > 0.0 && number <= most,
             Self::From(least, most) => (least..=most).contains(&number),
         }
     }
@@ -47,6 +50,7 @@ impl Key {
             None => String::new(),
             Some(Bound::Positive) => ", positive".to_owned(),
             Some(Bound::NotNegative) => ", not negative".to_owned(),
+            Some(Bound::UpTo(most)) => format!(", positive, at most {most}"),
             Some(Bound::From(least, most)) => {
                 let told = |bound: f64| match bound {
                     PI => "π".to_owned(),

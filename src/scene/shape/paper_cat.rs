@@ -190,7 +190,10 @@ impl Flow<5> for Falling {
     fn scales(&self) -> [f64; 5] {
         // The error of a cat near balance is relative to its distance from balance.
         let near = self.cat.leaning().abs().clamp(1e-8, 1.0);
-        let (length, rate) = (self.cat.cat.gyration, size(self.pace));
+        let length = self.cat.cat.gyration;
+        // Without a lever nothing turns it, and the fall alone has a rate.
+        let turning = Some(self.pace).filter(|&pace| pace > 0.0);
+        let rate = turning.unwrap_or(self.speed / length);
         let speed = length * rate;
         [length, speed, near, near * rate, speed * speed]
     }

@@ -93,15 +93,13 @@ impl<T: Real> Integrator<T> for FreeSplitting {
             Order::Four => S6,
             Order::Six => S10,
         };
-        let (outer, inner) = (about(outer, middle), about(inner, middle));
-        let inner = move |run: &mut Run<T>, [_, h, _]: [T; 3]| inner(run, h);
-        let postponed = move |run: &mut Run<T>, steps: u64| {
+        let motions = (about(outer, middle), (), about(inner, middle));
+        let rule = Alternating::new(splitting, step, 2, motions, move |run, steps| {
             // The attitude q exp(tL₀/2I₂) times the product of the other rotations.
             let (sine, cosine) = T::sine_and_cosine(half * DoubleDouble::from(steps as f64));
             let [x, y, z] = direction.map(|component| sine * component);
             run.q.values = product(product(q, [cosine, x, y, z]), run.q.values);
-        };
-        let rule = Alternating::new(splitting, step, 2, outer, inner, postponed);
+        });
         Ok(Steps::boxed(run, rule))
     }
 }
@@ -169,18 +167,9 @@ impl<T: Real, N: Torque<T>> Integrator<T> for HeavySplitting<N> {
     fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {
         let run = Run::new(phase, step)?;
         let [outer, (_, middle), inner] = self.axes;
-        let kick = |run: &mut Run<T>, h: T| {
-            let torque = self.torque.torque(&run.phase());
-            run.l.add_all(torque.map(|component| component * h));
-        };
-        // The rotation about L and the one about the inner axis; the first turns by half this angle per unit of L and time.
         let about_momentum = T::from_double(0.5) * T::from_double(middle).reciprocal();
-        let about_inner = about(inner, middle);
-        let drift = move |run: &mut Run<T>, h: T| {
-            let turn = exponential(run.l.values.map(|x| x * (about_momentum * h)));
-            run.q.add_all(product(run.q.values, turn));
-            about_inner(run, h);
-        };
+        let kick = Kick(&self.torque);
+        let drift = Drift(about_momentum, about(inner, middle));
         // A rotation with rate 0 is left out.
         let unequal = outer.1 != middle;
         let splitting = match self.order {
@@ -189,95 +178,138 @@ impl<T: Real, N: Torque<T>> Integrator<T> for HeavySplitting<N> {
             Order::Six if unequal => S10,
             Order::Six => NYSTROM_11,
         };
-        let postponed = |_: &mut Run<T>, _| ();
         Ok(if unequal {
-            let inner = move |run: &mut Run<T>, [before, h, after]: [T; 3]| {
-                kick(run, before);
-                drift(run, h);
-                kick(run, after);
-            };
-            let outer = about(outer, middle);
-            let rule = Alternating::new(splitting, step, 3, outer, inner, postponed);
+            let motions = (about(outer, middle), kick, drift);
+            let rule = Alternating::new(splitting, step, 3, motions, |_, _| ());
             Steps::boxed(run, rule)
         } else {
-            let inner = move |run: &mut Run<T>, [_, h, _]: [T; 3]| drift(run, h);
-            let rule = Alternating::new(splitting, step, 2, kick, inner, postponed);
+            let rule = Alternating::new(splitting, step, 2, (kick, (), drift), |_, _| ());
             Steps::boxed(run, rule)
         })
     }
 }
 
-/// A splitting into an outer and an inner motion, and what is postponed to the end.
+/// A motion that is exact over any time `h`.
+trait Motion<T: Real> {
+    fn over(&self, run: &mut Run<T>, h: T);
+}
+
+/// No motion.
+impl<T: Real> Motion<T> for () {
+    #[inline(always)]
+    fn over(&self, _: &mut Run<T>, _: T) {}
+}
+
+/// The change of L by a torque.
+struct Kick<'a, N>(&'a N);
+
+impl<T: Real, N: Torque<T>> Motion<T> for Kick<'_, N> {
+    #[inline(always)]
+    fn over(&self, run: &mut Run<T>, h: T) {
+        let torque = self.0.torque(&run.phase());
+        run.l.add_all(torque.map(|component| component * h));
+    }
+}
+
+/// The rotation about L, given by half its angle per unit of L and time, and the one about an axis.
+struct Drift<T>(T, About<T>);
+
+impl<T: Real> Motion<T> for Drift<T> {
+    #[inline(always)]
+    fn over(&self, run: &mut Run<T>, h: T) {
+        let turn = exponential(run.l.values.map(|x| x * (self.0 * h)));
+        run.q.add_all(product(run.q.values, turn));
+        self.1.over(run, h);
+    }
+}
+
+/// The rotation about one of the body's axes, by half its angle per unit of L along it and time.
+struct About<T> {
+    axis: usize,
+    rate: T,
+}
+
+/// The rotation about an axis by which the energy differs from that of a body with the middle moment alone.
+fn about<T: Real>((axis, moment): (usize, f64), middle: f64) -> About<T> {
+    let [middle, moment] = [middle, moment].map(T::from_double);
+    // Differences first: the moments may be nearly equal.
+    let product = middle * moment;
+    let rate = T::from_double(0.5) * (middle - moment) * product.reciprocal();
+    About { axis, rate }
+}
+
+impl<T: Real> Motion<T> for About<T> {
+    #[inline(always)]
+    fn over(&self, run: &mut Run<T>, h: T) {
+        let half = self.rate * h;
+        match self.axis {
+            0 => turn_about::<T, 0>(run, half),
+            1 => turn_about::<T, 1>(run, half),
+            _ => turn_about::<T, 2>(run, half),
+        }
+    }
+}
+
+/// A splitting into an outer and an inner motion, a third on the way between them, and what is postponed to the end.
 ///
 /// The last outer motion of a step and the first of the next are combined, so a step ends before it; a phase that is read has it added.
-struct Alternating<T, O, I, F> {
-    /// The length of the outer motion; then of what lies between the two, of the inner motion, and again of what lies between.
-    stages: Vec<(T, [T; 3])>,
+struct Alternating<T, O, B, I, F> {
+    /// Lengths of the outer motion, the one between, the inner, and again the one between.
+    stages: Vec<[T; 4]>,
     /// Pairs of sine and cosine in a stage.
     pairs: u64,
-    outer: O,
-    inner: I,
+    motions: (O, B, I),
     postponed: F,
     /// Length of the outer motion that is still due.
     due: T,
 }
 
-impl<T: Real, O, I, F> Alternating<T, O, I, F> {
-    fn new(splitting: &[f64], step: T, pairs: u64, outer: O, inner: I, postponed: F) -> Self {
+impl<T: Real, O, B, I, F: Fn(&mut Run<T>, u64)> Alternating<T, O, B, I, F> {
+    fn new(splitting: &[f64], step: T, pairs: u64, motions: (O, B, I), postponed: F) -> Self {
         let mut after = 0.0;
         let part_steps = part_steps(splitting);
-        let length = |part: f64| T::from_double(part) * step;
         let stages = part_steps.chunks_exact(2).map(|pair| {
+            let (outer, inner) = (pair[0], pair[1]);
             // A step and its mirror image alternate: the step before the inner motion has the length by which it completes the outer one.
-            let before = pair[0] - after;
-            after = pair[1] - before;
-            (length(pair[0]), [before, pair[1], after].map(length))
+            let before = outer - after;
+            after = inner - before;
+            [outer, before, inner, after].map(|part| T::from_double(part) * step)
         });
         Self {
             stages: stages.collect(),
             pairs,
-            outer,
-            inner,
+            motions,
             postponed,
             due: T::from_double(0.0),
         }
     }
 }
 
-impl<T, O, I, F> Rule<T> for Alternating<T, O, I, F>
+impl<T, O, B, I, F> Rule<T> for Alternating<T, O, B, I, F>
 where
     T: Real,
-    O: Fn(&mut Run<T>, T),
-    I: Fn(&mut Run<T>, [T; 3]),
+    O: Motion<T>,
+    B: Motion<T>,
+    I: Motion<T>,
     F: Fn(&mut Run<T>, u64),
 {
     #[inline(always)]
     fn step(&mut self, run: &mut Run<T>) -> Result<u64> {
-        for &(outer, inner) in &self.stages {
-            (self.outer)(run, self.due + outer);
-            (self.inner)(run, inner);
+        let (outer, between, inner) = &self.motions;
+        for &[first, before, middle, after] in &self.stages {
+            outer.over(run, self.due + first);
+            between.over(run, before);
+            inner.over(run, middle);
+            between.over(run, after);
             self.due = T::from_double(0.0);
         }
-        (self.due, _) = self.stages[0];
+        self.due = self.stages[0][0];
         Ok(self.stages.len() as u64 * self.pairs)
     }
 
     fn finish(&self, run: &mut Run<T>, steps: u64) {
-        (self.outer)(run, self.due);
+        self.motions.0.over(run, self.due);
         (self.postponed)(run, steps);
-    }
-}
-
-/// The rotation about one of the body's axes by which its energy differs from that of a body with the middle moment alone.
-fn about<T: Real>((axis, moment): (usize, f64), middle: f64) -> impl Fn(&mut Run<T>, T) {
-    let [middle, moment] = [middle, moment].map(T::from_double);
-    // Differences first: the moments may be nearly equal.
-    let product = middle * moment;
-    let rate = T::from_double(0.5) * (middle - moment) * product.reciprocal();
-    move |run, h| match axis {
-        0 => turn_about::<T, 0>(run, rate * h),
-        1 => turn_about::<T, 1>(run, rate * h),
-        _ => turn_about::<T, 2>(run, rate * h),
     }
 }
 

@@ -11,6 +11,7 @@ mod real;
 
 pub(crate) use problem::Watched;
 
+pub(crate) use order_eight::growth_limiting;
 pub use order_eight::{Kept, Leg, order_eight};
 pub use problem::{
     AnyLeg, Cost, Effort, Event, GeneralMethods, Method, Passage, Solution, Stop, System,

@@ -406,9 +406,8 @@ impl OnTheTable {
     fn landings(&self, takeoff: &TakeOff, y: &Numbers) -> impl Iterator<Item = Numbers> {
         let fallen = takeoff.height - self.body().height(&Pose::of(y)).0;
         let climb = (takeoff.climb.powi(2) + 2.0 * self.table.gravity * fallen).sqrt();
-        [climb, -climb]
-            .into_iter()
-            .filter_map(|climb| self.table.landed(y, climb, &|_| Ok(())).ok())
+        let climbs = [climb, -climb].into_iter();
+        climbs.filter_map(|climb| self.table.landed(y, climb, &|_| Ok(())).ok())
     }
 
     fn takeoff(&self, time: f64, y: &Numbers) -> TakeOff {
@@ -428,7 +427,7 @@ impl OnTheTable {
 
     /// This mode, unless friction jams the contact, or nothing presses the body on the table.
     fn kept_down(&self, t: f64, mut mode: Mode, y: &mut Numbers) -> Result<Mode> {
-        if self.jams(&mode, y) {
+        if self.jams(&mode, y, JAMMED) {
             let taken = Cell::new(0);
             let spent = |evaluations| {
                 taken.set(taken.get() + evaluations);
@@ -442,7 +441,8 @@ impl OnTheTable {
             };
             *y = self.table.jammed(y, &spent)?;
             mode = self.supported(y);
-            if self.jams(&mode, y) {
+            // The impulse ends with the jam, so that hardly any lift may be left: then the slip is followed on.
+            if self.jams(&mode, y, 0.0) {
                 return stopped(
                     "friction and resistance press the body into the table by more than any reaction lifts it; let them be weaker",
                     t,
@@ -464,11 +464,11 @@ impl OnTheTable {
         contact.reaction * if rolls { 1.0 } else { contact.lift } / self.weight()
     }
 
-    /// Whether friction leaves no reaction that keeps a body pressed on the table out of it.
-    fn jams(&self, mode: &Mode, y: &Numbers) -> bool {
+    /// Whether friction leaves no reaction that keeps a body pressed on the table out of it, or hardly any: a lift up to `none`, in units of what presses.
+    fn jams(&self, mode: &Mode, y: &Numbers, none: f64) -> bool {
         let contact = self.contact(mode, &Pose::of(y));
         let pressing = self.pressing(mode, &contact);
-        *mode != Mode::Rolling && pressing > 0.0 && contact.lift < JAMMED * pressing
+        *mode != Mode::Rolling && pressing > 0.0 && contact.lift <= none * pressing
     }
 
     /// How far a sliding body is from the end of it, less than 1 near it.
@@ -497,10 +497,9 @@ impl OnTheTable {
     fn stopped(&self, law: Coulomb, y: &mut Numbers) -> Mode {
         *y = self.body().rolled(&self.table.held(y));
         // At the rim of the cone rolling would have no event: the margin must fall through zero.
-        if self.holds(law, y) {
-            Mode::Rolling
-        } else {
-            Mode::Leaving
+        match self.holds(law, y) {
+            true => Mode::Rolling,
+            false => Mode::Leaving,
         }
     }
 
@@ -561,10 +560,9 @@ impl Flow<NUMBERS> for OnTheTable {
 
     fn start(&self) -> Result<(Mode, Numbers)> {
         let mut y = self.start;
-        let mode = if self.is_free() {
-            Mode::Airborne(self.takeoff(0.0, &y))
-        } else {
-            self.settled(0.0, &mut y)?
+        let mode = match self.is_free() {
+            true => Mode::Airborne(self.takeoff(0.0, &y)),
+            false => self.settled(0.0, &mut y)?,
         };
         Ok((mode, y))
     }

@@ -9,7 +9,7 @@ use super::motion::{OpenLedger, furthest};
 use super::{Budget, Choice, Plan, Request, Solver};
 use crate::error::{Error, Result, finite};
 use crate::integrators::{
-    AnyLeg, Cost, Effort, Kept, Leg, Passage, Stop, System, Watched, both_ways,
+    AnyLeg, Cost, Effort, Kept, Leg, Passage, Stop, System, Watched, both_ways, growth_limiting,
 };
 
 /// A motion whose equations change from phase to phase. A state has N components.
@@ -227,7 +227,7 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
             let left = &times[trace.samples.len()..];
             let clock = self.flow.lasts_until(phase, now);
             let until = if clock < end { clock } else { end };
-            let leg = |until: f64, effort: Effort| {
+            let leg = |until: f64, longest: f64| {
                 let within = left.partition_point(|&t| (t - until) * end.signum() <= 0.0);
                 let ahead = Ahead {
                     start: (now, &y),
@@ -236,20 +236,22 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
                     stepped: !matches!(self.stepper, Stepper::Events),
                     budget: self.budget,
                 };
-                self.leg(phase, &ahead, effort)
+                self.leg(phase, &ahead, longest)
             };
             let seen = halves.get(trace.halves.len());
             let half = seen.and_then(|&(same, half)| half.filter(|_| same == phase));
             let halved = half.and_then(|[half, lasted]| {
                 // The half steps are used if the phase ends by an event again; otherwise it is another phase.
                 let later = now + 2.0 * lasted;
-                let ends_later = later.abs() < until.abs();
-                let late = if ends_later { later } else { until };
-                // Where steps of one length fail, the phase is followed with error control instead.
-                let passage = leg(late, Effort::Step(half)).ok();
+                let late = if later.abs() < until.abs() {
+                    later
+                } else {
+                    until
+                };
+                let passage = leg(late, half).ok();
                 passage.filter(|p| p.stopped == Stop::AtTheEvent || late == until)
             });
-            let passage = halved.map_or_else(|| leg(until, self.effort), Ok)?;
+            let passage = halved.map_or_else(|| leg(until, f64::INFINITY), Ok)?;
             let (steps, lasted) = (passage.cost.steps, passage.time - now);
             let few = matches!(self.stepper, Stepper::OrderEight)
                 && (1..=FEW_STEPS).contains(&steps)
@@ -284,12 +286,12 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         Ok(trace)
     }
 
-    /// One phase, to its end or to the end of the leg.
+    /// One phase, to its end or to the end of the leg, in steps of order 8 that are no longer than `longest`, s.
     fn leg(
         &self,
         phase: F::Phase,
         ahead: &Ahead<'_, N>,
-        effort: Effort,
+        longest: f64,
     ) -> Result<Passage<[f64; N]>> {
         if let Some(known) = self.flow.known(phase, ahead) {
             let passage = known?;
@@ -309,7 +311,8 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         let ((now, y), times, end) = (ahead.start, ahead.times, ahead.end);
         let ends = flow.margin(phase, now, y).is_some();
         let stroke = STROKE / (flow.lasts_until(phase, now) - now);
-        let growth = greater(flow.growth_rate(), stroke);
+        let limit = growth_limiting(longest, tolerance_of(self.effort, 1.0));
+        let growth = greater(flow.growth_rate(), stroke).max(limit);
         let Stepper::Other(follow, _) = self.stepper else {
             let leg = Leg {
                 system: &Watched(rate, reached, growth) as &dyn System<N>,
@@ -319,7 +322,7 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
                 times,
                 end,
             };
-            return leg.follow(ends.then_some(&margin), effort);
+            return leg.follow(ends.then_some(&margin), self.effort);
         };
         let any_margin = |t: f64, y: &[f64]| margin(t, &sized(y));
         let any = AnyLeg {
@@ -331,7 +334,7 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
             times,
             end,
         };
-        let passage = follow(&any, effort)?;
+        let passage = follow(&any, self.effort)?;
         Ok(Passage {
             states: passage.states.iter().map(|y| sized(y)).collect(),
             time: passage.time,
@@ -341,8 +344,8 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         })
     }
 
-    /// The samples at times in any order, before and after the start. Phases that another run took in few steps are taken in twice as many, because
-    /// two tolerances might lead to the same steps.
+    /// The samples at times in any order, before and after the start. Phases that another run took in few steps are taken in steps half as long or shorter,
+    /// because two tolerances might lead to the same steps.
     pub fn at(
         &self,
         start: (F::Phase, [f64; N]),
@@ -400,8 +403,8 @@ pub(crate) const ROUNDING: f64 = 4e-16;
 ///
 /// Two runs are compared, whose tolerances differ by a factor of a hundred, or whose steps differ by a factor of two, as do those in phases of few
 /// steps. Their distance is the error of the looser run; the better run, which is returned, is taken to be off by a fifth of it, with steps of one
-/// length by half. Where that exceeds the accuracy, one or two further runs take their place. The reported error is larger: the whole distance and
-/// the sum of the errors of the steps, as long as it is below the accuracy. A flow may depend on the tolerance of its run, which `flow` receives.
+/// length by half. Where that exceeds the accuracy, one or two further runs take their place, and the better one must agree with them too. The reported error
+/// is larger: the whole distance and the sum of the errors of the steps, as long as it is below the accuracy. A flow may depend on the tolerance of its run, which `flow` receives.
 ///
 /// Runs that begin with the same rounded state agree on what the motion makes of that rounding. If the flow states the [`doubt`](Flow::doubt) of its
 /// start, the looser run begins that far off, so that the distance contains its effect; with tolerances near rounding twice, once in each direction.
@@ -463,9 +466,10 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
         let growth = growth(&first, stepper, efforts.worse(), &times, &request.moment());
         return Err(request.amplified(rounding, growth.unwrap_or(angle)));
     }
-    let mut worse = run(efforts.worse(), 1.0, &[])?.1;
+    // Runs beside the better one, the looser one first, and the fraction of the distance to each that is taken for the error.
+    let mut others = vec![(run(efforts.worse(), 1.0, &[])?.1, efforts.share())];
     loop {
-        let (flow, mut better) = run(efforts.better(), 0.0, &worse.halves)?;
+        let (flow, mut better) = run(efforts.better(), 0.0, &others[0].0.halves)?;
         let seen = &better.samples;
         let floor = efforts.floor(better.phases.len());
         let told = |asked: &Trace<_, N>, checked: &Trace<_, N>, share: f64| {
@@ -475,35 +479,41 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
             let share = if apart < TOGETHER { share } else { 1.0 };
             greater(share * apart, floor) + rounding
         };
-        let mut error = told(&worse, &worse, efforts.share());
-        if !sure && efforts.near_rounding() {
+        let most = |least: f64, others: &[(Trace<_, N>, f64)]| {
+            let errors = others
+                .iter()
+                .map(|(run, share)| told(run, run, share.max(least)));
+            errors.fold(0.0, greater)
+        };
+        let mut error = most(0.0, &others);
+        if !sure && efforts.near_rounding() && error <= accuracy {
             // The errors of the doubt and of the steps are of one size and may cancel: they cannot with both signs of the doubt.
-            let other = run(efforts.worse(), -1.0, &[])?.1;
-            error = greater(error, told(&other, &other, efforts.share()));
+            others.push((run(efforts.worse(), -1.0, &[])?.1, efforts.share()));
+            error = most(0.0, &others);
         }
         if error > accuracy {
             if efforts.tighten(accuracy, error) {
-                worse = if sure {
-                    better
-                } else {
+                // It stays beside the next: where the motion amplifies what steps round, two runs may agree by luck, three hardly.
+                others = vec![(better, efforts.share())];
+                if !sure {
                     efforts.spread(APART);
-                    run(efforts.worse(), 1.0, &[])?.1
-                };
+                    others.insert(0, (run(efforts.worse(), 1.0, &[])?.1, efforts.share()));
+                }
                 continue;
             }
             // No tighter tolerance is left, but the worse run can be brought nearer; then the whole distance is the error. At times that were not
             // requested, amplified rounding is no reason for an error, so there the runs have the same start.
             efforts.spread(APART.sqrt());
             let asked = run(efforts.worse(), SHARE, &[])?.1;
-            let checked = run(efforts.worse(), 0.0, &[])?.1;
-            error = told(&asked, &checked, 1.0);
+            others[0] = (run(efforts.worse(), 0.0, &[])?.1, 1.0);
+            error = greater(most(0.0, &others), told(&asked, &others[0].0, 1.0));
         }
         if error > accuracy {
             let growth = growth(&flow, stepper, efforts.better(), &times, budget)?;
             return Err(request.amplified(error, growth));
         }
         // The runs agree within the accuracy. Below it the whole distance and the sum of the steps' errors are reported: both runs may have been lucky.
-        let mut whole = told(&worse, &worse, 1.0);
+        let mut whole = most(1.0, &others);
         if !efforts.even {
             whole += better.cost.steps as f64 * of_a_step(&flow, efforts.better, seen);
         }
@@ -614,10 +624,6 @@ struct Efforts {
     better: f64,
     /// The error estimate of the last pair.
     reached: f64,
-    /// The factor by which the last tightening should have lowered it.
-    hoped: f64,
-    /// How many times in a row it stayed.
-    stays: u32,
 }
 
 /// The first length, s, for steps of one length: at most a quarter of a radian.
@@ -643,8 +649,6 @@ impl Efforts {
             worse,
             better: worse / apart,
             reached: f64::INFINITY,
-            hoped: 1.0,
-            stays: 0,
         }
     }
 
@@ -682,16 +686,10 @@ impl Efforts {
     fn tighten(&mut self, accuracy: f64, error: f64) -> bool {
         // At least half a digit more, at most four at once: a greater estimate says nothing.
         let less = (0.3 * accuracy / error).clamp(1e-4, 0.3);
-        // Twice in a row, an error that hardly fell with the tolerance is amplified rounding. To try until two runs agree would only wait for luck.
-        let stays = error < TOGETHER && error > self.hoped.sqrt() * self.reached;
-        self.stays = if stays { self.stays + 1 } else { 0 };
-        self.hoped = less;
+        let tighter = (self.better * less).max(LEAST_TOLERANCE);
         let (is_last, next) = match self.even {
             true => (error >= self.reached && error < SMALL, 0.5 * self.better),
-            false => (
-                self.better <= LEAST_TOLERANCE || self.stays == 2,
-                (self.better * less).max(LEAST_TOLERANCE),
-            ),
+            false => (self.better <= LEAST_TOLERANCE, tighter),
         };
         if is_last || !error.is_finite() {
             return false;

@@ -18,6 +18,8 @@ use event::Watch;
 use tableau::Step;
 use walk::{MOST_STEPS, Walk, too_many};
 
+pub(crate) use walk::growth_limiting;
+
 pub use leg::{Kept, Leg};
 
 impl<const N: usize, S: System<N> + ?Sized> Leg<'_, N, S> {

@@ -76,7 +76,7 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
             let growth = SAFETY / error.sqrt().sqrt().sqrt();
             if error <= 1.0 {
                 let length = cut.abs() * growth.clamp(LEAST_GROWTH, most_growth);
-                self.length = length.min(self.longest(tolerance));
+                self.length = length.min(growth_limiting(self.leg.system.growth_rate(), tolerance));
                 self.accept(&step, cut == left);
                 return Ok(step);
             }
@@ -129,11 +129,6 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
         core::array::from_fn(|n| state[n] + excess[n])
     }
 
-    /// The longest step that the tolerance allows at the growth rate of the motion.
-    fn longest(&self, tolerance: f64) -> f64 {
-        LONGEST * tolerance.min(1.0).sqrt().sqrt().sqrt() / self.leg.system.growth_rate()
-    }
-
     /// A first guess at the length of a step, from the rates and their change over a short Euler step (Hairer, Nørsett, Wanner, II.4).
     pub(super) fn first_length(&mut self, tolerance: f64) -> f64 {
         let (span, state) = (self.left(), &self.state.values);
@@ -152,9 +147,15 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
         let pace = rate.max(bend.sqrt());
         let guess = tolerance.min(1.0).sqrt().sqrt().sqrt() * FIRST / pace;
         self.cost.evaluations += 1;
-        let most = span.abs().min(self.longest(tolerance));
+        let longest = growth_limiting(self.leg.system.growth_rate(), tolerance);
+        let most = span.abs().min(longest);
         if guess > 0.0 { guess.min(most) } else { most }
     }
+}
+
+/// The length, s, of the longest step that the tolerance allows at this growth rate, 1/s; or the growth rate at which it allows steps of this length.
+pub(crate) fn growth_limiting(step: f64, tolerance: f64) -> f64 {
+    LONGEST * tolerance.min(1.0).sqrt().sqrt().sqrt() / step
 }
 
 /// Length of the first step as a multiple of tolerance^(1/8) divided by the rate.

@@ -43,8 +43,7 @@ fn ball() -> ConvexBody {
 fn skidding(ball: ConvexBody, attitude: Attitude, speed: f64) -> TableTop {
     let mut start = Start::spinning(attitude, BodyVector::zero()).unwrap();
     start.velocity = SpaceVector::new(speed, 0.0, 0.0);
-    let law = Coulomb::new(0.2).unwrap();
-    heavy(ball, start).with(law).unwrap()
+    heavy(ball, start).with(Coulomb::new(0.2).unwrap()).unwrap()
 }
 
 fn same(a: &State, b: &State) -> bool {
@@ -289,13 +288,15 @@ fn a_contact_that_friction_jams_sticks() -> Result<()> {
     Ok(())
 }
 
-/// Friction jams the first of these contacts after a while of sliding; of the second it jams two, and lets go of one that rolls where slip would press the body on the table.
+/// Friction jams the first of these contacts after a while of sliding; of the second it jams two, and lets go of one that rolls where slip would press the body on the table;
+/// of the third it jams one at a tilt at which it is all but jammed still when its slip has been slowed.
 #[test]
 fn at_a_jam_too_a_smoothed_law_tends_to_coulombs() {
     let jams = "kind = \"table-top\"\n[body]\nmass = 0.115\nshape = \"ellipsoid\"\nsemi_axes = [0.0023, 0.0062, 0.0031]\n[initial]\nattitude = [0.58, -0.436, 0.664, -0.181]\nomega = [14, 60, 13]\n[run]\ntimes = [0.02]\naccuracy = 1e-8\n[effects]\ngravity = 9.81\nfriction = 1.9\nfriction_law = ";
     let lets_go = "kind = \"table-top\"\n[body]\nmass = 0.0197\ninertia = [1.02e-6, 1.02e-6, 1.03e-6, -7.28e-8, -5e-8, -7.78e-8]\nsemi_axes = [0.0661, 0.112, 0.106]\nsurface_turn = -2\nsurface_center = [0, 0, -0.0238]\n[initial]\nattitude = [-0.176, 0.601, -0.779, 0.0299]\nomega = [-14.9, 8.73, 17.2]\nvelocity = [-0.986, -0.507, 0]\n[run]\ntimes = [0.8]\naccuracy = 1e-8\n[effects]\ngravity = 9.81\nfriction = 0.891\nfriction_law = ";
-    for file in [jams, lets_go] {
-        let end = |law: &str| last(&[file, law].concat(), ["omega3"])[0];
+    let slows = "kind = \"table-top\"\n[body]\nmass = 3.08\nmoments = [4.95e-5, 7.93e-5, 3.4e-5]\nsemi_axes = [0.0835, 0.205, 0.277]\nsurface_turn = -2.89\nsurface_center = [0, 0, -0.0573]\n[initial]\ntilt = 0.182\nazimuth = 0\naxial_spin = 0\nvelocity = [2.36, 0.505, 0]\n[run]\ntimes = [0.266]\naccuracy = 1e-8\n[effects]\ngravity = 9.81\nfriction = 0.741\nfriction_law = ";
+    for (file, column) in [(jams, "omega3"), (lets_go, "omega3"), (slows, "energy")] {
+        let end = |law: &str| last(&[file, law].concat(), [column])[0];
         let dry = end("\"coulomb\"");
         let off = |slip: f64| (end(&format!("\"smoothed\"\nfriction_slip = {slip}")) - dry).abs();
         let (far, near) = (off(1e-2), off(4e-3));
@@ -348,7 +349,7 @@ fn sliding_turns_into_rolling_to_one_digit_too() {
     }
 }
 
-/// Rest is found to the last digits, wherever rounding leaves the slip: a ball that slides rolls with 5/7 of its speed (4.3).
+/// Rest is found to the last digits, wherever rounding leaves the slip: a ball that slides rolls with 5/7 of its speed (4.3). Of few steps, one may pass the moment of rest.
 #[test]
 fn a_sliding_ball_rolls_at_every_accuracy() {
     for inertia in [3.6e-4, 3.6e-4_f64.next_down(), 3.6e-4_f64.next_up()] {
@@ -364,6 +365,10 @@ fn a_sliding_ball_rolls_at_every_accuracy() {
             }
         }
     }
+    let passes = "kind = \"table-top\"\n[body]\nmass = 0.0125\nradius = 0.0194\ninertia = [2.64e-6, 2.64e-6, 2.64e-6, 0, 0, 0]\n[initial]\nattitude = [-0.723, -0.62, 0.134, -0.274]\nomega = [-2.43, 5.74, 10.6]\nvelocity = [-0.109, 0.187, 0]\n[effects]\ngravity = 4.74\nfriction_law = \"coulomb\"\nfriction = 0.293\n[run]\ntimes = [0.048]\naccuracy = 1e-4\n";
+    // The energy at the start, J. Observed: 9e-11 of it; 1e-3 where the halved steps had no error control.
+    let [energy, taken] = last(passes, ["energy", "dissipated"]);
+    near!(energy + taken, 1.641_863e-3, 1e-12);
 }
 
 /// At the moment of a landing, or of the end of a slip, either side of it will do. This ball is heavy on one side: it hops, and comes to roll.
@@ -397,7 +402,7 @@ fn a_blow_counts() -> Result<()> {
         let light = ConvexBody::new(body.mass(), light, Surface::sphere(0.02)?, body.center())?;
         let scene = heavy(light, Start::about_third_axis(tilt, 0.0, spin)?);
         let scene = scene.with(Viscous::new(friction)?)?;
-        scene.simulate(&asking([0.2], 1e-6).within(1_000_000))
+        scene.simulate(&asking([0.2], 1e-6).within(500_000))
     };
     refused!(thrown(1e-2, 3.0, 1.0, 1000.0), Budget);
     refused!(thrown(1e-9, 0.3, 0.1, 155.0), Integration);

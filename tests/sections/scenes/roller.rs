@@ -83,8 +83,7 @@ fn each_effect_matters_and_fades() {
 fn what_a_roller_refuses() {
     let resistance = RollingResistance::new(0.01).unwrap();
     let scene = with([mu(0.2).into(), resistance.into()]);
-    let early = Request::at([-1.0]).unwrap();
-    refused!(scene.simulate(&early), OutOfRange);
+    refused!(scene.simulate(&Request::at([-1.0]).unwrap()), OutOfRange);
     let exact = times().by(Choice::Use(Solver::Exact));
     refused!(scene.simulate(&exact), Solver);
     assert!(thrown().simulate(&exact).is_ok());

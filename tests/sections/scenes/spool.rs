@@ -8,8 +8,7 @@ fn spool() -> Spool {
 }
 
 fn reel() -> TuggedSpool {
-    let still = TuggedSpool::new(spool(), 9.81).unwrap();
-    still.moving(-0.5, 0.8)
+    TuggedSpool::new(spool(), 9.81).unwrap().moving(-0.5, 0.8)
 }
 
 fn run(scene: &impl Scene<State = Spooling>) -> Motion<Spooling> {
@@ -33,20 +32,17 @@ fn each_effect_matters_and_fades() {
     let held = run(&with(&[tug(0.3), mu(0.4)]));
     assert!(same(&pulled, &held) > 0.1);
     // The slip passes through zero on the way, an event more: rounding. Observed: 4e-16.
-    let slippery = run(&with(&[tug(0.3), mu(0.0)]));
-    assert!(same(&pulled, &slippery) < 2e-15);
+    assert!(same(&pulled, &run(&with(&[tug(0.3), mu(0.0)]))) < 2e-15);
     let slowed = run(&with(&[tug(0.3), mu(0.4), felt(0.01)]));
     assert!(same(&held, &slowed) > 1e-3);
     // Events more than without: rounding.
     assert!(same(&held, &run(&with(&[tug(0.3), mu(0.4), felt(0.0)]))) < 2e-15);
-    let other = with(&[mu(0.4), tug(0.3)]);
-    assert_eq!(same(&held, &run(&other)), 0.0);
+    assert_eq!(same(&held, &run(&with(&[mu(0.4), tug(0.3)]))), 0.0);
 }
 
 #[test]
 fn a_lifted_spool_is_refused() {
-    let lifted = reel().with(Tug::new(2.1, 1.4).unwrap());
-    refused!(lifted, NotPositive);
+    refused!(reel().with(Tug::new(2.1, 1.4).unwrap()), NotPositive);
 }
 
 /// At the critical angle pull and twist balance, and what is left is rounding: that is no reason to refuse an answer.

@@ -232,8 +232,7 @@ fn methods_agree_and_refusals_are_named() {
     for solver in [Solver::Exact, Solver::Events] {
         refused!(scene.plan(&request().by(Choice::Use(solver))), Solver);
     }
-    let before = Request::at([-1.0]).unwrap();
-    refused!(scene.plan(&before), OutOfRange);
+    refused!(scene.plan(&Request::at([-1.0]).unwrap()), OutOfRange);
     let strip = Strip::new(plate(), START).unwrap();
     let (mean, contrast) = (0.5, 1.0);
     let driving = Drag { mean, contrast };

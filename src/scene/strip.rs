@@ -171,12 +171,12 @@ impl Flow<7> for Strip {
 
     fn start(&self) -> Result<(f64, [f64; 7])> {
         let y = self.numbers([0.0; 2], self.start.angle, self.start.velocity);
-        // A strip at rest is turned by −u w, the only torque on it; where that is zero, by its first or second derivative.
+        // A strip at rest is turned by −u w, the only torque on it; where u or w is zero, by what it becomes first.
         let [.., u, w, omega, _] = y;
         let [.., du, dw, _, _] = self.equations.rate_in(1.0, &y);
-        let turning = [omega, -u * w, -(du * w + u * dw), -du * dw];
-        let first = turning.into_iter().find(|&x| x != 0.0);
-        Ok((1.0_f64.copysign(first.unwrap_or(1.0)), y))
+        let soon = |now: f64, rate: f64| if now == 0.0 { rate } else { now };
+        let sense = soon(omega, -soon(u, du) * soon(w, dw));
+        Ok((1.0_f64.copysign(sense), y))
     }
 
     /// Half chord a, 1 rad, a speed, a rate, an energy.

@@ -1,8 +1,9 @@
-//! What scenes tell of their errors where it has a closed form: of events, of the pace of steps, of how a change of the start grows.
+//! What scenes tell of their errors where it has a closed form: of events, of the pace of steps, of how a change of the start grows; and what they cost and keep.
 
 use press::scenes::parse;
 use spinning_bodies::Error;
-use spinning_bodies::scene::{Choice, Geometric, Request, Solver};
+use spinning_bodies::integrators::{Effort, Method};
+use spinning_bodies::scene::{Choice, Geometric, Request, Solver, Table};
 use spinning_bodies::yo_yo::YoYo;
 use std::f64::consts::FRAC_PI_2;
 use support::{greatest, relative};
@@ -18,6 +19,14 @@ fn changed(line: &str) -> (f64, String) {
         text.replacen(piece, &other.replace("; ", "\n"), 1)
     };
     (time.parse().unwrap(), parts.fold(text, change))
+}
+
+/// These numbers of the scene of such a line at its time, asked for like this.
+fn run(line: &str, names: &[&str], asked: impl Fn(Request) -> Request) -> Result<Table, Error> {
+    let (time, text) = changed(line);
+    let (scene, request) = parse("mine.toml", &text).unwrap();
+    let request = asked(request.of_times(&[time]).unwrap());
+    scene.telling(names).unwrap().simulate(&request)
 }
 
 /// The error that steps tell where 10⁻¹⁵ is asked, and by how much a change of the start grows.
@@ -41,7 +50,9 @@ const STRETCHED: &str = r#"
 0.7 | spool | tug_angle = 0.5235987755982988 => tug_angle = 0.0 | friction = 0.5 => friction = 0.1; rolling_resistance = 0.02
 1.0 | superball | velocity = 2.0 => velocity = 2.0; rim_speed = 0.7
 2.0 | superball | ceiling = 0.6 => restitution = 0.9; tangential_restitution = 0.8 | climb = -5.0 => climb = 4.0; rim_speed = 0.7
-0.9 | superball | gravity = 9.81 => tangential_restitution = 0.6 | climb = -5.0 => climb = -3.0; rim_speed = 9.0"#;
+0.9 | superball | gravity = 9.81 => tangential_restitution = 0.6 | climb = -5.0 => climb = -3.0; rim_speed = 9.0
+0.9 | superball | climb = -5.0 => climb = -0.5 | velocity = 2.0 => velocity = 9.0
+2.0 | billiard-shot | cue_height = 0.7 => rim_speed = 0.0 | friction = 0.2 => #"#;
 
 /// From event to event all is known but for rounding: 8 ε of a stretch or 10⁻¹⁵ of a bounce are told, and of the start and the laws as many times what the motion
 /// makes of a change of each of them by its own fraction of one.
@@ -118,7 +129,8 @@ const PACED: &str = "2.0 | heavy-body
 0.7 | superball | ceiling = 0.6 => #
 0.7 | superball | gravity = 9.81 => #
 5.0 | billiard-shot
-1.0 | yo-yo";
+1.0 | yo-yo
+1.0 | yo-yo | turn_loss = 0.9 => hand = 0.05";
 
 /// To 10⁻¹⁵ no steps will do, for of every radian at the pace of the motion 4·10⁻¹⁶ are told, and of ten more.
 #[test]
@@ -127,12 +139,14 @@ fn what_is_told_where_no_steps_will_do() {
     let fall = |a: f64, b: f64, moment: f64| (a.hypot(b) / moment).powi(2);
     let fall = fall(0.02, 0.06, 0.010) + fall(0.06, 0.03, 0.014) + fall(0.03, 0.02, 0.020);
     let (heavy, free) = ((86.0 + 9.80665 * fall.sqrt()).sqrt(), 86.0_f64.sqrt());
-    let (tippe, glides) = (155.0 + (9.82_f64 / 0.02).sqrt(), 16.0 / 5.0);
+    let (tippe, even) = (155.0 + (9.82_f64 / 0.02).sqrt(), 16.0 / 5.0);
     let bounce = (25.0 + 2.0 * 9.81 * 0.3_f64).sqrt();
-    let (under, open, straight) = (bounce / 0.6, 2.0 * 9.81 / bounce, 5.0 / 0.6);
+    let (under, open, level) = (bounce / 0.6, 2.0 * 9.81 / bounce, 5.0 / 0.6);
     let spun = (2.0 * 9.81 / (0.5 * 0.029_f64.powi(2) + 25e-6)).sqrt();
     let yo_yo = FRAC_PI_2 * spun * YoYo::disc(0.055, 0.029, 1.0, 0.005).unwrap().radius(0.0);
-    let paces = [heavy, free, tippe, under, open, straight, glides, yo_yo];
+    // The hand adds to the energy of the fall.
+    let hand = yo_yo * (1.0 + 0.05 / (0.055 * 9.81_f64)).sqrt();
+    let paces = [heavy, free, tippe, under, open, level, even, yo_yo, hand];
     for (line, pace) in PACED.lines().zip(paces) {
         let (until, text) = changed(line);
         let [reached, _] = refused(&text, &[0.5 * until, until, 0.1 * until]);
@@ -167,5 +181,111 @@ fn how_a_change_of_what_glides_grows() {
         let expected = greatest((1..9).map(|n| apart(t * f64::from(n) / 8.0))) / apart(0.0);
         let off = relative(growth, expected);
         assert!(off < 1e-4, "{velocity} {rim}: {off}");
+    }
+}
+
+/// A body with three equal moments, of whose rate 2, −1.5, 1.8 parts along its axes are doubted, and of its attitude twice −1.2, 1, 0.8 parts of a radian in space.
+#[test]
+fn how_the_doubt_of_a_top_grows() {
+    let body = "[body]\nmoments = [1.7, 1.7, 1.7]\n[initial]\nomega = [0.0, 0.0, 3.0]\n[effects]\n[run]\nuntil = 1.0\n";
+    let [_, growth] = refused(body, &[0.4, 0.9]);
+    let turned = |t: f64| {
+        let (sine, cosine) = (3.0 * t).sin_cos();
+        let x = 2.0 * sine + 1.5 * (1.0 - cosine) - 2.4;
+        let y = 2.0 * (1.0 - cosine) - 1.5 * sine + 2.0;
+        x.hypot(y).hypot(5.4 * t + 1.6)
+    };
+    let expected = turned(0.4).max(turned(0.9)) / turned(0.0);
+    assert!(relative(growth, expected) < 1e-4, "{growth} {expected}");
+}
+
+/// Bounces between floor and ceiling: their cost is extrapolated whenever it has doubled, from a million on. A steady pace ends the run where it exceeds the budget
+/// by as much as the budget exceeds what is spent; between two such times the pace may change by a quarter of the part of the budget spent at the first.
+#[test]
+fn a_steady_run_ends_early() {
+    for (slower, bounces, last) in [(1.2, 1e7, 2e6), (1.3, 1e7, 4e6 + 1.0), (1.2, 8.5e6, 4e6)] {
+        let (keep, end): (f64, f64) = (1.0 - 1e-7 * slower, 0.6 * bounces);
+        let start = "height = 0.3 => height = 0.6 | climb = -5.0 => climb = -1.0";
+        let line =
+            format!("{end} | superball | gravity = 9.81 => restitution = {keep:?} | {start}");
+        // Each flight takes longer by the factor 1/keep.
+        let expected = 0.6 * (-last * keep.ln()).exp_m1() / (-keep.ln()).exp_m1();
+        match run(&line, &[], |asked| asked.within(4_000_000)) {
+            Err(Error::Budget { spent, time, .. }) => {
+                let off = relative(time, expected);
+                assert!(
+                    spent as f64 == f64::min(last, 4e6) && off < 1e-7,
+                    "{line}: {off}"
+                );
+            }
+            other => panic!("{line}: {other:?}"),
+        }
+    }
+}
+
+/// The weight and the air turn a strip at rest one way: with that sense from the start it costs as much, with the other it does not.
+#[test]
+fn a_strip_at_rest_begins_to_turn_as_the_air_turns_it() {
+    let starts = "0.2 | -0.2 | 0.2; velocity = [0.3, -0.2] | 0.2; velocity = [-0.3, -0.2] | 0.0; velocity = [0.3, 0.0] | 0.0; velocity = [-0.3, 0.0]";
+    for start in starts.split(" | ") {
+        let turned = |omega: f64| {
+            let change = format!("angle = {start}; omega = {omega:?}");
+            let line = format!("0.01 | strip | angle = 0.2 => {change}");
+            run(&line, &["omega"], |asked| asked).unwrap()
+        };
+        let rest = turned(0.0);
+        let little = 1e-200_f64.copysign(rest.row(0).1[0]);
+        let [with, against] = [little, -little].map(|omega| turned(omega).cost);
+        assert!(rest.cost == with && with != against, "{start}");
+    }
+}
+
+/// Four evaluations a step tell of RK4.
+#[test]
+fn the_method_asked_for_is_the_one_that_runs() {
+    let rk4 = Choice::Use(Solver::General(Method::Rk4));
+    let evenly = |asked: Request| asked.by(rk4).in_one_run(Effort::Step(1e-3));
+    let cost = run("0.1 | heavy-body", &[], evenly).unwrap().cost;
+    assert_eq!(cost.evaluations / 4, cost.steps);
+}
+
+/// Scenes, and the quantities in their ledgers.
+const KEPT: &str = r#"tippe-top | friction = 0.3 => friction = 0.3; rolling_resistance = 1e-4: energy, energy and what contact has taken
+tippe-top | friction_law = "viscous" => # | friction = 0.3 => #: energy, energy and what contact has taken, Jellett's integral, vertical angular momentum
+strip | lift => # | drag => #: energy and heat, heat, horizontal impulse, vertical impulse and that of the weight
+billiard-shot | rolling_resistance = 0.01 => #: angular momentum about the table, energy plus heat less work, kinetic energy
+nutation-dies | gravity => #: energy, energy and what resistance took, size of the angular momentum
+sleeping-top | tip_friction => #: energy, angular momentum about the vertical, angular momentum about the axis of symmetry"#;
+
+#[test]
+fn what_a_scene_keeps_is_in_its_ledger() {
+    for line in KEPT.lines() {
+        let (scene, names) = line.split_once(": ").unwrap();
+        let table = run(&format!("0.1 | {scene}"), &[], |asked| asked).unwrap();
+        let kept: Vec<_> = table
+            .ledger
+            .entries()
+            .iter()
+            .map(|entry| entry.name)
+            .collect();
+        assert_eq!(kept.join(", "), names, "{line}");
+    }
+}
+
+/// Numbers that are known, and where: dry friction at the tip takes the spin evenly, to the last of it, and gives none; the centre of mass of a cone is above the
+/// place on its axis, from the tip, where it is held.
+const KNOWN: &str = r#"
+38.19594760547381 omega3 0.3 | sleeping-top | tip_friction = 6.54e-5 => tip_friction = 0.01
+0.0 omega3 0.6 | sleeping-top | tip_friction = 6.54e-5 => tip_friction = 0.01
+0.0 omega3 0.7 | sleeping-top | omega = [0.0, 0.0, 81.05309046261666] => omega = [0.5, 0.0, 0.0]
+0.89999955 height 0.0 | sleeping-top | moments => shape = "cone"; radius = 0.3; height = 0.8; pivot = [0.0, 0.0, -0.3] # | center_of_mass => #"#;
+
+#[test]
+fn numbers_that_are_known() {
+    for line in KNOWN.lines().skip(1) {
+        let [known, name, line] = line.splitn(3, ' ').collect::<Vec<_>>().try_into().unwrap();
+        let told = run(line, &[name], |asked| asked).unwrap().row(0).1[0];
+        let off = told - known.parse::<f64>().unwrap();
+        assert!(off.abs() <= 1e-7 * told.abs(), "{line}: {off}");
     }
 }

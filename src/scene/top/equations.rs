@@ -116,7 +116,7 @@ impl Turning {
         let [w, x, y, z] = q;
         let quaternion = nalgebra::Quaternion::new(w, x, y, z);
         let omega: [f64; 3] = core::array::from_fn(|k| l[k] / self.moments[k]);
-        let attitude = Attitude::from_unit(quaternion / quaternion.norm());
+        let attitude = Attitude::from_unit(quaternion.normalize());
         ledger::state(&conserved.heavy, attitude, omega.into())
     }
 

@@ -205,7 +205,7 @@ pub fn crawler(values: &Values) -> Result<Figure> {
     let feet = || ground.iter().flat_map(|(_, s)| [s.rear, s.front]);
     let (least, most) = (feet().fold(0.0, f64::min), feet().fold(0.0, f64::max));
     let time = Axis::linear([0.0, span], [318.0, 580.0]);
-    let way = Axis::linear([least - 0.05, most], [280.0, 36.0]);
+    let way = Axis::linear([least - 0.15 * (most - least), most], [280.0, 36.0]);
     let frame = Frame { x: time, y: way };
     let made = figure("crawler", 340.0, words, |pen| {
         let at = |[x, y]: Point| planned([146.0, 160.0], 118.0, [x - center[0], y - center[1]]);

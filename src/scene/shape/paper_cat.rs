@@ -149,7 +149,7 @@ impl PaperCat {
         }
         Falling {
             cat: Self { cat, ..*self },
-            speed: size(fastest.min(g * last)),
+            speed: fastest.min(g * last),
             height: size(fastest.min(g * last) * last),
             pace: (g * cat.lever.abs()).sqrt() / cat.gyration,
         }
@@ -193,7 +193,7 @@ impl Flow<5> for Falling {
         let length = self.cat.cat.gyration;
         // Without a lever nothing turns it, and the fall alone has a rate.
         let turning = Some(self.pace).filter(|&pace| pace > 0.0);
-        let rate = turning.unwrap_or(self.speed / length);
+        let rate = size(turning.unwrap_or(self.speed / length));
         let speed = length * rate;
         [length, speed, near, near * rate, speed * speed]
     }
@@ -219,7 +219,7 @@ impl Flow<5> for Falling {
 
     fn distance(&self, ((), a): &((), [f64; 5]), ((), b): &((), [f64; 5])) -> f64 {
         let energy = size(self.speed * self.speed);
-        let scales = [self.height, self.speed, 1.0, size(self.pace), energy];
+        let scales = [self.height, size(self.speed), 1.0, size(self.pace), energy];
         apart(&self.told(a), &self.told(b), &scales)
     }
 }

@@ -79,7 +79,10 @@ fn five_points_of_each_range_can_be_drawn() {
 /// All of them at once at the lower ends, and at the upper ones.
 #[test]
 fn two_corners_of_all_ranges_can_be_drawn() {
-    all().par_iter().for_each(|entry| {
+    let moved = all()
+        .par_iter()
+        .filter(|entry| !entry.parameters.is_empty());
+    moved.for_each(|entry| {
         for share in [0.0, 1.0] {
             let values = entry
                 .parameters

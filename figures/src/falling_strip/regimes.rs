@@ -13,10 +13,10 @@ const LINE: Axis = Axis::log([0.25, 12.0], [40.0, 580.0]);
 const STRIPS: [f64; 4] = [30.0, 15.0, 5.0, 1.0];
 const CENTIMETRE: f64 = 3.0;
 
-/// Long runs of all these mass ratios.
-pub fn scan(ratios: &[f64], coefficients: Coefficients) -> Result<Vec<LongRun>> {
+/// Long runs of all these mass ratios, observed for a time that is as long as the run-up.
+pub fn scan(ratios: &[f64], coefficients: Coefficients, time: f64) -> Result<Vec<LongRun>> {
     tried(ratios, |&ratio| {
-        Fall::new(ratio, coefficients)?.long_run(Start::TILTED, 300.0, 300.0)
+        Fall::new(ratio, coefficients)?.long_run(Start::TILTED, time, time)
     })
 }
 
@@ -25,7 +25,7 @@ pub fn regimes(_: &Values) -> Result<Figure> {
     let ratios = (0..=150).map(|k| 0.25 * 48_f64.powf(f64::from(k) / 150.0));
     let ratios: Vec<f64> = ratios.collect();
     let sets = [Coefficients::PAPER, Coefficients::PUBLISHED];
-    let rows = tried(sets, |set| scan(&ratios, set))?;
+    let rows = tried(sets, |set| scan(&ratios, set, 200.0))?;
     let ends = [
         transition(sets[0], 0.4, 0.6, 1e-4, 400.0)?,
         transition(sets[1], 1.1, 1.3, 1e-4, 400.0)?,

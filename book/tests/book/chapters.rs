@@ -84,6 +84,10 @@ fn rust_examples_are_short_and_hold_no_directive() {
             (visible > MOST_LINES, "more lines than a reader wants"),
             (text.contains("{{#"), "a directive in a Rust block"),
             (!text.contains("assert"), "the example asserts nothing"),
+            (
+                text.contains("include_str!(\""),
+                "a path not found from where all blocks are compiled as one",
+            ),
         ] {
             if wrong {
                 faults.push(format!("book/src/{chapter}.md:{line}: {what}"));

@@ -173,34 +173,6 @@ fn a_file_has_plain_colours() {
     }
 }
 
-/// librsvg knows no variables: what was drawn in them was left out, or black.
-#[test]
-fn another_renderer_shows_the_colours() {
-    for (name, least) in [("polhodes", 5000), ("nutations", 500)] {
-        let mut renderer = std::process::Command::new("rsvg-convert");
-        let renderer = renderer.args(["--width=600", "--background-color=white"]);
-        // It may not be there.
-        let Ok(picture) = renderer.arg(committed(name)).output() else {
-            return;
-        };
-        let mut decoder = png::Decoder::new(std::io::Cursor::new(picture.stdout));
-        decoder.set_transformations(png::Transformations::STRIP_16);
-        let mut reader = decoder.read_info().expect("a picture");
-        let mut bytes = vec![0; reader.output_buffer_size().expect("a small picture")];
-        let info = reader.next_frame(&mut bytes).expect("a frame");
-        // Ink and its shades are nearly grey.
-        let dots = bytes[..info.buffer_size()].chunks(info.color_type.samples());
-        let coloured = |dot: &&[u8]| {
-            let shade = [dot[0], dot[1], dot[2]];
-            shade
-                .iter()
-                .any(|a| shade.iter().any(|b| a.abs_diff(*b) > 60))
-        };
-        let coloured = dots.filter(coloured).count();
-        assert!(coloured >= least, "{name}: {coloured} coloured dots");
-    }
-}
-
 /// The backend moves points outside to the edge: a curve that reaches the edge was cut.
 #[test]
 fn curves_keep_off_the_edge() {

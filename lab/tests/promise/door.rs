@@ -1,8 +1,9 @@
 //! All that the suite asks of the library: a scene file goes in, rows and an estimate come out; and what a run of order 8 would cost.
 
-use press::scenes::{parse, run};
+use lab::general::DifferentialEquations;
 use spinning_bodies::frame::Attitude;
 use spinning_bodies::integrators::{Effort, Kept, order_eight};
+use spinning_bodies::scene::files::parse;
 use support::double_double::Dd;
 
 /// What came back.
@@ -40,8 +41,12 @@ const MOST_EVALUATIONS: u64 = 3_000_000;
 
 /// Runs a scene file.
 pub fn simulate(text: &str) -> Answer {
-    let motion = parse("scene", text)
-        .and_then(|(scene, request)| run("scene", &scene, &request.within(MOST_EVALUATIONS)));
+    let asked = parse("scene", text).map_err(|mistakes| mistakes.to_string());
+    let motion = asked.and_then(|(scene, request)| {
+        let request = request.with_methods(&DifferentialEquations);
+        let motion = scene.simulate(&request.within(MOST_EVALUATIONS));
+        motion.map_err(|error| error.to_string())
+    });
     match motion {
         Ok(table) => Answer::Motion(Motion {
             solver: table.plan.solver.name().to_owned(),
@@ -50,7 +55,7 @@ pub fn simulate(text: &str) -> Answer {
             columns: table.columns.iter().map(|column| column.name).collect(),
             rows: table.rows().map(|(_, row)| row).collect(),
         }),
-        Err(error) => Answer::Refused(error.to_string()),
+        Err(told) => Answer::Refused(told),
     }
 }
 

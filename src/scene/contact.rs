@@ -31,14 +31,9 @@ use core::cell::Cell;
 
 use nalgebra::Vector3;
 
-use super::columns::{Columns, columns};
-use super::effects::Effect;
-use super::engine::{self, Ahead, Flow, Trace, planned, solved, to_accuracy};
-use super::{Motion, Plan, Request, Scene, Solver, Tabulated};
-use crate::conservation::Law;
-use crate::error::{Error, Result, each_finite, positive, stopped};
-use crate::frame::{Attitude, BodyVector, SpaceVector};
-use crate::integrators::{Cost, Effort, Kept, Leg, Passage, Stop, System, Watched};
+use super::prelude::*;
+use crate::error::stopped;
+use crate::integrators::Watched;
 use crate::rolling::Coulomb;
 use crate::tippe_top::equations::{Contact, NUMBERS, Numbers, Pose, Table, numbers};
 use crate::tippe_top::flight::{Flight, TakeOff};
@@ -663,7 +658,7 @@ impl Flow<NUMBERS> for OnTheTable {
         let apart = |a: &Numbers, b: &Numbers| {
             let angle = Pose::of(a).attitude().angle_to(&Pose::of(b).attitude());
             let relative = |n: usize| (a[n] - b[n]).abs() / scales[n];
-            (4..9).map(relative).fold(angle, engine::greater)
+            (4..9).map(relative).fold(angle, greater)
         };
         let (takeoff, flying, other) = match (p, q) {
             (Mode::Airborne(_), Mode::Airborne(_)) => return apart(a, b),

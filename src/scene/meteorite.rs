@@ -2,17 +2,12 @@
 
 use nalgebra::Matrix3;
 
-use super::columns::{Columns, columns};
-use super::effects::{Effect, Impact};
-use super::motion::OpenLedger;
+use super::effects::Impact;
+use super::prelude::*;
 use super::top::{Body, Start, State, Top};
-use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
-use crate::conservation::Law;
-use crate::error::{Error, Result};
-use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::impacts::{Meteorite, Planet, strike};
 use crate::inertia::MassProperties;
-use crate::integrators::{Cost, both_ways};
+use crate::integrators::both_ways;
 
 /// A planet in free flight, whose axes point along those of space at time 0, when its centre is at the origin.
 ///

@@ -52,6 +52,20 @@ pub use yo_yo::{Phase, Play, YoYoState};
 
 pub(crate) use budget::Budget;
 
+/// What a kind of scene is made of.
+mod prelude {
+    pub(crate) use super::columns::{Columns, columns, state};
+    pub(crate) use super::effects::Effect;
+    pub(crate) use super::engine::{AN_INTEGRAL, Ahead, Flow, OF_CLOSED_FORMS, Trace};
+    pub(crate) use super::engine::{apart, greater, planned, solved, to_accuracy};
+    pub(crate) use super::motion::OpenLedger;
+    pub(crate) use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
+    pub(crate) use crate::conservation::Law;
+    pub(crate) use crate::error::{Error, Result, each_finite, finite, not_negative, positive};
+    pub(crate) use crate::frame::{Attitude, BodyVector, SpaceVector};
+    pub(crate) use crate::integrators::{Cost, Effort, Kept, Leg, Passage, Stop, System};
+}
+
 use crate::error::Result;
 
 /// A scene of any kind.

@@ -1,14 +1,7 @@
 //! The scenes `roller` (tutorial 4.3 and 4.5), a round body on a table, struck by a cue or on a sheet that is withdrawn, and `spool` (4.4), pulled at its
 //! string.
 
-use super::columns::{Columns, columns};
-use super::effects::Effect;
-use super::engine::{Flow, OF_CLOSED_FORMS, apart, greater, planned, to_accuracy};
-use super::motion::OpenLedger;
-use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
-use crate::conservation::Law;
-use crate::error::{Result, finite, positive};
-use crate::integrators::{Cost, Stop};
+use super::prelude::*;
 use crate::rolling::moment::State;
 use crate::rolling::stretch::{Laws, Stretch};
 use crate::rolling::{Course, Load, Moment, RoundBody, Shot, Spool};

@@ -1,13 +1,8 @@
 //! The scene `strip` (tutorial 4.10): a strip that falls through a fluid, seen along its length.
 
-use super::columns::{Columns, columns, state};
-use super::effects::Effect;
-use super::engine::{Flow, OF_CLOSED_FORMS, ROUNDING, greater, planned, solved};
-use super::{Motion, Plan, Request, Scene};
-use crate::conservation::Law;
-use crate::error::{Result, each_finite, finite, not_negative};
+use super::engine::ROUNDING;
+use super::prelude::*;
 use crate::falling_strip::{Equations, Plate, RotationalDamping};
-use crate::integrators::Stop;
 
 state! {
     /// The state of a strip; energies per metre of its length.

@@ -1,13 +1,6 @@
 //! The scene `superball` (tutorial 4.6): a ball that bounces on a floor, or between floor and table top.
 
-use super::columns::{Columns, columns};
-use super::effects::Effect;
-use super::engine::{Flow, OF_CLOSED_FORMS, apart, greater, planned, to_accuracy};
-use super::motion::OpenLedger;
-use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
-use crate::conservation::Law;
-use crate::error::{Error, Result, not_negative, positive};
-use crate::integrators::{Cost, Stop};
+use super::prelude::*;
 use crate::superball::{Flight, InFlight, Surface};
 
 /// A ball that bounces on a floor or, if there is one, between floor and ceiling.

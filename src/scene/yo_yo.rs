@@ -2,13 +2,7 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use super::columns::{Columns, columns, state};
-use super::effects::Effect;
-use super::engine::{Ahead, Flow, OF_CLOSED_FORMS, greater, planned, solved};
-use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
-use crate::conservation::Law;
-use crate::error::{Error, Result, not_negative, positive};
-use crate::integrators::{Passage, Stop};
+use super::prelude::*;
 use crate::yo_yo::{Turn, Unwinding, YoYo, sleeping_spin, spin_after_waking};
 
 /// The phases of a yo-yo's motion.

@@ -5,19 +5,9 @@ use core::f64::consts::PI;
 
 use nalgebra::{Isometry3, Matrix3, UnitQuaternion, Vector3};
 
-use super::file::{File, Made, listed, with};
-use super::keys::Bound::{From, NotNegative, Positive};
-use super::look::{Outline, about, posed, still};
-use super::values::{keys, section};
-use crate::frame::Attitude;
-use crate::phenomena;
-use crate::phenomena::{Bend, Half, PaperCat as Postcard, Strokes};
-use crate::scene::effects::{
-    Air, BearingFriction, Coulomb, Draw, FourPhases, Gravity, Pace, Turnover,
-};
+use super::file::*;
+use crate::phenomena::{self, Bend, Half, PaperCat as Postcard, Strokes};
 use crate::scene::shape::{Cat, Crawler, PaperCat, Skater, Swivel};
-use crate::scene::sight::Look;
-use crate::scene::{Around, Sight, Solid};
 
 section! {
     /// `[body]` of a swivel.

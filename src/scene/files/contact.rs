@@ -3,17 +3,10 @@
 use nalgebra::Vector3;
 
 use super::body::{Matter, Round, inertia_factor};
-use super::file::{File, Made, listed, with};
-use super::keys::Bound::{NotNegative, Positive, UpTo};
-use super::look::{Outline, free, rolling};
-use super::reader::Reader;
-use super::values::section;
-use crate::frame::BodyVector;
-use crate::impacts::{Impact, Meteorite, Planet};
+use super::file::*;
+use crate::impacts::{Meteorite, Planet};
 use crate::rolling::{RoundBody, SheetSpeeds, Spool};
-use crate::scene::effects::{Coulomb, Effect, Gravity, Restitution, RollingResistance, Sheet, Tug};
-use crate::scene::sight::Look;
-use crate::scene::{Around, Roller, Solid, StruckPlanet, Superball, TuggedSpool};
+use crate::scene::{Roller, StruckPlanet, Superball, TuggedSpool};
 use crate::superball::{InFlight, Motion};
 
 section! {

@@ -2,14 +2,9 @@
 
 use nalgebra::Vector3;
 
-use super::file::{File, Made, listed, with};
-use super::keys::Bound::{NotNegative, Positive};
-use super::look::{Outline, about};
-use super::values::{keys, section};
+use super::file::*;
 use crate::falling_strip::Plate;
-use crate::scene::effects::{AddedMass, Drag, Gravity, Lift, RotationalDamping};
-use crate::scene::sight::Look;
-use crate::scene::{Around, Solid, Strip, StripStart};
+use crate::scene::{Strip, StripStart};
 
 section! {
     /// `[body]` of a strip.

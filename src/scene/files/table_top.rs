@@ -3,15 +3,8 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::body::{Matter, Shapeless};
-use super::file::{File, Made, listed, with};
-use super::keys::Bound::{NotNegative, Positive};
-use super::look::{Outline, about, free};
-use super::reader::Reader;
-use super::values::{Word, section};
-use crate::frame::{Attitude, BodyVector, SpaceVector};
+use super::file::*;
 use crate::scene::contact::TableTop;
-use crate::scene::effects::{Coulomb, Effect, Gravity, NoSlip, Regularised, Resistance, Viscous};
-use crate::scene::{Around, Solid};
 use crate::tippe_top::{ConvexBody, Start, Surface};
 
 section! {

@@ -1,13 +1,7 @@
 //! `kind = "top"`, or no kind: a body with a fixed point.
 
 use super::body::{Inertia, Matter};
-use super::file::{File, Made, listed, with};
-use super::look::{Outline, free};
-use super::reader::Reader;
-use super::values::section;
-use crate::frame::{Attitude, BodyVector};
-use crate::scene::Around;
-use crate::scene::effects::{AirDrag, BearingFriction, Gravity, PivotFriction, TipFriction};
+use super::file::*;
 use crate::scene::top::{Body as TopBody, Start, Top};
 
 section! {

@@ -1,12 +1,7 @@
 //! `kind = "yo-yo"`: a yo-yo, let go or thrown (4.9).
 
-use super::file::{File, Made, listed, with};
-use super::keys::Bound::{NotNegative, Positive};
-use super::look::{Outline, rolling};
-use super::reader::Reader;
-use super::values::section;
-use crate::scene::effects::{AirDrag, AxleFriction, Gravity, Hand, Sleep, TurnLoss};
-use crate::scene::{Around, Play, Solid};
+use super::file::*;
+use crate::scene::Play;
 use crate::yo_yo::YoYo;
 
 section! {

@@ -4,17 +4,11 @@ use core::f64::consts::FRAC_PI_2;
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-use crate::error::{Result, finite};
-use crate::frame::{Attitude, BodyVector, SpaceVector, finite_vector};
-use crate::integrators::Kept;
+use crate::frame::finite_vector;
 use crate::phenomena::quadrature::integral;
 use crate::phenomena::{self, Bend, EqualHalves, ShapePlane};
-use crate::scene::columns::{Columns, columns};
-use crate::scene::effects::Effect;
-use crate::scene::engine::{AN_INTEGRAL, Flow, planned, solved};
-use crate::scene::motion::OpenLedger;
 use crate::scene::path::{Turnover, next_of};
-use crate::scene::{Motion, Plan, Request, Scene, Solver, Tabulated};
+use crate::scene::prelude::*;
 
 /// A cat of two halves in free fall: attitude and angular momentum at the start, a path of shapes, and gravity.
 #[derive(Debug, Clone, Copy, PartialEq)]

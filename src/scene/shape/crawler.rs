@@ -2,16 +2,10 @@
 
 use core::f64::consts::TAU;
 
-use crate::conservation::Law;
-use crate::error::{Result, not_negative};
-use crate::integrators::{Passage, Stop};
 use crate::phenomena::{self, Foot, Gap, Leg};
 use crate::rolling::Coulomb;
-use crate::scene::columns::{Columns, columns, state};
-use crate::scene::effects::Effect;
-use crate::scene::engine::{Ahead, Flow, planned, solved};
 use crate::scene::path::no_more;
-use crate::scene::{Motion, Plan, Request, Scene};
+use crate::scene::prelude::*;
 
 /// Two feet joined by a muscle, on the ground, initially at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,14 +1,8 @@
 //! The scenes `swivel` and `skater` (tutorial 1.1): a body of two parts, and one that pulls in the arms, both turning about the vertical on ice.
 
-use crate::error::{Result, finite, not_negative, positive};
-use crate::integrators::Stop;
-use crate::phenomena;
-use crate::phenomena::quadrature::integral;
-use crate::scene::columns::{Columns, columns, state};
-use crate::scene::effects::Effect;
-use crate::scene::engine::{AN_INTEGRAL, Flow, apart, planned, solved};
+use crate::phenomena::{self, quadrature::integral};
 use crate::scene::path::{Draw, FourPhases, Twist, next_of};
-use crate::scene::{Motion, Plan, Request, Scene, Solver};
+use crate::scene::prelude::*;
 
 /// Two parts on one vertical axis, the lower one free to turn on the ice: angular momentum L, a path of shapes, and the friction of the bearing.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,14 +2,8 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::conservation::Law;
-use crate::error::{Result, finite, positive};
-use crate::integrators::{Effort, Kept, Leg, Stop, System};
 use crate::phenomena;
-use crate::scene::columns::{Columns, columns, state};
-use crate::scene::effects::Effect;
-use crate::scene::engine::{Flow, apart, planned, solved};
-use crate::scene::{Motion, Plan, Request, Scene, Solver};
+use crate::scene::prelude::*;
 
 /// π less the double nearest to it.
 const PI_LEFT: f64 = 1.224_646_799_147_353_2e-16;

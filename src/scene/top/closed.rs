@@ -3,15 +3,14 @@
 use nalgebra::{Quaternion, UnitQuaternion};
 
 use super::body::{Body, Spin, Start, onto_third};
-use crate::error::Result;
 use crate::euler_equations::{Integrability, classify};
 use crate::euler_top::EulerTop;
-use crate::frame::{Attitude, BodyVector};
 use crate::integrators::both_ways;
 use crate::kovalevskaya_top::{KovalevskayaTop, State as Turned};
 use crate::lagrange_top::{self, Exact, LagrangeTop};
 use crate::precise::{Extended, Number, sum_of_products};
 use crate::scene::Budget;
+use crate::scene::prelude::*;
 
 /// A motion in closed form.
 #[derive(Debug, Clone)]

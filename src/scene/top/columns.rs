@@ -3,8 +3,7 @@
 use super::effects::{State, Top};
 use super::equations::Turning;
 use super::ledger::{Conserved, up};
-use crate::frame::{BodyVector, SpaceVector};
-use crate::scene::columns::{Columns, columns};
+use crate::scene::prelude::*;
 
 /// The further columns of a top's states. The force at the pivot is a column of every body with mass, with gravity or without.
 pub(super) fn columns(top: &Top) -> Columns<State> {

@@ -1,14 +1,10 @@
 //! The top, the effects on it, and its state.
 
 use super::body::{Body, Start};
-use crate::error::{Result, refused};
-use crate::frame::{Attitude, BodyVector};
+use crate::error::refused;
 use crate::precise::power_of_two_below;
-use crate::scene::columns::columns;
-use crate::scene::effects::{
-    AirDrag, BearingFriction, Effect, Gravity, PivotFriction, TipFriction,
-};
-use crate::scene::{Columns, Tabulated};
+use crate::scene::effects::{AirDrag, BearingFriction, Gravity, PivotFriction, TipFriction};
+use crate::scene::prelude::*;
 
 /// A top and the effects on it.
 #[derive(Debug, Clone, Copy, PartialEq)]

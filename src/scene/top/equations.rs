@@ -3,13 +3,10 @@
 use super::body::{DOUBT, Start};
 use super::effects::{State, Top};
 use super::ledger::{self, Conserved};
-use crate::error::Result;
 use crate::euler_equations::{AxisMoments, quaternion_rate};
-use crate::frame::{Attitude, BodyVector};
 use crate::integrators::geometric::Phase;
-use crate::integrators::{Kept, Stop};
 use crate::precise::power_of_two_below;
-use crate::scene::engine::{Flow, greater};
+use crate::scene::prelude::*;
 
 /// A top as a flow of seven components, L and the quaternion, and with resistance an eighth, the energy lost.
 ///

@@ -1,12 +1,9 @@
 //! The quantities that a top conserves, or may only lose.
 
 use super::effects::{State, Top};
-use crate::conservation::Law;
-use crate::error::{Result, finite};
 use crate::euler_equations::{HeavyTop, Integrability, TopState};
-use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::precise::power_of_two_below;
-use crate::scene::motion::OpenLedger;
+use crate::scene::prelude::*;
 
 /// A top and its start, with the scales for its ledger.
 pub(super) struct Conserved {

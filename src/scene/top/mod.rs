@@ -22,11 +22,9 @@ pub use effects::{State, Top};
 
 pub use super::effects::{AirDrag, BearingFriction, Gravity, PivotFriction, TipFriction};
 
-use super::engine::{Stepper, greater, to_accuracy, vouched};
-use super::motion::OpenLedger;
-use super::{Budget, Choice, Columns, Geometric, Motion, Plan, Request, Scene, Solver};
-use crate::error::{Error, Result};
-use crate::integrators::Cost;
+use super::engine::{Stepper, vouched};
+use super::prelude::*;
+use super::{Budget, Geometric};
 
 use closed::ClosedForm;
 use equations::Turning;

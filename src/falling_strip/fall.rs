@@ -338,9 +338,7 @@ fn repeats(passages: &[Passage]) -> Option<usize> {
         turn.abs() + apart(U, sense) + apart(W, sense) + apart(OMEGA, 1.0) < 1e-3
     };
     (1..=passages.len() / 2).find(|&every| {
-        passages[every..]
-            .iter()
-            .zip(passages)
-            .all(|(later, earlier)| alike(later, earlier))
+        let mut pairs = passages[every..].iter().zip(passages);
+        pairs.all(|(later, earlier)| alike(later, earlier))
     })
 }

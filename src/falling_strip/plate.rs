@@ -176,12 +176,8 @@ impl Equations {
     }
 
     fn masses(&self) -> Masses {
-        let Plate {
-            half_chord: a,
-            mass,
-            thickness_ratio: beta,
-            ..
-        } = self.plate;
+        let (a, mass) = (self.plate.half_chord, self.plate.mass);
+        let beta = self.plate.thickness_ratio;
         let carried = |added: AddedMass| added.factor * self.plate.displaced_mass();
         let fluid = self.added_mass.map_or(0.0, carried);
         let flat = (1.0 - beta) * (1.0 + beta);
@@ -265,10 +261,8 @@ impl Equations {
         let masses = self.masses();
         let (sine, cosine) = state[2].sin_cos();
         let (along, across) = (masses.along * state[3], masses.across * state[4]);
-        [
-            along * cosine - across * sine,
-            along * sine + across * cosine,
-        ]
+        let right = along * cosine - across * sine;
+        [right, along * sine + across * cosine]
     }
 }
 

@@ -126,10 +126,8 @@ impl Cat {
     pub fn places(&self, bend: &Bend) -> [BodyVector; 3] {
         let [first, second] = self.halves;
         let mass = first.mass + second.mass;
-        let (a, b) = (
-            Vector3::x() * first.to_joint,
-            bend.spine() * second.to_joint,
-        );
+        let a = Vector3::x() * first.to_joint;
+        let b = bend.spine() * second.to_joint;
         let joint = a * (first.mass / mass) - b * (second.mass / mass);
         [joint, joint - a, joint + b].map(BodyVector::from_components)
     }
@@ -188,11 +186,8 @@ impl Cat {
             + (Matrix3::identity() * c.norm_squared() - c * c.transpose()) * reduced;
         let shape = spin(second, u, bend.rate()) + c.cross(&c_rate) * reduced;
         let right = momentum.components() - shape;
-        let omega = matrix
-            .cholesky()
-            .map(|factors| factors.solve(&right))
-            .unwrap_or(Vector3::repeat(f64::NAN));
-        let omega = BodyVector::from_components(omega);
+        let omega = matrix.cholesky().map(|factors| factors.solve(&right));
+        let omega = BodyVector::from_components(omega.unwrap_or(Vector3::repeat(f64::NAN)));
         finite_vector("the angular velocity of the cat", omega)
     }
 }

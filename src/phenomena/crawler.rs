@@ -238,9 +238,8 @@ impl Crawler {
     /// Heat, W, at these velocities of the feet.
     pub(crate) fn heating(&self, leg: &Leg, velocities: [f64; 2]) -> f64 {
         let slipping = (0..2).filter(|&foot| leg.feet[foot] != Foot::Holds);
-        slipping
-            .map(|foot| -leg.ground[foot] * velocities[foot])
-            .sum()
+        let heats = slipping.map(|foot| -leg.ground[foot] * velocities[foot]);
+        heats.sum()
     }
 
     /// Speed (m/s) and acceleration (m/s²) of a slipping foot in its direction, if it slows down while neither foot holds: only then can it come to rest.

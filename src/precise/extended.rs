@@ -42,11 +42,8 @@ pub(crate) fn sum_of_products<const N: usize>(products: &[[f64; N]]) -> Extended
 
 /// The sum of two numbers of one word each, as the nearest such number and the remainder, the remainder first.
 fn exact_sum(a: Extended, b: Extended) -> [Extended; 2] {
-    let (small, large) = if a.exponent < b.exponent {
-        (a, b)
-    } else {
-        (b, a)
-    };
+    let ordered = a.exponent < b.exponent;
+    let (small, large) = if ordered { (a, b) } else { (b, a) };
     // So far apart that the sum rounds to the larger: unchanged. Otherwise no digit underflows; zero counts as far from everything.
     let shifted = small.digits.high() * power(small.exponent - large.exponent);
     let digits = DoubleDouble::sum(large.digits.high(), shifted);

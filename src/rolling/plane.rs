@@ -63,10 +63,9 @@ impl RoundBody {
         each_finite("a velocity", start.rim_velocity)?;
         let [x, y] = start.slip();
         let size = x.hypot(y);
-        let friction = if size == 0.0 {
-            [0.0; 2]
-        } else {
-            [-strength * (x / size), -strength * (y / size)]
+        let friction = match size {
+            0.0 => [0.0; 2],
+            size => [x, y].map(|part| -strength * (part / size)),
         };
         let kappa = self.inertia_factor;
         let rolling = [0, 1].map(|i| {
@@ -102,16 +101,14 @@ impl Slide {
         let (v, f) = (self.start.velocity, self.friction);
         let place = [0, 1]
             .map(|i| sliding * (v[i] + 0.5 * sliding * f[i]) + (t - sliding) * self.rolling[i]);
-        let motion = if t >= self.time {
-            InPlane {
-                velocity: self.rolling,
-                rim_velocity: self.rolling,
-            }
-        } else {
-            InPlane {
-                velocity: [0, 1].map(|i| v[i] + t * f[i]),
-                rim_velocity: [0, 1].map(|i| self.start.rim_velocity[i] - t * f[i] / self.kappa),
-            }
+        let (mut velocity, mut rim_velocity) = (self.rolling, self.rolling);
+        if t < self.time {
+            velocity = [0, 1].map(|i| v[i] + t * f[i]);
+            rim_velocity = [0, 1].map(|i| self.start.rim_velocity[i] - t * f[i] / self.kappa);
+        }
+        let motion = InPlane {
+            velocity,
+            rim_velocity,
         };
         (place, motion)
     }

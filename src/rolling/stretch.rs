@@ -281,11 +281,8 @@ impl Stretch {
     /// the slip, and of the couple against the rotation, becomes heat.
     fn flow(&self, [velocity, rim_speed, slip]: [f64; 3], rates: [f64; 3], sheet: f64) -> State {
         let (load, pace) = (&self.load, &self.pace);
-        let ground = if self.on_sheet == Some(true) {
-            sheet
-        } else {
-            0.0
-        };
+        let on_it = self.on_sheet == Some(true);
+        let ground = if on_it { sheet } else { 0.0 };
         let heat = -pace.friction * slip - pace.couple * rim_speed;
         let work = load.push * velocity + load.twist * rim_speed + pace.friction * ground;
         let [v, w, u] = rates;

@@ -57,12 +57,7 @@ impl TableTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub const fn new(body: ConvexBody, start: Start) -> Self {
-        let table = Table {
-            body,
-            gravity: 0.0,
-            friction: None,
-            resistance: None,
-        };
+        let table = Table::new(body, 0.0);
         Self { table, start }
     }
 
@@ -123,12 +118,11 @@ impl TableTop {
     }
 
     fn trace(&self, request: &Request, plan: &Plan) -> Result<Trace<Mode, NUMBERS>> {
+        let flow = |tolerance| self.on_the_table(tolerance);
         if plan.solver != Solver::Exact {
-            return to_accuracy(request, plan.solver, |tolerance| {
-                self.on_the_table(tolerance)
-            });
+            return to_accuracy(request, plan.solver, flow);
         }
-        let flow = self.on_the_table(request.accuracy)?;
+        let flow = flow(request.accuracy)?;
         let takeoff = flow.takeoff(0.0, &flow.start);
         let flight = Flight::from(&flow.table, &flow.start, takeoff)?;
         solved((&flow, plan, request), 1, |t| flight.at(t))
@@ -271,12 +265,8 @@ impl Tabulated for State {
         Columns::default()
             .attitude(|state: &Self| state.attitude)
             .omega(|state| state.omega)
-            .vector(["x", "y", "z"], ["m", "centre of mass"], |state| {
-                state.position
-            })
-            .vector(["vx", "vy", "vz"], ["m/s", "its velocity"], |state| {
-                state.velocity
-            })
+            .vector(["x", "y", "z"], ["m", "centre of mass"], |s| s.position)
+            .vector(["vx", "vy", "vz"], ["m/s", "its velocity"], |s| s.velocity)
             .and(columns! { |state: &Self|
                 "slip", "m/s", "speed of the point in contact" => state.slip.norm();
                 "reaction", "N", "push of the table, upwards" => state.reaction;
@@ -424,13 +414,12 @@ impl OnTheTable {
     fn kept_down(&self, t: f64, mut mode: Mode, y: &mut Numbers) -> Result<Mode> {
         if self.jams(&mode, y, JAMMED) {
             let taken = Cell::new(0);
+            let slowly =
+                "friction jams the contact, and slows its slip in too many steps; let it be weaker";
             let spent = |evaluations| {
                 taken.set(taken.get() + evaluations);
                 match taken.get() > MOST_OF_A_JAM {
-                    true => stopped(
-                        "friction jams the contact, and slows its slip in too many steps; let it be weaker",
-                        t,
-                    ),
+                    true => stopped(slowly, t),
                     false => Ok(()),
                 }
             };
@@ -438,10 +427,8 @@ impl OnTheTable {
             mode = self.supported(y);
             // The impulse ends with the jam, so that hardly any lift may be left: then the slip is followed on.
             if self.jams(&mode, y, 0.0) {
-                return stopped(
-                    "friction and resistance press the body into the table by more than any reaction lifts it; let them be weaker",
-                    t,
-                );
+                let reason = "friction and resistance press the body into the table by more than any reaction lifts it; let them be weaker";
+                return stopped(reason, t);
             }
         }
         if self.pressing(&mode, &self.contact(&mode, &Pose::of(y))) > 0.0 {
@@ -508,10 +495,8 @@ impl OnTheTable {
     fn released(&self, time: f64, y: &Numbers) -> Result<Mode> {
         let contact = self.table.rolls(&Pose::of(y));
         if self.table.friction == Some(Friction::NoSlip) && contact.reaction * contact.lift >= 0.0 {
-            return Err(Error::Integration {
-                reason: "pure rolling takes a level force where nothing presses the body to the table; let it slide by Coulomb's law",
-                time,
-            });
+            let reason = "pure rolling takes a level force where nothing presses the body to the table; let it slide by Coulomb's law";
+            return stopped(reason, time);
         }
         Ok(Mode::Airborne(self.takeoff(time, y)))
     }
@@ -782,9 +767,8 @@ impl Scene for TableTop {
         let spin = body.inertia().matrix().amax() * flow.turning;
         let first = start.energy;
         let mut ledger = trace.told(request, plan, |t, mode, y| flow.state(t, mode, y));
-        ledger.keep(("energy", Law::NonIncreasing, first), first, |_, s| {
-            s.energy
-        })?;
+        let falling = ("energy", Law::NonIncreasing, first);
+        ledger.keep(falling, first, |_, s| s.energy)?;
         let both = "energy and what contact has taken";
         // A contact that jams at once has taken its part already.
         let whole = first + start.dissipated;

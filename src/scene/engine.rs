@@ -54,17 +54,11 @@ pub(crate) trait Flow<const N: usize> {
         f64::INFINITY
     }
 
-    /// The phase that follows; a jump may change the state.
+    /// The phase that follows one ended so, at this time and in this state, which a jump may change.
     ///
     /// # Errors
     /// [`Error::Integration`] where the motion cannot go on.
-    fn next(
-        &self,
-        phase: Self::Phase,
-        _ended: Stop,
-        _t: f64,
-        _y: &mut [f64; N],
-    ) -> Result<Self::Phase> {
+    fn next(&self, phase: Self::Phase, _: Stop, _: f64, _: &mut [f64; N]) -> Result<Self::Phase> {
         Ok(phase)
     }
 
@@ -243,13 +237,10 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
             let halved = half.and_then(|[half, lasted]| {
                 // The half steps are used if the phase ends by an event again; otherwise it is another phase.
                 let later = now + 2.0 * lasted;
-                let late = if later.abs() < until.abs() {
-                    later
-                } else {
-                    until
-                };
+                let sooner = later.abs() < until.abs();
+                let late = if sooner { later } else { until };
                 let passage = leg(late, half).ok();
-                passage.filter(|p| p.stopped == Stop::AtTheEvent || late == until)
+                passage.filter(|p| p.stopped == Stop::AtTheEvent || !sooner)
             });
             let passage = halved.map_or_else(|| leg(until, f64::INFINITY), Ok)?;
             let (steps, lasted) = (passage.cost.steps, passage.time - now);
@@ -421,11 +412,8 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
         Solver::General(method) => {
             let methods = request.methods()?;
             let follow = |leg: &AnyLeg<'_>, effort| methods.follow(method, leg, effort);
-            vouched(
-                request,
-                Stepper::Other(&follow, !method.is_adaptive()),
-                flow,
-            )
+            let stepper = Stepper::Other(&follow, !method.is_adaptive());
+            vouched(request, stepper, flow)
         }
         _ => vouched(request, Stepper::OrderEight, flow),
     }
@@ -480,10 +468,8 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
             greater(share * apart, floor) + rounding
         };
         let most = |least: f64, others: &[(Trace<_, N>, f64)]| {
-            let errors = others
-                .iter()
-                .map(|(run, share)| told(run, run, share.max(least)));
-            errors.fold(0.0, greater)
+            let error = |(run, share): &(Trace<_, N>, f64)| told(run, run, share.max(least));
+            others.iter().map(error).fold(0.0, greater)
         };
         let mut error = most(0.0, &others);
         if !sure && efforts.near_rounding() && error <= accuracy {
@@ -711,11 +697,8 @@ impl Efforts {
 /// The requested times, and as many more as the comparison of two runs over this angle needs.
 fn with_checks(request: &Request, angle: f64) -> Vec<f64> {
     let times = request.times();
-    let missing = if angle < SHORT {
-        0
-    } else {
-        CHECKS.saturating_sub(times.len())
-    };
+    let wanted = if angle < SHORT { 0 } else { CHECKS };
+    let missing = wanted.saturating_sub(times.len());
     let last = request.furthest;
     let more = (1..=missing).map(|n| last * n as f64 / (missing + 1) as f64);
     times.iter().copied().chain(more).collect()

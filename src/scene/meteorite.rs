@@ -81,9 +81,7 @@ impl Tabulated for Flying {
         Columns::default()
             .attitude(|state: &Self| state.attitude)
             .omega(|state| state.omega)
-            .vector(["x", "y", "z"], ["m", "centre of the planet"], |state| {
-                state.center
-            })
+            .vector(["x", "y", "z"], ["m", "centre of the planet"], |s| s.center)
             .and(columns! { |state: &Self|
                 "energy", "J", "kinetic energy, before the blow of both bodies" => state.energy;
             })

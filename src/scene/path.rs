@@ -39,11 +39,8 @@ impl Pace {
 }
 
 fn even(u: f64) -> [f64; 2] {
-    let left = 1.0 - u;
-    [
-        u * u * u * (10.0 + u * (-15.0 + 6.0 * u)),
-        30.0 * u * u * left * left,
-    ]
+    let (left, value) = (1.0 - u, u * u * u * (10.0 + u * (-15.0 + 6.0 * u)));
+    [value, 30.0 * u * u * left * left]
 }
 
 /// The shape of a swivel, a body of two parts on one axis, and its rate of change.

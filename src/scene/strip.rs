@@ -243,10 +243,8 @@ impl Scene for Strip {
         if self.brakes() {
             request.forward()?;
         }
-        let Equations {
-            lift, added_mass, ..
-        } = self.equations;
-        let plan = match (self.brakes(), lift, added_mass) {
+        let equations = &self.equations;
+        let plan = match (self.brakes(), equations.lift, equations.added_mass) {
             (false, None, None) => Plan::exact("a vacuum: closed form"),
             _ => Plan::stepped("forces of a fluid: order 8"),
         };

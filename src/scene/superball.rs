@@ -229,9 +229,8 @@ fn followed(flight: &Flight, request: &Request) -> Result<(Vec<InFlight>, (Cost,
         budget.begin(request.furthest);
         let twins = twin.checked()?.sampled(&counted, &bounced)?;
         let pairs = ordered.iter().zip(&twins);
-        off = pairs
-            .map(|(a, b)| apart(&numbers(a), &numbers(b), &sizes))
-            .fold(off, greater);
+        let apart = pairs.map(|(a, b)| apart(&numbers(a), &numbers(b), &sizes));
+        off = apart.fold(off, greater);
     }
     // All bounces of a ball that has come to lie on the floor are in a geometric sum, without rounding of each.
     let bounces = |lies: bool| {
@@ -285,9 +284,9 @@ impl Thrown {
         if g == 0.0 || ball.height > 0.0 || rises {
             return Ok(());
         }
-        Err(Error::Solver {
-            condition: "the solver must be `events` where bounces pile up: by steps they have no end",
-        })
+        let condition =
+            "the solver must be `events` where bounces pile up: by steps they have no end";
+        Err(Error::Solver { condition })
     }
 
     /// The speed at the floor, and the height to which it carries the ball.

@@ -277,16 +277,13 @@ impl Playing {
             }
             Phase::Turn => {
                 // The turn after a sleep begins at the lowest point, half-way.
-                let begins = y[0] > 0.0;
-                let level = if begins {
-                    (omega * omega - 2.0 * self.pull()).sqrt()
-                } else {
-                    omega
+                let (level, begun) = match y[0] > 0.0 {
+                    true => ((omega * omega - 2.0 * self.pull()).sqrt(), 0.5),
+                    false => (omega, 0.0),
                 };
                 let turn = Turn::new(toy, g, level)?;
-                let half = 0.5 * turn.duration;
-                let from = if begins { half } else { 0.0 };
-                let to = if end < PI { half } else { 2.0 * half };
+                let done = if end < PI { 0.5 } else { 1.0 };
+                let [from, to] = [begun, done].map(|part| part * turn.duration);
                 lasting(to - from, ahead, |t| {
                     let state = turn.at(from + t)?;
                     Ok(now(state.angle, state.omega))
@@ -299,11 +296,9 @@ impl Playing {
                 lasting(duration, ahead, |t| {
                     let left = torque.map(|torque| sleeping_spin(&toy, omega, t, torque));
                     let left = left.unwrap_or(omega);
+                    let lost = 0.5 * toy.inertia * ((omega - left) * (omega + left));
                     let mut now = now(0.0, left);
-                    lose(
-                        &mut now,
-                        0.5 * toy.inertia * ((omega - left) * (omega + left)),
-                    );
+                    lose(&mut now, lost);
                     Ok(now)
                 })
             }
@@ -311,7 +306,8 @@ impl Playing {
         }
     }
 
-    fn state(&self, stage: Stage, y: &Numbers) -> YoYoState {
+    /// The numbers of a [`YoYoState`].
+    fn told(&self, stage: Stage, y: &Numbers) -> [f64; 7] {
         let toy = &self.play.toy;
         let (m, g, l, r) = (toy.mass, self.gravity, toy.length, toy.axle);
         let ([place, omega, _, heat, work, _], [_, spin_up, ..]) = (*y, self.rate(stage, 0.0, y));
@@ -341,8 +337,7 @@ impl Playing {
             _ => toy.kinetic_energy(depth, omega),
         };
         let energy = kinetic - m * g * depth;
-        let numbers = [depth, velocity, omega, tension, energy, heat, work];
-        YoYoState::of(numbers, stage.0)
+        [depth, velocity, omega, tension, energy, heat, work]
     }
 }
 
@@ -477,11 +472,8 @@ impl Flow<6> for Playing {
         let speed = toy.axle * fastest;
         let force = toy.mass * (self.gravity + speed * fastest);
         let scales = [toy.length, speed, fastest, force, energy, energy, energy];
-        let [a, b] = [a, b].map(|(stage, y)| self.state(*stage, y).row());
-        let apart = a.iter().zip(&b).zip(scales);
-        apart
-            .map(|((a, b), scale)| (a - b).abs() / scale)
-            .fold(0.0, greater)
+        let [a, b] = [a, b].map(|(stage, y)| self.told(*stage, y));
+        apart(&a, &b, &scales)
     }
 }
 
@@ -497,9 +489,8 @@ impl Scene for Play {
         if let Choice::Use(Solver::General(method)) = request.choice
             && !method.is_adaptive()
         {
-            return Err(Error::Solver {
-                condition: "the solver must choose its steps: a yo-yo falls for seconds and turns in milliseconds",
-            });
+            let condition = "the solver must choose its steps: a yo-yo falls for seconds and turns in milliseconds";
+            return Err(Error::Solver { condition });
         }
         let plan = match self.air_drag {
             None => Plan::events("no air: closed forms from event to event"),
@@ -519,7 +510,8 @@ impl Scene for Play {
             // In the turn the angle changes as fast as the spin, and the time itself is rounded.
             trace.error += fastest * OF_A_TIME * request.furthest;
         }
-        let mut ledger = trace.told(request, plan, |_, stage, y| playing.state(*stage, y));
+        let state = |_, stage: &Stage, y: &_| YoYoState::of(playing.told(*stage, y), stage.0);
+        let mut ledger = trace.told(request, plan, state);
         let balance = |_: usize, s: &YoYoState| s.energy + s.heat - s.work;
         let name = "energy and heat less the work of the hand";
         ledger.conserved(name, scale, playing.energy, balance)?;

@@ -79,9 +79,8 @@ impl Restitution {
             return Ok(Some(1));
         }
         let wanted = logarithm_of_ratio(least, speed) / logarithm_of_ratio(self.normal, 1.0);
-        Ok(wanted
-            .is_finite()
-            .then(|| (wanted * (1.0 - 4.0 * f64::EPSILON)).ceil() as u64))
+        let count = (wanted * (1.0 - 4.0 * f64::EPSILON)).ceil();
+        Ok(wanted.is_finite().then_some(count as u64))
     }
 }
 

@@ -22,6 +22,18 @@ pub(crate) struct Table {
     pub(crate) resistance: Option<Resistance>,
 }
 
+impl Table {
+    /// A body under gravity (m/s²), without friction and resistance.
+    pub(crate) const fn new(body: ConvexBody, gravity: f64) -> Self {
+        Self {
+            body,
+            gravity,
+            friction: None,
+            resistance: None,
+        }
+    }
+}
+
 /// The contact at a state, in body axes.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Contact {
@@ -208,11 +220,8 @@ impl Table {
         // The direction a short time later.
         let size = self.body.surface.size;
         let moment = MOMENT / (omega.norm() + self.body.speed_scale(self.gravity) / size);
-        let later = Pose::seen(
-            (up + tilting * moment).normalize(),
-            omega + turning * moment,
-            pose.level + drift * moment,
-        );
+        let (spin, level) = (omega + turning * moment, pose.level + drift * moment);
+        let later = Pose::seen((up + tilting * moment).normalize(), spin, level);
         let along_later = self.touch(&later).yielding().gives_way(mu);
         let turned = (along_later - along) / moment + omega.cross(&along);
         let turning = turned.dot(&up.cross(&along));
@@ -223,15 +232,9 @@ impl Table {
 
     /// The rates of the vertical, of Ω and of the level velocity of C with this contact, as seen from the body.
     pub(super) fn drift(&self, pose: &Pose, contact: &Contact) -> [Vector3<f64>; 3] {
-        let Pose {
-            up, omega, level, ..
-        } = pose;
         let push = contact.traction * (contact.reaction / self.body.mass);
-        [
-            up.cross(omega),
-            contact.omega_rate,
-            push - omega.cross(level),
-        ]
+        let drift = push - pose.omega.cross(&pose.level);
+        [pose.up.cross(&pose.omega), contact.omega_rate, drift]
     }
 
     /// The rates of a state with this contact.

@@ -6,7 +6,7 @@ use super::body::ConvexBody;
 use super::equations::{Numbers, Pose, Table, Yielding};
 use super::friction::Friction;
 use crate::error::{Result, stopped};
-use crate::euler_top::{FreeBody, State};
+use crate::euler_top::FreeBody;
 use crate::frame::BodyVector;
 use crate::integrators::{Effort, Kept, Leg, System, Watched};
 use crate::search::halved;
@@ -45,12 +45,9 @@ impl Flight {
     /// The flight from a state that leaves the table.
     pub(crate) fn from(table: &Table, start: &Numbers, takeoff: TakeOff) -> Result<Self> {
         let pose = Pose::of(start);
-        let turning = if pose.omega.amax() == 0.0 {
-            None
-        } else {
-            let omega = BodyVector::from_components(pose.omega);
-            Some(FreeBody::new(table.body.inertia(), omega, pose.attitude())?)
-        };
+        let omega = BodyVector::from_components(pose.omega);
+        let free = || FreeBody::new(table.body.inertia(), omega, pose.attitude());
+        let turning = (pose.omega.amax() != 0.0).then(free).transpose()?;
         Ok(Self {
             table: *table,
             turning,
@@ -64,10 +61,8 @@ impl Flight {
         let t = time - self.takeoff.time;
         let mut y = self.start;
         if let Some(turning) = &self.turning {
-            let State {
-                attitude, omega, ..
-            } = turning.at(t)?;
-            let q = attitude.quaternion();
+            let state = turning.at(t)?;
+            let (q, omega) = (state.attitude.quaternion(), state.omega);
             (y[0], y[1], y[2], y[3]) = (q.w, q.i, q.j, q.k);
             (y[4], y[5], y[6]) = (omega.x(), omega.y(), omega.z());
         }

@@ -65,12 +65,7 @@ pub fn quasi_steady(
     // Zero for a law without a derivative, infinite for a linear one.
     let bends = friction.sharpness().min(f64::MAX);
     positive("the slip over which friction bends", bends)?;
-    let mut table = Table {
-        body: *body,
-        gravity: positive("gravity", gravity)?,
-        friction: None,
-        resistance: None,
-    };
+    let mut table = Table::new(*body, positive("gravity", gravity)?);
     let spin = finite("the spin", spin)?;
     let mut x = Vector4::zeros();
     for part in 0..=8 {
@@ -238,12 +233,7 @@ fn jacobian<const N: usize>(
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn rolling_growth_rates(body: &ConvexBody, gravity: f64, spin: f64) -> Result<[Rate; 4]> {
-    let table = Table {
-        body: *body,
-        gravity: positive("gravity", gravity)?,
-        friction: None,
-        resistance: None,
-    };
+    let table = Table::new(*body, positive("gravity", gravity)?);
     let spin = finite("the spin", spin)?;
     let rate = |x: &Vector4<f64>| {
         let up = upright(x[0], x[1]);

@@ -82,12 +82,8 @@ impl TippeTop {
     pub fn body(&self) -> Result<ConvexBody> {
         let unit = self.mass * self.radius * self.radius;
         let moments = Vector3::new(self.transverse, self.transverse, self.axial) / unit;
-        eccentric_ball(
-            self.mass,
-            self.radius,
-            self.alpha,
-            Matrix3::from_diagonal(&moments),
-        )
+        let inertia = Matrix3::from_diagonal(&moments);
+        eccentric_ball(self.mass, self.radius, self.alpha, inertia)
     }
 
     /// How far spin can turn it over.

@@ -82,15 +82,13 @@ impl Turn {
         let weight = toy.mass * gravity;
         let swung = 2.0 * toy.mass * r * omega / duration;
         let at_constant_spin = FRAC_2_PI * toy.mass * r * omega * omega;
+        let pull_of = |swung| finite("the pull of the string", weight + swung);
         Ok(Self {
             omega,
             fastest,
             duration,
-            mean_tension: finite("the pull of the string", weight + swung)?,
-            mean_tension_at_constant_spin: finite(
-                "the pull of the string",
-                weight + at_constant_spin,
-            )?,
+            mean_tension: pull_of(swung)?,
+            mean_tension_at_constant_spin: pull_of(at_constant_spin)?,
             toy,
             gravity,
             pull,

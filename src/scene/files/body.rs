@@ -6,17 +6,13 @@ use nalgebra::{Isometry3, Matrix3, Vector3};
 use toml::Spanned;
 use toml::de::DeValue;
 
-use super::keys::Bound::{From, NotNegative, Positive};
+use super::file::*;
 use super::keys::Key;
-use super::look::Outline;
-use super::reader::{Place, Reader, Section, Table, Value};
-use super::values::{Word, section};
+use super::reader::{Place, Section, Table, Value};
 use crate::error::Result;
-use crate::frame::BodyVector;
 use crate::inertia::{
     InertiaMatrix, MassProperties, mesh_mass_properties, mesh_of_obj, mesh_of_stl, shapes,
 };
-use crate::scene::Solid;
 use crate::tippe_top::Surface;
 
 section! {
@@ -84,15 +80,13 @@ impl Matter {
     }
 
     fn shaped(&self, file: &Reader<'_>, shape: &Shape) -> Option<MassProperties> {
+        let expected = "the `mass` of the shape in kg, or its `density`,";
         let mass = match (self.mass, self.density, shape.measure) {
             (Some(mass), None, _) => Some(mass),
             (None, Some(density), Some(measure)) => Some(density * measure),
             (None, Some(_), None) => file.wrong("body.density", " is of no use: beads have a mass"),
             (Some(_), Some(_), _) => file.wrong("body.density", " and `mass` exclude each other"),
-            (None, None, _) => file.missing(
-                "body.mass",
-                "the `mass` of the shape in kg, or its `density`,",
-            ),
+            (None, None, _) => file.missing("body.mass", expected),
         };
         file.right("body.shape", (shape.made)(mass?))
     }
@@ -312,11 +306,7 @@ section! {
 }
 
 fn with_weight(file: &Reader<'_>, sizes: WithWeight) -> Option<Shape> {
-    let WithWeight {
-        radius,
-        weight,
-        weight_at,
-    } = sizes;
+    let (radius, weight, weight_at) = (sizes.radius, sizes.weight, sizes.weight_at);
     if weight_at.norm() > radius {
         let told = format!(" must be within the ball, of radius {radius:?} m");
         return file.wrong("body.weight_at", told);

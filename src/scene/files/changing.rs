@@ -181,14 +181,10 @@ pub fn cat(file: &File<'_, CatBody, CatInitial, CatEffects>) -> Made<Cat> {
         };
         let [joint, a, b] = animal.places(&bend).map(|place| place.components());
         let relative = bend.relative().quaternion();
-        let half = |k: usize, place: Vector3<f64>, turn: UnitQuaternion<f64>| {
-            (
-                outlines[k].clone(),
-                Isometry3::from_parts(place.into(), turn),
-            )
-        };
+        let stands = |place: Vector3<f64>, turn| Isometry3::from_parts(place.into(), turn);
         let spine = |from: Vector3<f64>| (Solid::Bar(joint - from), from.into());
-        let [front, rear] = [half(0, a, first), half(1, b, relative * second)];
+        let front = (outlines[0].clone(), stands(a, first));
+        let rear = (outlines[1].clone(), stands(b, relative * second));
         let drawn_as = "two cylinders with its masses and moments, Ω that of the front";
         let solids = vec![spine(a), spine(b), front, rear];
         Sight {

@@ -158,11 +158,8 @@ impl Cat {
     /// The angular velocity in closed form.
     fn omega_known(&self, equal: &EqualHalves, bend: &Bend) -> BodyVector {
         let (s, c) = (0.5 * bend.angle).sin_cos();
-        let in_frame = Vector3::new(
-            equal.frame_turn(bend.angle) * bend.direction_rate - c * bend.direction_rate,
-            s * bend.direction_rate,
-            -0.5 * bend.angle_rate,
-        );
+        let (turn, rate) = (equal.frame_turn(bend.angle), bend.direction_rate);
+        let in_frame = Vector3::new(turn * rate - c * rate, s * rate, -0.5 * bend.angle_rate);
         BodyVector::from_components(Self::to_half(bend).inverse() * in_frame)
     }
 

@@ -128,10 +128,8 @@ impl Swivel {
             return Ok(self.lower_rate(self.angular_momentum, &self.still()) * t);
         };
         let (since, part) = (t.rem_euclid(path.duration), path.part());
-        let rounds = finite(
-            "the number of rounds",
-            ((t - since) / path.duration).round(),
-        )?;
+        let rounds = ((t - since) / path.duration).round();
+        finite("the number of rounds", rounds)?;
         let passed = ((since / part) as usize).min(parts.len() - 2);
         let rate = |t: f64| self.lower_rate(self.angular_momentum, &path.at(t));
         let rest = integral(rate, passed as f64 * part, since)?;

@@ -4,8 +4,7 @@ use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 use crate::error::{Result, each_finite, finite, not_negative, positive, refused};
 use crate::euler_equations::AxisMoments;
-use crate::frame::finite_vector;
-use crate::frame::{Attitude, BodyVector};
+use crate::frame::{Attitude, BodyVector, finite_vector};
 use crate::inertia::{InertiaMatrix, MassProperties, PrincipalMoments, principal_axes_of};
 use crate::integrators::geometric::Phase;
 use crate::precise::{Extended, Number, power_of_two_below};
@@ -178,12 +177,10 @@ impl Body {
 
     /// A vector, from the body's own axes to the principal ones.
     pub(super) fn inward(&self, vector: BodyVector) -> BodyVector {
-        self.own.map_or(vector, |own| {
-            BodyVector::from_components(
-                own.quaternion()
-                    .inverse_transform_vector(&vector.components()),
-            )
-        })
+        let own = vector.components();
+        let inward = |turn: Attitude| turn.quaternion().inverse_transform_vector(&own);
+        let inward = self.own.map(inward).map(BodyVector::from_components);
+        inward.unwrap_or(vector)
     }
 
     /// The attitude of the principal axes.
@@ -315,10 +312,8 @@ impl Start {
             Spin::AngularMomentum(l) => l,
             Spin::Omega(omega) => body.axis_moments().angular_momentum(omega),
         };
-        Ok(Phase::new(
-            finite_vector("the angular momentum", l)?,
-            &self.attitude,
-        ))
+        let l = finite_vector("the angular momentum", l)?;
+        Ok(Phase::new(l, &self.attitude))
     }
 
     /// Ω without rounding, to 106 bits, rad/s.

@@ -197,14 +197,10 @@ impl Top {
         let moments = self.body.moments;
         let [x, y, z] = self.lever();
         let arms = [y.hypot(z), z.hypot(x), x.hypot(y)];
-        let ratio = |k: usize| {
-            if moments[k] > 0.0 {
-                arms[k] / moments[k]
-            } else {
-                0.0
-            }
-        };
-        let ratios = [0, 1, 2].map(ratio);
+        let ratios = [0, 1, 2].map(|k| match moments[k] {
+            0.0 => 0.0,
+            moment => arms[k] / moment,
+        });
         // In units of their size: their squares may leave the range of doubles.
         let unit = power_of_two_below(ratios.into_iter().fold(0.0, f64::max));
         let sum: f64 = ratios.map(|ratio| (ratio / unit).powi(2)).iter().sum();

@@ -131,11 +131,8 @@ impl<const N: usize> Flow<N> for Turning {
     type Phase = Spin;
 
     fn start(&self) -> Result<(Spin, [f64; N])> {
-        let spin = if self.tip_friction.is_some() && self.start.l[2] == 0.0 {
-            Spin::Stopped
-        } else {
-            Spin::Spinning
-        };
+        let rests = self.tip_friction.is_some() && self.start.l[2] == 0.0;
+        let spin = if rests { Spin::Stopped } else { Spin::Spinning };
         Ok((spin, numbers(self.start)))
     }
 

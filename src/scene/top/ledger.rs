@@ -47,11 +47,8 @@ impl Conserved {
         let mut ledger = ledger.reading(MOST_READ);
         let (first, scale) = (self.start.energy, self.energy_scale);
         ledger.conserved("energy", scale, first, |_, state| state.energy)?;
-        let momentum = |state: &State| {
-            state
-                .attitude
-                .to_space(self.heavy.moments.angular_momentum(state.omega))
-        };
+        let moments = &self.heavy.moments;
+        let momentum = |s: &State| s.attitude.to_space(moments.angular_momentum(s.omega));
         let (first, scale) = (momentum(&self.start), self.momentum_scale);
         if matches!(self.heavy.kind(), Integrability::Euler) {
             ledger.conserved("angular momentum", scale, first, |_, state| momentum(state))?;

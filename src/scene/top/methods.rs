@@ -25,9 +25,8 @@ pub(super) fn steps(
         None => longest_step(angle, request.furthest),
         Some(Effort::Step(step)) => positive("the step", step)?,
         Some(Effort::Tolerance(_)) => {
-            return Err(Error::Solver {
-                condition: "a method with steps of one length must be given a step",
-            });
+            let condition = "a method with steps of one length must be given a step";
+            return Err(Error::Solver { condition });
         }
     };
     Ok(move |leg: &AnyLeg<'_>, effort: Effort| {
@@ -73,16 +72,15 @@ fn method_for(turning: &Turning, method: Geometric) -> Result<Box<dyn Integrator
         Geometric::Rotations(order) if free => Box::new(FreeSplitting::new(moments, order)?),
         Geometric::MoserVeselov(order) if free => Box::new(MoserVeselov::new(moments, order)?),
         Geometric::Rotations(_) | Geometric::MoserVeselov(_) => {
-            return Err(Error::Solver {
-                condition: "the solvers rotations and moser-veselov are for tops that no torque acts on",
-            });
+            let condition =
+                "the solvers rotations and moser-veselov are for tops that no torque acts on";
+            return Err(Error::Solver { condition });
         }
         Geometric::KickDrift(order) => Box::new(HeavySplitting::new(moments, weight, order)?),
         Geometric::MuntheKaas => Box::new(MuntheKaas::new(moments, weight)?),
         Geometric::DormandPrince8 => {
-            return Err(Error::Solver {
-                condition: "dormand-prince-8 has no steps of one length",
-            });
+            let condition = "dormand-prince-8 has no steps of one length";
+            return Err(Error::Solver { condition });
         }
     })
 }

@@ -252,10 +252,8 @@ impl EqualHalves {
     /// Only their ratio matters, so a power of two is divided out: products of the smallest moments would underflow.
     fn of(axial: f64, transverse: f64) -> Self {
         let unit = power_of_two_below(axial.max(transverse));
-        Self {
-            axial: (axial / unit).max(f64::MIN_POSITIVE),
-            transverse: transverse / unit,
-        }
+        let (axial, transverse) = ((axial / unit).max(f64::MIN_POSITIVE), transverse / unit);
+        Self { axial, transverse }
     }
 
     /// 2I − J: never negative, and zero for flat discs.

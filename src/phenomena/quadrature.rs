@@ -25,7 +25,7 @@ pub(crate) fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64) -> Result<f64
     let (mut settled, mut halvings) = (DoubleDouble::from(0.0), 0);
     // What is left, the first interval last: ends, estimate, what it may be off, and how often it may be halved.
     let mut left = vec![([from, to], whole, 1e-14 * size, 40)];
-    while let Some(([begin, end], whole, allowed, deeper)) = left.pop() {
+    while let Some(([begin, end], whole, asked, deeper)) = left.pop() {
         if halvings == MOST_HALVINGS {
             let quantity = "the end of what a million evaluations integrate";
             let covered = [from.min(begin), from.max(begin)];
@@ -35,19 +35,16 @@ pub(crate) fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64) -> Result<f64
         let middle = 0.5 * (begin + end);
         let (first, a, _) = sums(&f, begin, middle);
         let (second, b, _) = sums(&f, middle, end);
-        let off = (finite("an integral", first + second)? - whole).abs();
+        let reached = (finite("an integral", first + second)? - whole).abs();
         // Nothing can be gained below the rounding of the sum itself or of the variable.
         let noise = variable.max(4.0 * f64::EPSILON * (a + b));
-        if off <= allowed.max(noise) {
+        if reached <= asked.max(noise) {
             settled = settled + DoubleDouble::sum(first, second);
         } else if deeper > 0 {
-            left.push(([middle, end], second, 0.5 * allowed, deeper - 1));
-            left.push(([begin, middle], first, 0.5 * allowed, deeper - 1));
+            left.push(([middle, end], second, 0.5 * asked, deeper - 1));
+            left.push(([begin, middle], first, 0.5 * asked, deeper - 1));
         } else {
-            return Err(Error::Accuracy {
-                asked: allowed,
-                reached: off,
-            });
+            return Err(Error::Accuracy { asked, reached });
         }
     }
     Ok(settled.value())

@@ -22,10 +22,9 @@ impl Skater {
     /// assert!(Skater::new(1.0, 2.0).is_ok() && Skater::new(0.0, 2.0).is_err());
     /// ```
     pub fn new(core: f64, hand: f64) -> Result<Self> {
-        Ok(Self {
-            core: positive("the moment of inertia of the core", core)?,
-            hand: not_negative("the mass of a hand", hand)?,
-        })
+        let core = positive("the moment of inertia of the core", core)?;
+        let hand = not_negative("the mass of a hand", hand)?;
+        Ok(Self { core, hand })
     }
 
     /// Moment of inertia with the hands at this distance (m) from the axis, kg m²: I = I_core + 2mr².

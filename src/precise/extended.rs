@@ -74,10 +74,8 @@ impl Extended {
 
     /// Zero, with an exponent so low that it never shifts the other term of a sum.
     pub(crate) fn zero() -> Self {
-        Self {
-            digits: DoubleDouble::from(0.0),
-            exponent: i32::MIN / 8,
-        }
+        let (digits, exponent) = (DoubleDouble::from(0.0), i32::MIN / 8);
+        Self { digits, exponent }
     }
 
     /// The nearest double.
@@ -116,10 +114,9 @@ impl Mul for Extended {
         if self.is_zero() || other.is_zero() {
             return Self::zero();
         }
-        Self {
-            digits: self.digits * other.digits,
-            exponent: self.exponent + other.exponent,
-        }
+        let exponent = self.exponent + other.exponent;
+        let digits = self.digits * other.digits;
+        Self { digits, exponent }
     }
 }
 
@@ -130,10 +127,9 @@ impl Div for Extended {
         if self.is_zero() {
             return Self::zero();
         }
-        Self {
-            digits: self.digits / other.digits,
-            exponent: self.exponent - other.exponent,
-        }
+        let exponent = self.exponent - other.exponent;
+        let digits = self.digits / other.digits;
+        Self { digits, exponent }
     }
 }
 
@@ -156,10 +152,8 @@ impl From<DoubleDouble> for Extended {
             return Self::from(number.scaled(power(1000))).raised(-1000);
         }
         let unit = power_of_two_below(number.high().abs());
-        Self {
-            digits: number.scaled(1.0 / unit),
-            exponent: exponent_of(unit),
-        }
+        let (digits, exponent) = (number.scaled(1.0 / unit), exponent_of(unit));
+        Self { digits, exponent }
     }
 }
 

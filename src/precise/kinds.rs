@@ -98,10 +98,9 @@ impl Number for Extended {
             return Self::zero();
         }
         let odd = self.exponent & 1;
-        Self {
-            digits: self.digits.scaled(f64::from(1 + odd)).square_root(),
-            exponent: (self.exponent - odd) / 2,
-        }
+        let digits = self.digits.scaled(f64::from(1 + odd)).square_root();
+        let exponent = (self.exponent - odd) / 2;
+        Self { digits, exponent }
     }
 
     fn narrow(self) -> DoubleDouble {

@@ -63,10 +63,8 @@ impl Course {
     /// The same under these laws.
     pub(crate) fn under(laws: &Laws, start: Moment, until: f64) -> Result<Self> {
         each_finite("the start", start.state())?;
-        let mut course = Self {
-            stretches: Vec::new(),
-            events: Vec::new(),
-        };
+        let (stretches, events) = (Vec::new(), Vec::new());
+        let mut course = Self { stretches, events };
         let mut stretch = laws.first(start);
         let mut sticks = start.slip == 0.0;
         while course.stretches.len() < MOST_STRETCHES {

@@ -44,10 +44,8 @@ impl Tug {
     /// assert!(Tug::new(1.2, 0.5).is_ok() && Tug::new(1.2, 4.0).is_err());
     /// ```
     pub fn new(tension: f64, angle: f64) -> Result<Self> {
-        Ok(Self {
-            tension: not_negative("the tension", tension)?,
-            angle: tug_angle(angle)?,
-        })
+        let (tension, angle) = (not_negative("the tension", tension)?, tug_angle(angle)?);
+        Ok(Self { tension, angle })
     }
 
     /// Angle above the horizontal, rad.
@@ -81,10 +79,8 @@ impl Spool {
     /// ```
     pub fn new(body: RoundBody, axle: f64) -> Result<Self> {
         let axle = positive("the radius of the axle", axle)?;
-        Ok(Self {
-            body,
-            ratio: positive("the ratio of the radii", axle / body.radius)?,
-        })
+        let ratio = positive("the ratio of the radii", axle / body.radius)?;
+        Ok(Self { body, ratio })
     }
 
     /// The tug's moment about the centre, −rT, N m, the same at every angle; positive in the sense of rolling forward (4.4).

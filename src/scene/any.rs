@@ -51,8 +51,11 @@ pub struct UnknownColumn {
     pub names: Vec<&'static str>,
 }
 
+/// What is found by the names of columns.
+type Named<T> = core::result::Result<T, UnknownColumn>;
+
 /// The place of the column with this name.
-fn place(columns: &[Column], name: &str) -> core::result::Result<usize, UnknownColumn> {
+fn place(columns: &[Column], name: &str) -> Named<usize> {
     let found = columns.iter().position(|column| column.name == name);
     found.ok_or_else(|| UnknownColumn {
         name: name.to_owned(),
@@ -134,12 +137,9 @@ impl AnyScene {
     /// assert_eq!(table.row(0), (2.0, vec![1.5]));
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
-    pub fn telling<N: AsRef<str>>(
-        mut self,
-        names: &[N],
-    ) -> core::result::Result<Self, UnknownColumn> {
+    pub fn telling<N: AsRef<str>>(mut self, names: &[N]) -> Named<Self> {
         let places = names.iter().map(|name| place(&self.columns, name.as_ref()));
-        self.told = places.collect::<core::result::Result<_, _>>()?;
+        self.told = places.collect::<Named<_>>()?;
         Ok(self)
     }
 
@@ -241,10 +241,7 @@ impl Table {
     /// assert!(table.numbers(["nothing"]).is_err());
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
-    pub fn numbers<const N: usize>(
-        &self,
-        names: [&str; N],
-    ) -> core::result::Result<Vec<[f64; N]>, UnknownColumn> {
+    pub fn numbers<const N: usize>(&self, names: [&str; N]) -> Named<Vec<[f64; N]>> {
         let mut places = [None; N];
         for (column, name) in places.iter_mut().zip(names) {
             if name != "t" {

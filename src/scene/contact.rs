@@ -629,7 +629,7 @@ impl Flow<NUMBERS> for OnTheTable {
         self.kept_down(t, mode, y)
     }
 
-    fn known(&self, mode: Mode, ahead: &Ahead<'_, NUMBERS>) -> Option<Result<Passage<Numbers>>> {
+    fn known(&self, mode: Mode, ahead: &Ahead<'_, NUMBERS>) -> Option<Passed<NUMBERS>> {
         match mode {
             Mode::Airborne(takeoff) if !self.is_free() => Some(self.flown(takeoff, ahead)),
             Mode::Stopping => Some(self.slowed(ahead)),
@@ -658,7 +658,7 @@ impl Flow<NUMBERS> for OnTheTable {
 
 impl OnTheTable {
     /// The flight, up to the end of its landing impact, if there is one.
-    fn flown(&self, takeoff: TakeOff, ahead: &Ahead<'_, NUMBERS>) -> Result<Passage<Numbers>> {
+    fn flown(&self, takeoff: TakeOff, ahead: &Ahead<'_, NUMBERS>) -> Passed<NUMBERS> {
         let flight = Flight::from(&self.table, ahead.start.1, takeoff)?;
         let landing = flight.landing(ahead.end, |time| ahead.budget.spend(1, time))?;
         let mut passage = ahead.in_closed_form(landing, |t| flight.at(t))?;
@@ -672,7 +672,7 @@ impl OnTheTable {
 
     /// The motion near rest, where friction turns with the slip, ever faster, or near a jam, where the reaction becomes infinite. The variable is not the time but
     /// ∫μg dt/(|slip| lift), in which the slip decays exponentially, its direction turns at a finite rate, and nothing is infinite.
-    fn slowed(&self, ahead: &Ahead<'_, NUMBERS>) -> Result<Passage<Numbers>> {
+    fn slowed(&self, ahead: &Ahead<'_, NUMBERS>) -> Passed<NUMBERS> {
         let (now, y) = ahead.start;
         let parted = |z: &[f64; NUMBERS + 1]| -> Numbers { core::array::from_fn(|n| z[n]) };
         // The rates of state and time.
@@ -733,10 +733,6 @@ impl OnTheTable {
     }
 }
 
-/// The message for a solver that this kind of scene does not have.
-const SOLVERS: &str =
-    "the solver of a body on a table is `exact`, without gravity, or one that steps";
-
 impl Scene for TableTop {
     type State = State;
 
@@ -753,7 +749,9 @@ impl Scene for TableTop {
         if plan.solver != Solver::Exact {
             request.forward()?;
         }
-        planned(request, plan, SOLVERS)
+        let solvers =
+            "the solver of a body on a table is `exact`, without gravity, or one that steps";
+        planned(request, plan, solvers)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<State>> {

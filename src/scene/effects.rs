@@ -112,11 +112,8 @@ macro_rules! numbers {
     ($($(#[$doc:meta])* $effect:ident, $(#[$of:meta])* $check:ident($quantity:literal);)*) => {$(
         $(#[$doc])*
         #[derive(Debug, Clone, Copy, PartialEq)]
-        #[cfg_attr(
-            feature = "serde",
-            derive(serde::Serialize, serde::Deserialize),
-            serde(try_from = "f64")
-        )]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[cfg_attr(feature = "serde", serde(try_from = "f64"))]
         pub struct $effect(f64);
 
         #[cfg(feature = "serde")]

@@ -18,7 +18,7 @@ pub(crate) trait Flow<const N: usize> {
     type Phase: Copy + PartialEq + core::fmt::Debug;
 
     /// The phase and the state at time 0.
-    fn start(&self) -> Result<(Self::Phase, [f64; N])>;
+    fn start(&self) -> Result<At<Self::Phase, N>>;
 
     /// Sizes below which each component counts as small.
     fn scales(&self) -> [f64; N];
@@ -63,7 +63,7 @@ pub(crate) trait Flow<const N: usize> {
     }
 
     /// The motion of a phase in closed form, if there is one: states at the times, up to the end of the phase or of the run. It counts its own evaluations.
-    fn known(&self, _: Self::Phase, _: &Ahead<'_, N>) -> Option<Result<Passage<[f64; N]>>> {
+    fn known(&self, _: Self::Phase, _: &Ahead<'_, N>) -> Option<Passed<N>> {
         None
     }
 
@@ -74,7 +74,7 @@ pub(crate) trait Flow<const N: usize> {
 
     /// Distance of two states that should be equal: the greater of radians and differences relative to the scale of a rate. By default, each component's
     /// difference relative to its scale, or to its own size where that is greater.
-    fn distance(&self, a: &(Self::Phase, [f64; N]), b: &(Self::Phase, [f64; N])) -> f64 {
+    fn distance(&self, a: &At<Self::Phase, N>, b: &At<Self::Phase, N>) -> f64 {
         let scales = self.scales();
         let sizes = core::array::from_fn(|n| greater(scales[n], b.1[n].abs()));
         apart(&a.1, &b.1, &sizes)
@@ -83,14 +83,20 @@ pub(crate) trait Flow<const N: usize> {
     /// The greatest distance of the states of two runs that should agree; `seen` are all known states of the motion.
     fn furthest_apart(
         &self,
-        a: &[(Self::Phase, [f64; N])],
-        b: &[(Self::Phase, [f64; N])],
-        _seen: &[(Self::Phase, [f64; N])],
+        a: &[At<Self::Phase, N>],
+        b: &[At<Self::Phase, N>],
+        _seen: &[At<Self::Phase, N>],
     ) -> f64 {
         let distances = a.iter().zip(b).map(|(a, b)| self.distance(a, b));
         distances.fold(0.0, greater)
     }
 }
+
+/// A phase and a state in it.
+pub(crate) type At<P, const N: usize> = (P, [f64; N]);
+
+/// The passage of a leg, or why there is none.
+pub(crate) type Passed<const N: usize> = Result<Passage<[f64; N]>>;
 
 /// The leg that is to be computed.
 #[derive(Clone, Copy)]
@@ -112,7 +118,7 @@ impl<const N: usize> Ahead<'_, N> {
         &self,
         event: Option<f64>,
         at: impl Fn(f64) -> Result<[f64; N]>,
-    ) -> Result<Passage<[f64; N]>> {
+    ) -> Passed<N> {
         let time = event.unwrap_or(self.end);
         let times = self.times.iter().take_while(|&&t| t <= time);
         Ok(Passage {
@@ -132,7 +138,7 @@ type Half<P> = (P, Option<[f64; 2]>);
 #[derive(Debug, Clone)]
 pub(crate) struct Trace<P, const N: usize> {
     /// Phase and state at each of the times, in their order.
-    pub samples: Vec<(P, [f64; N])>,
+    pub samples: Vec<At<P, N>>,
     /// The time, s, at which each phase began, for the phases after the start, in order.
     pub phases: Vec<(f64, P)>,
     /// A [`Half`] for each phase, in the order in which they were followed.
@@ -144,7 +150,7 @@ pub(crate) struct Trace<P, const N: usize> {
 
 impl<P, const N: usize> Trace<P, N> {
     /// A motion in one phase, without cost.
-    fn of(samples: Vec<(P, [f64; N])>) -> Self {
+    fn of(samples: Vec<At<P, N>>) -> Self {
         Self {
             samples,
             phases: Vec::new(),
@@ -207,7 +213,7 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
     /// Follows the motion from the start through all phases to the last of the times, which ascend, or descend into the past.
     fn follow(
         &self,
-        start: (F::Phase, [f64; N]),
+        start: At<F::Phase, N>,
         times: &[f64],
         halves: &[Half<F::Phase>],
     ) -> Result<Trace<F::Phase, N>> {
@@ -278,12 +284,7 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
     }
 
     /// One phase, to its end or to the end of the leg, in steps of order 8 that are no longer than `longest`, s.
-    fn leg(
-        &self,
-        phase: F::Phase,
-        ahead: &Ahead<'_, N>,
-        longest: f64,
-    ) -> Result<Passage<[f64; N]>> {
+    fn leg(&self, phase: F::Phase, ahead: &Ahead<'_, N>, longest: f64) -> Passed<N> {
         if let Some(known) = self.flow.known(phase, ahead) {
             let passage = known?;
             self.budget.reached(passage.time)?;
@@ -339,7 +340,7 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
     /// because two tolerances might lead to the same steps.
     pub fn at(
         &self,
-        start: (F::Phase, [f64; N]),
+        start: At<F::Phase, N>,
         times: &[f64],
         halves: &[Half<F::Phase>],
     ) -> Result<Trace<F::Phase, N>> {
@@ -554,7 +555,7 @@ pub(crate) fn solved<const N: usize, F: Flow<N> + Copy>(
 const OF_STEPS: f64 = 1e-14;
 
 /// The start, displaced by `times` its doubt.
-fn beside<const N: usize, F: Flow<N>>(flow: &F, times: f64) -> Result<(F::Phase, [f64; N])> {
+fn beside<const N: usize, F: Flow<N>>(flow: &F, times: f64) -> Result<At<F::Phase, N>> {
     let (phase, mut start) = flow.start()?;
     if times != 0.0 {
         for (number, doubt) in start.iter_mut().zip(flow.doubt()) {
@@ -565,19 +566,14 @@ fn beside<const N: usize, F: Flow<N>>(flow: &F, times: f64) -> Result<(F::Phase,
 }
 
 /// The error of a step in the flow's distance: the tolerance in all components with one sign, or with alternating signs.
-fn of_a_step<const N: usize, F: Flow<N>>(
-    flow: &F,
-    tolerance: f64,
-    seen: &[(F::Phase, [f64; N])],
-) -> f64 {
+fn of_a_step<const N: usize, F: Flow<N>>(flow: &F, allowed: f64, seen: &[At<F::Phase, N>]) -> f64 {
     let scales = flow.scales();
     let off = |other: f64| {
         let moved = |y: &[f64; N], n: usize| {
             let sense = if n.is_multiple_of(2) { 1.0 } else { other };
-            y[n] + sense * tolerance * (y[n].abs() + scales[n])
+            y[n] + sense * allowed * (y[n].abs() + scales[n])
         };
-        let there =
-            |(phase, y): &(F::Phase, [f64; N])| (*phase, core::array::from_fn(|n| moved(y, n)));
+        let there = |(phase, y): &At<F::Phase, N>| (*phase, core::array::from_fn(|n| moved(y, n)));
         let there: Vec<_> = seen.iter().map(there).collect();
         flow.furthest_apart(&there, seen, seen)
     };

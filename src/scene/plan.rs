@@ -110,10 +110,8 @@ pub struct Plan {
 
 impl Plan {
     pub(crate) fn new(solver: Solver, reason: impl Into<String>) -> Self {
-        Self {
-            solver,
-            reason: reason.into(),
-        }
+        let reason = reason.into();
+        Self { solver, reason }
     }
 
     /// The plan to use a closed form.

@@ -342,9 +342,6 @@ impl Scene for TuggedSpool {
     }
 }
 
-/// The message for a solver that this kind of scene does not have.
-const SOLVERS: &str = "the solver of what rolls is `events`, `exact` where no force acts along the table, or one that steps";
-
 /// The plan of a rolling body: closed forms from event to event, for this reason, or a closed form without events.
 fn rolling_plan(request: &Request, events: Option<&'static str>) -> Result<Plan> {
     request.forward()?;
@@ -353,7 +350,8 @@ fn rolling_plan(request: &Request, events: Option<&'static str>) -> Result<Plan>
         (Choice::Auto | Choice::Use(Solver::Exact), None) => Plan::exact(reason),
         _ => Plan::events(reason),
     };
-    planned(request, plan, SOLVERS)
+    let solvers = "the solver of what rolls is `events`, `exact` where no force acts along the table, or one that steps";
+    planned(request, plan, solvers)
 }
 
 /// A round body on a table under any of its laws: for [`Roller`] and [`TuggedSpool`].
@@ -387,7 +385,7 @@ impl OnTable<'_> {
         let (moments, done) = self.followed(&plan, request)?;
         let states = moments.iter().copied().map(state);
         let mut ledger = OpenLedger::of(request, plan, done, states);
-        self.keep(&mut ledger, request, &moments)?;
+        self.keep(&mut ledger, request.times(), &moments)?;
         ledger.closed(request)
     }
 
@@ -462,12 +460,7 @@ impl OnTable<'_> {
     }
 
     /// Adds to the ledger what is conserved, or may only decrease.
-    fn keep<S>(
-        &self,
-        ledger: &mut OpenLedger<S>,
-        request: &Request,
-        moments: &[Moment],
-    ) -> Result<()> {
+    fn keep<S>(&self, ledger: &mut OpenLedger<S>, times: &[f64], moments: &[Moment]) -> Result<()> {
         let &Laws { kappa, load, .. } = self.laws;
         let (mass, drive) = (self.body.mass, load.push + load.twist);
         let scale = |size: &dyn Fn(&Moment) -> f64| {
@@ -477,9 +470,8 @@ impl OnTable<'_> {
         let kinetic = |m: &Moment| mass * m.energy(kappa);
         let balance = |m: &Moment| mass * (m.energy(kappa) + m.heat - m.work);
         // About the table only a tug has a moment, and it is constant.
-        let about = |row: usize, _: &S| {
-            mass * (moments[row].about_the_table(kappa) - request.times()[row] * drive)
-        };
+        let about =
+            |row: usize, _: &S| mass * (moments[row].about_the_table(kappa) - times[row] * drive);
         if self.laws.resistance.is_none() {
             let name = match self.driven() {
                 true => "angular momentum about the table less the tug's",

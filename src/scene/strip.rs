@@ -233,9 +233,6 @@ impl Flow<7> for Strip {
 /// Rates below this, in units of the scale, may have either sign: their square is less than rounding. Compared starts differ by less.
 const AT_REST: f64 = 1e-9;
 
-/// The message for a solver that this kind of scene does not have.
-const SOLVERS: &str = "the solver of a strip is `exact` in a vacuum, or one that steps";
-
 impl Scene for Strip {
     type State = StripState;
 
@@ -248,7 +245,8 @@ impl Scene for Strip {
             (false, None, None) => Plan::exact("a vacuum: closed form"),
             _ => Plan::stepped("forces of a fluid: order 8"),
         };
-        planned(request, plan, SOLVERS)
+        let solvers = "the solver of a strip is `exact` in a vacuum, or one that steps";
+        planned(request, plan, solvers)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<StripState>> {

@@ -37,10 +37,8 @@ impl Superball {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(mass: f64, kappa: f64, start: InFlight) -> Result<Self> {
-        Ok(Self {
-            mass: positive("the mass", mass)?,
-            flight: Flight::alone(kappa, start),
-        })
+        let (mass, flight) = (positive("the mass", mass)?, Flight::alone(kappa, start));
+        Ok(Self { mass, flight })
     }
 
     /// Adds a ceiling: `room` (m) is the distance from floor to ceiling less the ball's diameter.
@@ -120,9 +118,6 @@ fn numbers(ball: &InFlight) -> [f64; 5] {
     [ball.position, ball.height, ball.climb, along[0], along[1]]
 }
 
-/// The message for a solver that this kind of scene does not have.
-const SOLVERS: &str = "the solver of a superball is `exact` without restitution and grip, `events`, or one that steps";
-
 impl Scene for Superball {
     type State = Bouncing;
 
@@ -134,7 +129,8 @@ impl Scene for Superball {
             }
             _ => Plan::events("bounces: closed form from one to the next"),
         };
-        planned(request, plan, SOLVERS)
+        let solvers = "the solver of a superball is `exact` without restitution and grip, `events`, or one that steps";
+        planned(request, plan, solvers)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<Bouncing>> {

@@ -173,11 +173,7 @@ fn lose(y: &mut Numbers, lost: f64) {
 }
 
 /// The passage of a phase of this duration, s; `at` gives the state a time after its beginning.
-fn lasting(
-    duration: f64,
-    ahead: &Ahead<'_, 6>,
-    at: impl Fn(f64) -> Result<Numbers>,
-) -> Result<Passage<Numbers>> {
+fn lasting(duration: f64, ahead: &Ahead<'_, 6>, at: impl Fn(f64) -> Result<Numbers>) -> Passed<6> {
     let (from, y) = ahead.start;
     let since = |t: f64| ((t - from) - y[LATER]).clamp(0.0, duration);
     let rest = y[LATER] + duration;
@@ -257,7 +253,7 @@ impl Playing {
     }
 
     /// The passage of a phase in closed form.
-    fn passage(&self, stage: Stage, ahead: &Ahead<'_, 6>) -> Result<Passage<Numbers>> {
+    fn passage(&self, stage: Stage, ahead: &Ahead<'_, 6>) -> Passed<6> {
         let (toy, g, (phase, end), y) = (self.play.toy, self.gravity, stage, *ahead.start.1);
         let omega = y[1];
         let now = |place: f64, omega: f64| {
@@ -456,7 +452,7 @@ impl Flow<6> for Playing {
         })
     }
 
-    fn known(&self, stage: Stage, ahead: &Ahead<'_, 6>) -> Option<Result<Passage<Numbers>>> {
+    fn known(&self, stage: Stage, ahead: &Ahead<'_, 6>) -> Option<Passed<6>> {
         let rests = matches!(stage.0, Phase::Hanging | Phase::Caught);
         (!ahead.stepped || rests).then(|| self.passage(stage, ahead))
     }
@@ -477,10 +473,6 @@ impl Flow<6> for Playing {
     }
 }
 
-/// The message for a solver that this kind of scene does not have.
-const SOLVERS: &str =
-    "the solver of a yo-yo is `events` without air, or one that chooses its steps";
-
 impl Scene for Play {
     type State = YoYoState;
 
@@ -496,7 +488,9 @@ impl Scene for Play {
             None => Plan::events("no air: closed forms from event to event"),
             Some(_) => Plan::stepped("resistance of the air: order 8 with events"),
         };
-        planned(request, plan, SOLVERS)
+        let solvers =
+            "the solver of a yo-yo is `events` without air, or one that chooses its steps";
+        planned(request, plan, solvers)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<YoYoState>> {

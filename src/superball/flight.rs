@@ -59,6 +59,9 @@ pub struct Flight {
 /// Receives the time of a bounce, and may end the run there.
 type Told<'a> = &'a dyn Fn(f64) -> Result<()>;
 
+/// A time, s, and the number of bounces after which the ball is asked for, if it is given.
+type Sample = (f64, Option<u64>);
+
 /// Most bounces followed one by one.
 const MOST_BOUNCES: u64 = 10_000_000;
 
@@ -212,27 +215,21 @@ impl Flight {
     }
 
     /// A ball at a surface, after the bounce; `speed` is the vertical speed at which it arrives.
-    pub(crate) fn bounced(
-        &self,
-        ball: &InFlight,
-        t: f64,
-        surface: Surface,
-        speed: f64,
-    ) -> InFlight {
+    pub(crate) fn bounced(&self, ball: &InFlight, t: f64, off: Surface, speed: f64) -> InFlight {
         let [normal, tangential] = self.restitution();
         let (motion, kappa) = (ball.motion, self.kappa);
         let motion = match self.grip {
             Some(grip) => {
                 let impulse = (1.0 + normal) * speed;
-                gripping_bounce(motion, surface, kappa, tangential, grip, impulse)
+                gripping_bounce(motion, off, kappa, tangential, grip, impulse)
             }
-            None => bounce_with(motion, surface, kappa, tangential),
+            None => bounce_with(motion, off, kappa, tangential),
         };
         InFlight {
             position: ball.position + t * ball.motion.velocity,
             motion,
             bounces: ball.bounces.saturating_add(1),
-            ..self.leaving(surface, normal * speed, ball)
+            ..self.leaving(off, normal * speed, ball)
         }
     }
 
@@ -405,17 +402,13 @@ impl Flight {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn followed(&self, times: &[f64]) -> Result<Vec<InFlight>> {
-        let samples: Vec<(f64, Option<u64>)> = times.iter().map(|&t| (t, None)).collect();
+        let samples: Vec<Sample> = times.iter().map(|&t| (t, None)).collect();
         self.sampled(&samples, &|_| Ok(()))
     }
 
     /// The same at times that may come with a number of bounces; then the ball is given after exactly that many, even if another falls on the same
     /// time. `bounced` receives the time of every bounce, and may end the run.
-    pub(crate) fn sampled(
-        &self,
-        samples: &[(f64, Option<u64>)],
-        bounced: Told<'_>,
-    ) -> Result<Vec<InFlight>> {
+    pub(crate) fn sampled(&self, samples: &[Sample], bounced: Told<'_>) -> Result<Vec<InFlight>> {
         let pile = self.pile(bounced)?;
         let mut states = Vec::with_capacity(samples.len());
         // One addition for each bounce, with similar rounding errors each time: in twice the precision.
@@ -478,10 +471,8 @@ impl Flight {
         let landed = first.position + took * self.common(&first.motion) + swing;
         // The bounces that could have been followed: those that can be told apart from the end.
         let told = ((SAME * took / flight).ln() / normal.ln()).max(0.0).ceil();
-        let ball = InFlight {
-            bounces: first.bounces.saturating_add(told as u64),
-            ..*first
-        };
+        let bounces = first.bounces.saturating_add(told as u64);
+        let ball = InFlight { bounces, ..*first };
         self.on_the_floor(&ball, landed, after)
     }
 

@@ -29,10 +29,9 @@ impl Restitution {
     /// assert!(Restitution::new(0.9, -0.6).is_ok() && Restitution::new(1.1, 0.6).is_err());
     /// ```
     pub fn new(normal: f64, tangential: f64) -> Result<Self> {
-        Ok(Self {
-            normal: within("the coefficient of restitution", normal, 0.0, 1.0)?,
-            tangential: within("the tangential restitution", tangential, -1.0, 1.0)?,
-        })
+        let normal = within("the coefficient of restitution", normal, 0.0, 1.0)?;
+        let tangential = within("the tangential restitution", tangential, -1.0, 1.0)?;
+        Ok(Self { normal, tangential })
     }
 
     /// Total path, up and down, of a ball in all its bounces after a drop from `height`, in the unit of the height: h(1+e_n²)/(1−e_n²), Zeno's sum.

@@ -149,10 +149,9 @@ impl Resistance {
     /// assert!(Resistance::new(1e-3, 0.0).is_ok() && Resistance::new(-1e-3, 0.0).is_err());
     /// ```
     pub fn new(rolling: f64, pivoting: f64) -> Result<Self> {
-        Ok(Self {
-            rolling: not_negative("the resistance to rolling", rolling)?,
-            pivoting: not_negative("the resistance to pivoting", pivoting)?,
-        })
+        let rolling = not_negative("the resistance to rolling", rolling)?;
+        let pivoting = not_negative("the resistance to pivoting", pivoting)?;
+        Ok(Self { rolling, pivoting })
     }
 
     pub(crate) fn acts(&self) -> bool {

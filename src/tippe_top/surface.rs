@@ -5,6 +5,8 @@ use nalgebra::{Matrix3, Vector3};
 use crate::error::{Result, each, positive};
 use crate::frame::Attitude;
 
+type Vector = Vector3<f64>;
+
 /// The surface on which a body stands: a sphere, or an ellipsoid whose axes may be skew to those of inertia.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Surface {
@@ -43,10 +45,9 @@ impl Surface {
     pub fn ellipsoid(semi_axes: [f64; 3]) -> Result<Self> {
         each(positive, "a semi-axis of the surface", semi_axes)?;
         let squares = Vector3::from(semi_axes).map(|axis| axis * axis);
-        Ok(Self {
-            size: (squares.sum() / 3.0).sqrt(),
-            squares: Some(Matrix3::from_diagonal(&squares)),
-        })
+        let size = (squares.sum() / 3.0).sqrt();
+        let squares = Some(Matrix3::from_diagonal(&squares));
+        Ok(Self { size, squares })
     }
 
     /// The same surface turned within the body: `turn` takes directions of the old surface to those of the new one.
@@ -54,18 +55,14 @@ impl Surface {
     pub(crate) fn turned(&self, turn: &Attitude) -> Self {
         let rotation = turn.quaternion().to_rotation_matrix();
         let turned = |squares| rotation * squares * rotation.transpose();
-        Self {
-            squares: self.squares.map(turned),
-            ..*self
-        }
+        let squares = self.squares.map(turned);
+        Self { squares, ..*self }
     }
 
     /// The mirror image in the plane through the first and the third axis.
     pub(crate) fn mirrored(&self) -> Self {
-        Self {
-            squares: self.squares.as_ref().map(mirrored),
-            ..*self
-        }
+        let squares = self.squares.as_ref().map(mirrored);
+        Self { squares, ..*self }
     }
 
     /// Radius (m), if the surface is a sphere.
@@ -80,16 +77,12 @@ impl Surface {
     }
 
     /// The support map S(n): from the centre to the point whose outward normal is the unit vector n (models of tutorial 4.7).
-    pub(crate) fn support(&self, n: &Vector3<f64>) -> Vector3<f64> {
+    pub(crate) fn support(&self, n: &Vector) -> Vector {
         self.support_and_rate(n, &Vector3::zeros()).0
     }
 
     /// The support map, and its rate where n changes at `rate`, which is perpendicular to n.
-    pub(crate) fn support_and_rate(
-        &self,
-        n: &Vector3<f64>,
-        rate: &Vector3<f64>,
-    ) -> (Vector3<f64>, Vector3<f64>) {
+    pub(crate) fn support_and_rate(&self, n: &Vector, rate: &Vector) -> (Vector, Vector) {
         let Some(squares) = &self.squares else {
             return (n * self.size, rate * self.size);
         };

@@ -3,12 +3,10 @@
 use core::f64::consts::{PI, TAU};
 
 use nalgebra::{Isometry3, Matrix3, Vector3};
-use toml::Spanned;
-use toml::de::DeValue;
 
 use super::file::*;
 use super::keys::Key;
-use super::reader::{Place, Section, Table, Value};
+use super::reader::{Place, Section, Table, Toml, Value};
 use crate::error::Result;
 use crate::inertia::{
     InertiaMatrix, MassProperties, mesh_mass_properties, mesh_of_obj, mesh_of_stl, shapes,
@@ -182,7 +180,7 @@ impl Value for Shape {
         Known::expected(key)
     }
 
-    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+    fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
         let known = Known::read(place, value);
         if known.is_none() {
             // Without a known shape no size can be called wrong.
@@ -226,13 +224,9 @@ fn cone(radius: f64, height: f64) -> Shape {
     Shape::new(volume, made).centered(Solid::Turned(tip_and_base))
 }
 
-fn round(
-    radius: f64,
-    measure: f64,
-    made: impl Fn(f64) -> Result<MassProperties> + 'static,
-) -> Shape {
-    let shape = Shape::new(measure, made).on(Surface::sphere(radius));
-    shape.centered(Solid::ball(radius))
+fn round(r: f64, measure: f64, made: impl Fn(f64) -> Result<MassProperties> + 'static) -> Shape {
+    let shape = Shape::new(measure, made).on(Surface::sphere(r));
+    shape.centered(Solid::ball(r))
 }
 
 fn racket(head: f64, handle: f64) -> Shape {
@@ -386,7 +380,7 @@ fn mesh(file: &Reader<'_>, Mesh { file: name }: Mesh) -> Option<Shape> {
 pub(super) struct Shapeless<T>(pub Option<T>);
 
 impl<T: Section> Value for Shapeless<T> {
-    fn read(_: &Place<'_>, _: &Spanned<DeValue<'_>>) -> Option<Self> {
+    fn read(_: &Place<'_>, _: &Toml<'_>) -> Option<Self> {
         None
     }
 
@@ -425,11 +419,7 @@ impl Round {
 }
 
 /// The inertia factor of a rolling body: the given one, that of its shape, or that of a ball.
-pub(super) fn inertia_factor(
-    file: &Reader<'_>,
-    factor: Option<f64>,
-    shape: Option<Round>,
-) -> Option<f64> {
+pub(super) fn kappa(file: &Reader<'_>, factor: Option<f64>, shape: Option<Round>) -> Option<f64> {
     match (factor, shape) {
         (Some(_), Some(_)) => file.wrong("body.inertia_factor", FOLLOWS),
         (factor, None) => Some(factor.unwrap_or(0.4)),

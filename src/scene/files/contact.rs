@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::body::{Matter, Round, inertia_factor};
+use super::body::{Matter, Round, kappa};
 use super::file::*;
 use crate::impacts::{Meteorite, Planet};
 use crate::rolling::{RoundBody, SheetSpeeds, Spool};
@@ -45,7 +45,7 @@ section! {
 
 impl RoundKeys {
     fn made(&self, file: &Reader<'_>) -> Option<RoundBody> {
-        let kappa = inertia_factor(file, self.inertia_factor, self.shape)?;
+        let kappa = kappa(file, self.inertia_factor, self.shape)?;
         let body = RoundBody::new(self.mass, self.radius, kappa);
         file.right("body.inertia_factor", body)
     }
@@ -177,14 +177,14 @@ pub fn spool(file: &File<'_, SpoolBody, SpoolInitial, SpoolEffects>) -> Made<Tug
 
 section! {
     /// `[body]` of a superball.
-    SuperballBody {
+    BallBody {
         mass: f64, "a mass in kg", Positive;
         shape: Option<Round>, "";
         inertia_factor: Option<f64>, "I/MR², a ratio (0.4 if there is no shape either)", UpTo(1.0);
     }
 
     /// `[initial]` of a superball.
-    SuperballInitial {
+    BallInitial {
         height: f64, "a height in m", NotNegative;
         climb: f64 = 0.0, "the speed upward in m/s";
         velocity: f64 = 0.0, "the speed of the centre in m/s";
@@ -192,7 +192,7 @@ section! {
     }
 
     /// `[effects]` of a superball.
-    SuperballEffects {
+    BallEffects {
         gravity: Option<Gravity>, "an acceleration in m/s²";
         ceiling: Option<f64>, "the height of the ceiling, less the diameter, in m", Positive;
         restitution: Option<f64>, "the coefficient of restitution upward, a ratio";
@@ -201,9 +201,7 @@ section! {
     }
 }
 
-pub fn superball(
-    file: &File<'_, SuperballBody, SuperballInitial, SuperballEffects>,
-) -> Made<Superball> {
+pub fn superball(file: &File<'_, BallBody, BallInitial, BallEffects>) -> Made<Superball> {
     let (initial, effects) = (&file.initial, &file.effects);
     let start = InFlight {
         position: 0.0,
@@ -215,7 +213,7 @@ pub fn superball(
         },
         bounces: 0,
     };
-    let kappa = inertia_factor(file, file.body.inertia_factor, file.body.shape)?;
+    let kappa = kappa(file, file.body.inertia_factor, file.body.shape)?;
     let ball = file.right("body.mass", Superball::new(file.body.mass, kappa, start))?;
     file.right("initial.height, initial.climb", ball.flight.checked())?;
     let ball = ball.under(effects.ceiling.unwrap_or(f64::INFINITY));
@@ -249,22 +247,20 @@ pub fn superball(
 
 section! {
     /// `[initial]` of a planet.
-    MeteoriteInitial {
+    PlanetInitial {
         velocity: Option<BodyVector>, "a velocity in m/s";
         omega: Option<BodyVector>, "an angular velocity in rad/s";
     }
 
     /// `[effects]` of a planet.
-    MeteoriteEffects {
+    PlanetEffects {
         impact_mass: Option<f64>, "the mass of the meteorite in kg", Positive;
         impact_velocity: Option<BodyVector>, "a velocity in m/s";
         impact_at: Option<BodyVector>, "a place in m";
     }
 }
 
-pub fn meteorite(
-    file: &File<'_, Matter, MeteoriteInitial, MeteoriteEffects>,
-) -> Made<StruckPlanet> {
+pub fn meteorite(file: &File<'_, Matter, PlanetInitial, PlanetEffects>) -> Made<StruckPlanet> {
     let given = [file.initial.velocity, file.initial.omega];
     let [velocity, omega] = given.map(|given| given.unwrap_or_else(BodyVector::zero));
     let solid = file.body.about_center(file)?;

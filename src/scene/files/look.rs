@@ -32,10 +32,8 @@ pub(super) struct Outline {
 impl Outline {
     /// A drawing of one solid about the origin.
     pub fn new(drawn_as: &'static str, solid: Solid) -> Self {
-        Self {
-            drawn_as,
-            solids: vec![(solid, Isometry3::identity())],
-        }
+        let solids = vec![(solid, Isometry3::identity())];
+        Self { drawn_as, solids }
     }
 
     /// The homogeneous ellipsoid with this mass and these second moments about the origin, centred at `center`, and a bar from the origin to it.

@@ -111,7 +111,7 @@ impl<'a> Reader<'a> {
     }
 
     /// A value as written in the file, shortened.
-    pub fn shown(&self, value: &Spanned<DeValue<'_>>) -> String {
+    pub fn shown(&self, value: &Toml<'_>) -> String {
         let text = self.text.get(value.span()).unwrap_or_default();
         let words: Vec<&str> = text.split_whitespace().collect();
         words.join(" ").chars().take(40).collect()
@@ -122,7 +122,7 @@ impl<'a> Reader<'a> {
 pub(super) fn find<'t, 'a>(
     entries: &'t DeTable<'a>,
     path: &str,
-) -> Option<(Range<usize>, &'t Spanned<DeValue<'a>>)> {
+) -> Option<(Range<usize>, &'t Toml<'a>)> {
     let mut steps = path.split('.');
     let (key, value) = entries.get_key_value(steps.next()?)?;
     let mut found = (key.span(), value);
@@ -164,6 +164,9 @@ fn named(keys: &str) -> String {
     format!("key {}", tables.collect::<Vec<_>>().join(", "))
 }
 
+/// A TOML value and its place in the text.
+pub(super) type Toml<'v> = Spanned<DeValue<'v>>;
+
 /// A type that can be the value of a key.
 pub(super) trait Value: Sized {
     /// Whether the value is a table with keys of its own.
@@ -175,7 +178,7 @@ pub(super) trait Value: Sized {
     }
 
     /// The value from the TOML value written there.
-    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self>;
+    fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self>;
 
     /// The default and its text; `None` if the key must be given.
     fn absent() -> Option<(Self, String)> {
@@ -231,7 +234,7 @@ impl<'r> Table<'r> {
     }
 
     /// The TOML value of a key.
-    pub fn entry(&self, key: &'static str) -> Option<&'r Spanned<DeValue<'r>>> {
+    pub fn entry(&self, key: &'static str) -> Option<&'r Toml<'r>> {
         let mut known = self.known.borrow_mut();
         // Some keys are looked for twice, because others depend on them.
         if !known.contains(&key) {
@@ -326,17 +329,17 @@ impl<'p> Place<'p> {
     }
 
     /// Records that the value is of the wrong type.
-    pub fn unexpected<T>(&self, value: &Spanned<DeValue<'_>>, expected: &str) -> Option<T> {
+    pub fn unexpected<T>(&self, value: &Toml<'_>, expected: &str) -> Option<T> {
         self.wrong(value, self.instead(value, expected))
     }
 
-    fn instead(&self, value: &Spanned<DeValue<'_>>, expected: &str) -> String {
+    fn instead(&self, value: &Toml<'_>, expected: &str) -> String {
         let (kind, shown) = (value.get_ref().type_str(), self.table.reader.shown(value));
         format!("{expected}, got the {kind} {shown}")
     }
 
     /// Records that the value is not as it must be.
-    pub fn wrong<T>(&self, value: &Spanned<DeValue<'_>>, must_be: impl Display) -> Option<T> {
+    pub fn wrong<T>(&self, value: &Toml<'_>, must_be: impl Display) -> Option<T> {
         let told = format!("{} must be {must_be}", named(&self.path()));
         self.table.reader.add(Some(value.span()), told);
         None

@@ -1,10 +1,9 @@
 //! The values of keys, and the macros that declare tables of them, once for the reader and for the page of keys.
 
-use toml::Spanned;
 use toml::de::DeValue;
 
 use super::keys::Key;
-use super::reader::{Place, Value, meant};
+use super::reader::{Place, Toml, Value, meant};
 
 use crate::error::Number;
 use crate::frame::{Attitude, BodyVector};
@@ -39,10 +38,9 @@ macro_rules! keys {
         $($field:ident: $type:ty $(= $default:expr)?, $what:expr $(, $bound:expr)?;)*
     }) => {
         const _: () = {
-            use toml::Spanned;
             use toml::de::DeValue;
             use $crate::scene::files::keys::Key;
-            use $crate::scene::files::reader::{Place, Section, Table, Value};
+            use $crate::scene::files::reader::{Place, Section, Table, Toml, Value};
 
             impl Section for $name {
                 #[allow(unused_variables, reason = "a table may have no keys")]
@@ -59,7 +57,7 @@ macro_rules! keys {
             impl Value for $name {
                 const IS_TABLE: bool = true;
 
-                fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+                fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
                     match value.get_ref() {
                         DeValue::Table(entries) => {
                             Table::new(place.table.reader, place.path(), Some(entries)).section()
@@ -84,7 +82,7 @@ impl<T: Value> Value for Option<T> {
         T::expected(key)
     }
 
-    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+    fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
         T::read(place, value).map(Some)
     }
 
@@ -106,7 +104,7 @@ pub(super) fn number(value: &DeValue<'_>) -> Option<f64> {
 }
 
 impl Value for f64 {
-    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+    fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
         let expected = place.key.expected("");
         match number(value.get_ref()) {
             None => place.unexpected(value, &expected),
@@ -123,11 +121,7 @@ impl Value for f64 {
 }
 
 /// The members of a list; each is read before the first mistake ends the reading.
-fn members<T: Value>(
-    place: &Place<'_>,
-    value: &Spanned<DeValue<'_>>,
-    expected: &str,
-) -> Option<Vec<T>> {
+fn members<T: Value>(place: &Place<'_>, value: &Toml<'_>, expected: &str) -> Option<Vec<T>> {
     let DeValue::Array(values) = value.get_ref() else {
         return place.unexpected(value, expected);
     };
@@ -136,7 +130,7 @@ fn members<T: Value>(
 }
 
 impl<T: Value> Value for Vec<T> {
-    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+    fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
         members(place, value, &Self::expected(place.key))
     }
 }
@@ -146,7 +140,7 @@ impl<T: Value, const N: usize> Value for [T; N] {
         key.expected(format_args!(", a list of {N} numbers"))
     }
 
-    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+    fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
         let expected = Self::expected(place.key);
         let list = members(place, value, &expected)?;
         let told = format!("{expected}, got {}", list.len());
@@ -160,7 +154,7 @@ impl Value for BodyVector {
         <[f64; 3]>::expected(key)
     }
 
-    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+    fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
         <[f64; 3]>::read(place, value).map(|[x, y, z]| Self::new(x, y, z))
     }
 }
@@ -171,7 +165,7 @@ impl Value for Attitude {
         <[f64; 4]>::expected(key)
     }
 
-    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+    fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
         let [w, x, y, z] = <[f64; 4]>::read(place, value)?;
         let length = w.hypot(x).hypot(y.hypot(z));
         if (length - 1.0).abs() > 1e-3 {
@@ -188,7 +182,7 @@ impl Value for Attitude {
 }
 
 impl Value for usize {
-    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+    fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
         let expected = place.key.expected("");
         let DeValue::Integer(_) = value.get_ref() else {
             return place.unexpected(value, &expected);
@@ -198,7 +192,7 @@ impl Value for usize {
 }
 
 impl Value for String {
-    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+    fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
         match value.get_ref() {
             DeValue::String(text) => Some(text.clone().into_owned()),
             _ => place.unexpected(value, place.key.what),
@@ -217,7 +211,7 @@ impl<T: Word> Value for T {
         key.expected(format_args!("one of {}", names.join(", ")))
     }
 
-    fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+    fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
         let expected = Self::expected(place.key);
         let DeValue::String(text) = value.get_ref() else {
             return place.unexpected(value, &expected);
@@ -254,7 +248,7 @@ impl Word for Choice {
 macro_rules! numbers {
     ($($effect:ident)*) => {$(
         impl Value for $effect {
-            fn read(place: &Place<'_>, value: &Spanned<DeValue<'_>>) -> Option<Self> {
+            fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
                 let made = $effect::new(f64::read(place, value)?);
                 place.table.reader.right(&place.path(), made)
             }

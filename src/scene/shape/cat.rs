@@ -226,9 +226,6 @@ impl Flow<4> for Cat {
     }
 }
 
-/// The message for a solver that this kind of scene does not have.
-const SOLVERS: &str = "the solver of a cat is `exact`, if it has equal halves and no angular momentum, or one that steps";
-
 impl Scene for Cat {
     type State = CatState;
 
@@ -240,7 +237,8 @@ impl Scene for Cat {
             ),
             None => Plan::stepped("unequal halves or angular momentum: no closed form"),
         };
-        planned(request, plan, SOLVERS)
+        let solvers = "the solver of a cat is `exact`, if it has equal halves and no angular momentum, or one that steps";
+        planned(request, plan, solvers)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<CatState>> {

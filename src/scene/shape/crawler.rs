@@ -201,11 +201,7 @@ impl Flow<5> for Crawler {
         Ok((piece, next))
     }
 
-    fn known(
-        &self,
-        (piece, leg): Phase,
-        ahead: &Ahead<'_, 5>,
-    ) -> Option<Result<Passage<[f64; 5]>>> {
+    fn known(&self, (piece, leg): Phase, ahead: &Ahead<'_, 5>) -> Option<Passed<5>> {
         let (from, y) = ahead.start;
         let gap = self.gap(piece, from);
         let after = |t: f64| Ok((self.body).after(&leg, y, [&gap, &self.gap(piece, t)]));
@@ -216,9 +212,6 @@ impl Flow<5> for Crawler {
     }
 }
 
-/// The message for a solver that this kind of scene does not have.
-const SOLVERS: &str = "the solver of a crawler is `events` on a rough ground, `exact` on perfect ice, or one that steps";
-
 impl Scene for Crawler {
     type State = CrawlerState;
 
@@ -228,7 +221,8 @@ impl Scene for Crawler {
             Some(_) => Plan::events("sliding friction: closed forms from event to event"),
             None => Plan::exact("no outside force: the centre of mass stays"),
         };
-        planned(request, plan, SOLVERS)
+        let solvers = "the solver of a crawler is `events` on a rough ground, `exact` on perfect ice, or one that steps";
+        planned(request, plan, solvers)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<CrawlerState>> {

@@ -188,10 +188,6 @@ impl Flow<3> for Swivel {
     }
 }
 
-/// The message for a solver that a swivel does not have.
-const SWIVEL_SOLVERS: &str =
-    "the solver of a swivel is `exact`, if nothing resists, or one that steps";
-
 impl Scene for Swivel {
     type State = SwivelState;
 
@@ -201,7 +197,8 @@ impl Scene for Swivel {
             Some(_) => Plan::stepped("bearing friction: no closed form"),
             None => Plan::exact("no torque: one integral along the path of shapes"),
         };
-        planned(request, plan, SWIVEL_SOLVERS)
+        let solvers = "the solver of a swivel is `exact`, if nothing resists, or one that steps";
+        planned(request, plan, solvers)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<SwivelState>> {
@@ -389,10 +386,6 @@ impl Flow<4> for Skater {
     }
 }
 
-/// The message for a solver that a skater does not have.
-const SKATER_SOLVERS: &str =
-    "the solver of a skater is `exact`, if nothing resists, or one that steps";
-
 impl Scene for Skater {
     type State = SkaterState;
 
@@ -402,7 +395,8 @@ impl Scene for Skater {
             Some(_) => Plan::stepped("bearing friction: no closed form"),
             None => Plan::exact("no torque: spin and moment have a fixed product"),
         };
-        planned(request, plan, SKATER_SOLVERS)
+        let solvers = "the solver of a skater is `exact`, if nothing resists, or one that steps";
+        planned(request, plan, solvers)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<SkaterState>> {

@@ -126,10 +126,8 @@ impl PaperCat {
             end: time,
         };
         let run = leg.follow(Some(&upright), Effort::Tolerance(1e-14))?;
-        Ok((run.stopped == Stop::AtTheEvent).then_some(Righting {
-            time: run.time,
-            fall: run.end[0],
-        }))
+        let (time, fall) = (run.time, run.end[0]);
+        Ok((run.stopped == Stop::AtTheEvent).then_some(Righting { time, fall }))
     }
 
     /// The flow of the cat for a time `last`.
@@ -218,9 +216,6 @@ impl Flow<5> for Falling {
     }
 }
 
-/// The message for a solver that this kind of scene does not have.
-const SOLVERS: &str = "the solver of a paper cat is `exact`, if there is no air, or one that steps";
-
 impl Scene for PaperCat {
     type State = PaperCatState;
 
@@ -230,7 +225,8 @@ impl Scene for PaperCat {
             Some(_) => Plan::stepped("air: no closed form"),
             None => Plan::exact("no air: a rigid body at rest does not turn"),
         };
-        planned(request, plan, SOLVERS)
+        let solvers = "the solver of a paper cat is `exact`, if there is no air, or one that steps";
+        planned(request, plan, solvers)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<PaperCatState>> {

@@ -14,11 +14,8 @@ use crate::precise::{Extended, Number, power_of_two_below};
 /// A body may have [axes of its own](Self::along_own_axes) that are not principal. Its start and its states are then along its own axes, and its tilt is
 /// that of the third of them; the computation is along the principal axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "Written")
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "Written"))]
 pub struct Body {
     pub(super) mass: f64,
     pub(super) moments: [f64; 3],
@@ -43,12 +40,9 @@ impl TryFrom<Written> for Body {
     type Error = crate::Error;
 
     fn try_from(written: Written) -> Result<Self> {
-        let along_principal_axes =
-            Self::new(written.moments)?.with_center_of_mass(written.mass, written.center)?;
-        Ok(Self {
-            own: written.own,
-            ..along_principal_axes
-        })
+        let (own, body) = (written.own, Self::new(written.moments)?);
+        let body = body.with_center_of_mass(written.mass, written.center)?;
+        Ok(Self { own, ..body })
     }
 }
 
@@ -111,25 +105,19 @@ impl Body {
             return Self::new(matrix.diagonal().into());
         }
         let principal = inertia.principal_axes();
-        Ok(Self {
-            own: Some(principal.turn().into()),
-            ..Self::new(principal.principal_moments().values())?
-        })
+        let own = Some(principal.turn().into());
+        let body = Self::new(principal.principal_moments().values())?;
+        Ok(Self { own, ..body })
     }
 
     /// A body whose moments about this axis through its origin and about all lines across it are exactly these.
     ///
     /// # Errors
     /// As for [`new`](Self::new).
-    pub(in crate::scene) fn symmetric_about(
-        axis: BodyVector,
-        axial: f64,
-        transverse: f64,
-    ) -> Result<Self> {
-        Ok(Self {
-            own: Some(onto_third(axis).inverse().into()),
-            ..Self::new([transverse, transverse, axial])?
-        })
+    pub(crate) fn symmetric_about(axis: BodyVector, axial: f64, transverse: f64) -> Result<Self> {
+        let own = Some(onto_third(axis).inverse().into());
+        let body = Self::new([transverse, transverse, axial])?;
+        Ok(Self { own, ..body })
     }
 
     /// The body held at `pivot` (m, along its own axes, from their origin).
@@ -252,11 +240,8 @@ pub struct Start {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(rename_all = "snake_case")
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub(super) enum Spin {
     Omega(BodyVector),
     AngularMomentum(BodyVector),
@@ -273,10 +258,8 @@ impl Start {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub const fn with_omega(omega: BodyVector, attitude: Attitude) -> Self {
-        Self {
-            attitude,
-            spin: Spin::Omega(omega),
-        }
+        let spin = Spin::Omega(omega);
+        Self { attitude, spin }
     }
 
     /// A start with L, kg m²/s. The closed forms use L as it is, without a division.
@@ -289,21 +272,18 @@ impl Start {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub const fn with_angular_momentum(l: BodyVector, attitude: Attitude) -> Self {
-        Self {
-            attitude,
-            spin: Spin::AngularMomentum(l),
-        }
+        let spin = Spin::AngularMomentum(l);
+        Self { attitude, spin }
     }
 
     /// The start along the principal axes of this body.
     pub(super) fn inward(&self, body: &Body) -> Self {
-        Self {
-            attitude: body.attitude_inward(self.attitude),
-            spin: match self.spin {
-                Spin::Omega(omega) => Spin::Omega(body.inward(omega)),
-                Spin::AngularMomentum(l) => Spin::AngularMomentum(body.inward(l)),
-            },
-        }
+        let attitude = body.attitude_inward(self.attitude);
+        let spin = match self.spin {
+            Spin::Omega(omega) => Spin::Omega(body.inward(omega)),
+            Spin::AngularMomentum(l) => Spin::AngularMomentum(body.inward(l)),
+        };
+        Self { attitude, spin }
     }
 
     /// The phase: L along the body's axes, and the attitude.

@@ -177,10 +177,8 @@ impl Axes {
         let shift = (axis + 1) % 3;
         let half = [(1.0, 0.0), (0.5, -0.5), (0.5, 0.5)][shift];
         let onto = Quaternion::new(half.0, half.1, half.1, half.1);
-        Self {
-            onto: UnitQuaternion::new_unchecked(onto),
-            shift: Some(shift),
-        }
+        let (onto, shift) = (UnitQuaternion::new_unchecked(onto), Some(shift));
+        Self { onto, shift }
     }
 
     /// This direction becomes the third axis, by the shortest turn; for a body with three equal moments, all of whose axes are principal.

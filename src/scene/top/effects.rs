@@ -8,11 +8,8 @@ use crate::scene::prelude::*;
 
 /// A top and the effects on it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(try_from = "Written")
-)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "Written"))]
 pub struct Top {
     pub(super) body: Body,
     pub(super) start: Start,

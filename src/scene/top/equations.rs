@@ -214,12 +214,7 @@ impl<const N: usize> Flow<N> for Turning {
         Ok(Spin::Stopped)
     }
 
-    fn furthest_apart(
-        &self,
-        a: &[(Spin, [f64; N])],
-        b: &[(Spin, [f64; N])],
-        seen: &[(Spin, [f64; N])],
-    ) -> f64 {
+    fn furthest_apart(&self, a: &[At<Spin, N>], b: &[At<Spin, N>], seen: &[At<Spin, N>]) -> f64 {
         // A lower bound of the fastest rate of the motion, rad/s.
         let start = speed(self.start.l, self.inverse);
         let speeds = seen.iter().map(|(_, y)| speed(phase(y).l, self.inverse));
@@ -243,10 +238,8 @@ impl<const N: usize> Flow<N> for Turning {
 
 /// L and the quaternion.
 pub(super) fn phase(y: &[f64]) -> Phase {
-    Phase {
-        l: [y[0], y[1], y[2]],
-        q: [y[3], y[4], y[5], y[6]],
-    }
+    let (l, q) = ([y[0], y[1], y[2]], [y[3], y[4], y[5], y[6]]);
+    Phase { l, q }
 }
 
 /// L and the quaternion as components, without loss of energy.

@@ -16,6 +16,9 @@ pub(super) struct Conserved {
     pub momentum_scale: f64,
 }
 
+/// The ledger of a top that is being written.
+type Open = OpenLedger<State>;
+
 /// The most rows of a closed form that are checked: it keeps its constants by construction.
 const MOST_READ: usize = 256;
 
@@ -43,7 +46,7 @@ impl Conserved {
     }
 
     /// Without resistance: E is conserved; L, or the component that gravity leaves; the fourth integral of tops that have one.
-    pub fn lossless(&self, ledger: OpenLedger<State>) -> Result<OpenLedger<State>> {
+    pub fn lossless(&self, ledger: Open) -> Result<Open> {
         let mut ledger = ledger.reading(MOST_READ);
         let (first, scale) = (self.start.energy, self.energy_scale);
         ledger.conserved("energy", scale, first, |_, state| state.energy)?;
@@ -64,11 +67,7 @@ impl Conserved {
     }
 
     /// With resistance: the energy may only fall, and its sum with the energy lost is conserved; without gravity |L| may only fall.
-    pub fn lossy(
-        &self,
-        mut ledger: OpenLedger<State>,
-        lost: impl Fn(usize) -> f64,
-    ) -> Result<OpenLedger<State>> {
+    pub fn lossy(&self, mut ledger: Open, lost: impl Fn(usize) -> f64) -> Result<Open> {
         // Requested times may precede the start: monotone quantities begin with the earliest row.
         let (earliest, scale) = (*ledger.earliest(), self.energy_scale);
         let falling = ("energy", Law::NonIncreasing, scale);
@@ -87,10 +86,8 @@ impl Conserved {
     /// Name, value and scale of the fourth integral: L along the axis of symmetry or the line to C, or Kovalevskaya's constant.
     fn fourth(&self, state: &State) -> Option<(&'static str, f64, f64)> {
         let (heavy, scale) = (&self.heavy, self.momentum_scale);
-        let seen = TopState {
-            omega: state.omega,
-            up: up(&state.attitude),
-        };
+        let (omega, up) = (state.omega, up(&state.attitude));
+        let seen = TopState { omega, up };
         let value = heavy.further_integral(&seen)?.value;
         match heavy.kind() {
             Integrability::Lagrange(_) => {

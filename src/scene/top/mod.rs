@@ -174,19 +174,14 @@ impl Top {
     }
 
     /// The motion by order 8, or by the method that the request names.
-    fn stepped(
-        &self,
-        plan: Plan,
-        request: &Request,
-        conserved: &Conserved,
-    ) -> Result<Motion<State>> {
-        let turning = || Turning::new(self, conserved.energy_scale);
+    fn stepped(&self, plan: Plan, request: &Request, kept: &Conserved) -> Result<Motion<State>> {
+        let turning = || Turning::new(self, kept.energy_scale);
         let here = turning()?;
         if self.resisting().next().is_some() {
             let trace = to_accuracy::<8, _>(request, plan.solver, |_| turning())?;
-            let ledger = trace.told(request, plan, |_, _, y| here.state(y, conserved));
+            let ledger = trace.told(request, plan, |_, _, y| here.state(y, kept));
             let lost = |place: usize| here.unit * trace.samples[place].1[7];
-            return conserved.lossy(ledger, lost)?.closed(request);
+            return kept.lossy(ledger, lost)?.closed(request);
         }
         let trace = match plan.solver {
             Solver::Geometric(method) if method != Geometric::DormandPrince8 => {
@@ -195,7 +190,7 @@ impl Top {
             }
             solver => to_accuracy::<7, _>(request, solver, |_| turning())?,
         };
-        let ledger = trace.told(request, plan, |_, _, y| here.state(y, conserved));
-        conserved.lossless(ledger)?.closed(request)
+        let ledger = trace.told(request, plan, |_, _, y| here.state(y, kept));
+        kept.lossless(ledger)?.closed(request)
     }
 }

@@ -243,9 +243,8 @@ fn accuracy(root: &Path, asked: usage::Accuracy) -> Result<()> {
         return Err(Error::Input(told.to_owned()));
     }
     let input = scenes::file(root, Path::new(scene));
-    drawn(Some(&output), input.as_deref(), || {
-        accuracy::picture(root, scene, csv)
-    })
+    let picture = || accuracy::picture(root, scene, csv);
+    drawn(Some(&output), input.as_deref(), picture)
 }
 
 fn print_book(root: &Path, drawings: &[Drawing]) -> Result<PathBuf> {

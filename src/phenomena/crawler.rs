@@ -160,10 +160,8 @@ impl Crawler {
         positive("the length of a stroke", strokes.length)?;
         positive("the duration of the push", strokes.push)?;
         positive("the duration of the pull", strokes.pull)?;
-        let masses = [
-            positive("the mass of the rear foot", rear)?,
-            positive("the mass of the front foot", front)?,
-        ];
+        let rear = positive("the mass of the rear foot", rear)?;
+        let masses = [rear, positive("the mass of the front foot", front)?];
         positive("the acceleration of the push", strokes.acceleration(0))?;
         positive("the acceleration of the pull", strokes.acceleration(3))?;
         Ok(Self { masses, strokes })
@@ -242,15 +240,11 @@ impl Crawler {
         heats.sum()
     }
 
-    /// Speed (m/s) and acceleration (m/s²) of a slipping foot in its direction, if it slows down while neither foot holds: only then can it come to rest.
+    /// Speed (m/s) and acceleration (m/s²) of a slipping foot in its direction, at these speeds of the centre and of the gap (m/s), if it slows down while
+    /// neither foot holds: only then can it come to rest.
     /// While the other foot holds, a foot moves with the stroke, and rests only where the stroke turns.
-    pub(crate) fn slowing(
-        &self,
-        leg: &Leg,
-        foot: usize,
-        velocity: f64,
-        gap_rate: f64,
-    ) -> Option<[f64; 2]> {
+    pub(crate) fn slowing(&self, leg: &Leg, foot: usize, speeds: [f64; 2]) -> Option<[f64; 2]> {
+        let [velocity, gap_rate] = speeds;
         let along = |of: [f64; 2]| of[foot] * leg.feet[foot].sign();
         let acceleration = along(self.feet(leg.center, leg.acceleration));
         let slows = acceleration < 0.0 && !leg.feet.contains(&Foot::Holds);

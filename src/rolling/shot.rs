@@ -235,10 +235,9 @@ impl RoundBody {
             * positive("the acceleration of gravity", gravity)?;
         // Friction takes κ/(1+κ) of the slip from the velocity, and the rest goes to the rim.
         let change = self.inertia_factor / self.pure_rolling_height() * finite("the slip", slip)?;
-        let time = if change == 0.0 {
-            0.0
-        } else {
-            change.abs() / deceleration
+        let time = match change {
+            0.0 => 0.0,
+            _ => change.abs() / deceleration,
         };
         Ok(SlideToRoll {
             time: finite("the sliding time", time)?,

@@ -87,7 +87,7 @@ impl Laws {
         let mut first = None;
         for &slipping in candidates(law.is_some(), slip) {
             for &turning in candidates(self.resistance.is_some(), rim_speed) {
-                let (pace, agrees) = self.consequence(law, slipping, turning, ground);
+                let (pace, agrees) = self.consequence(law, [slipping, turning], ground);
                 let [_, turns, slips] = pace.rates;
                 if agrees && !stalls(slipping, slip, slips) && !stalls(turning, rim_speed, turns) {
                     return pace;
@@ -96,17 +96,12 @@ impl Laws {
             }
         }
         // One of them is always consistent, but for rounding, which may exclude two that nearly agree; then either will do.
-        first.unwrap_or_else(|| self.consequence(None, Hold::Free, Hold::Free, ground).0)
+        first.unwrap_or_else(|| self.consequence(None, [Hold::Free; 2], ground).0)
     }
 
     /// The accelerations under one such assignment, and whether friction and couple can then hold what it calls held.
-    fn consequence(
-        &self,
-        law: Option<Coulomb>,
-        slipping: Hold,
-        turning: Hold,
-        ground: f64,
-    ) -> (Pace, bool) {
+    fn consequence(&self, law: Option<Coulomb>, holds: [Hold; 2], ground: f64) -> (Pace, bool) {
+        let [slipping, turning] = holds;
         let (kappa, load) = (self.kappa, self.load);
         let (push, twist) = (load.push, load.twist);
         let slides = law.map_or(0.0, |law| law.kinetic) * load.reaction;

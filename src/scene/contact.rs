@@ -78,6 +78,8 @@ impl TableTop {
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         let table = &mut self.table;
         let some = |law: Friction| law.acts().then_some(law);
+        let takes =
+            "gravity, friction, regularised_friction, viscous_friction, no_slip, resistance";
         match effect.into() {
             Effect::Gravity(gravity) => table.gravity = positive("gravity", gravity.value())?,
             Effect::Coulomb(law) => table.friction = some(Friction::Coulomb(law)),
@@ -85,10 +87,7 @@ impl TableTop {
             Effect::Viscous(law) => table.friction = some(Friction::Viscous(law)),
             Effect::NoSlip(_) => table.friction = Some(Friction::NoSlip),
             Effect::Resistance(law) => table.resistance = law.acts().then_some(law),
-            other => {
-                let takes = "gravity, friction, regularised_friction, viscous_friction, no_slip, resistance";
-                return Err(other.refused("a body on a table", takes));
-            }
+            other => return Err(other.refused("a body on a table", takes)),
         }
         Ok(self)
     }
@@ -336,10 +335,6 @@ struct OnTheTable {
 }
 
 impl OnTheTable {
-    fn body(&self) -> &ConvexBody {
-        &self.table.body
-    }
-
     fn coulomb(&self) -> Option<Coulomb> {
         match self.table.friction {
             Some(Friction::Coulomb(law)) => Some(law),
@@ -353,7 +348,7 @@ impl OnTheTable {
     }
 
     fn weight(&self) -> f64 {
-        self.body().mass() * self.table.gravity
+        self.table.body.mass() * self.table.gravity
     }
 
     fn velocity_scale(&self) -> f64 {
@@ -389,14 +384,14 @@ impl OnTheTable {
 
     /// The states after a landing from this one, for C falling and for C rising.
     fn landings(&self, takeoff: &TakeOff, y: &Numbers) -> impl Iterator<Item = Numbers> {
-        let fallen = takeoff.height - self.body().height(&Pose::of(y)).0;
+        let fallen = takeoff.height - self.table.body.height(&Pose::of(y)).0;
         let climb = (takeoff.climb.powi(2) + 2.0 * self.table.gravity * fallen).sqrt();
         let climbs = [climb, -climb].into_iter();
         climbs.filter_map(|climb| self.table.landed(y, climb, &|_| Ok(())).ok())
     }
 
     fn takeoff(&self, time: f64, y: &Numbers) -> TakeOff {
-        let (height, climb) = self.body().height(&Pose::of(y));
+        let (height, climb) = self.table.body.height(&Pose::of(y));
         TakeOff {
             time,
             height,
@@ -457,14 +452,14 @@ impl OnTheTable {
     fn distance_to_rest(&self, contact: &Contact) -> f64 {
         let slow = |law| contact.slip.norm() / (NEAR * self.stopping_speed(law));
         let slow = self.coulomb().map_or(f64::INFINITY, slow);
-        let heavy = HEAVY * self.body().mass() * self.velocity_scale() * self.turning;
+        let heavy = HEAVY * self.table.body.mass() * self.velocity_scale() * self.turning;
         slow.min((contact.lift / CLOSE).max(heavy / contact.reaction.abs()))
     }
 
     /// The equations of a body in contact; without slip or near rest the state may change.
     fn supported(&self, y: &mut Numbers) -> Mode {
         if self.table.friction == Some(Friction::NoSlip) {
-            *y = self.body().rolled(y);
+            *y = self.table.body.rolled(y);
             return Mode::Rolling;
         }
         let contact = self.table.slides(&Pose::of(y));
@@ -477,7 +472,7 @@ impl OnTheTable {
 
     /// Removes the slip; then rolling if the cone allows it, otherwise sliding.
     fn stopped(&self, law: Coulomb, y: &mut Numbers) -> Mode {
-        *y = self.body().rolled(&self.table.held(y));
+        *y = self.table.body.rolled(&self.table.held(y));
         // At the rim of the cone rolling would have no event: the margin must fall through zero.
         match self.holds(law, y) {
             true => Mode::Rolling,
@@ -502,7 +497,7 @@ impl OnTheTable {
     }
 
     fn state(&self, t: f64, mode: &Mode, y: &Numbers) -> State {
-        let body = self.body();
+        let body = &self.table.body;
         let y = &match mode {
             Mode::Rolling => body.rolled(y),
             _ => *y,
@@ -549,7 +544,7 @@ impl Flow<NUMBERS> for OnTheTable {
 
     fn scales(&self) -> Numbers {
         let (size, v, w) = (self.size, self.velocity_scale(), self.turning);
-        let energy = self.body().mass() * v * v;
+        let energy = self.table.body.mass() * v * v;
         [1.0, 1.0, 1.0, 1.0, w, w, w, v, v, size, size, energy]
     }
 
@@ -563,7 +558,7 @@ impl Flow<NUMBERS> for OnTheTable {
 
     fn rate(&self, mode: Mode, _: f64, y: &Numbers) -> Numbers {
         let y = &match mode {
-            Mode::Rolling => self.body().rolled(y),
+            Mode::Rolling => self.table.body.rolled(y),
             _ => *y,
         };
         let pose = Pose::of(y);
@@ -611,7 +606,7 @@ impl Flow<NUMBERS> for OnTheTable {
         let mode = match (mode, self.coulomb()) {
             (Mode::Rolling, None) => return self.released(t, y),
             (Mode::Rolling, _) => {
-                *y = self.body().rolled(y);
+                *y = self.table.body.rolled(y);
                 Mode::Leaving
             }
             (Mode::Leaving, Some(law)) if slip < 0.5 * self.left(law) => self.stopped(law, y),

@@ -7,7 +7,7 @@
 
 use super::motion::{OpenLedger, furthest};
 use super::{Budget, Choice, Plan, Request, Solver};
-use crate::error::{Error, Result, finite};
+use crate::error::{Error, Result, finite, stopped};
 use crate::integrators::{
     AnyLeg, Cost, Effort, Kept, Leg, Passage, Stop, System, Watched, both_ways, growth_limiting,
 };
@@ -272,10 +272,8 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
             trace.phases.push((now, phase));
             self.budget.spend(1, now)?;
             if trace.phases.len() > MOST_PHASES || at_once > MOST_AT_ONCE {
-                return Err(Error::Integration {
-                    reason: "the events come too close to each other; end the run earlier, or let what changes so often be smooth",
-                    time: now,
-                });
+                let reason = "the events come too close to each other; end the run earlier, or let what changes so often be smooth";
+                return stopped(reason, now);
             }
         }
         // Samples at the end time, where the last event took place.

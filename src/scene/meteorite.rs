@@ -185,12 +185,9 @@ impl Scene for StruckPlanet {
     type State = Flying;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
-        let reason = match self.impact {
-            Some(_) => {
-                "an impact that sticks: six linear equations between two free motions in closed form"
-            }
-            None => "no torque: closed form",
-        };
+        let sticks =
+            "an impact that sticks: six linear equations between two free motions in closed form";
+        let reason = self.impact.map_or("no torque: closed form", |_| sticks);
         match request.choice {
             Choice::Auto | Choice::Use(Solver::Exact) => Ok(Plan::new(Solver::Exact, reason)),
             Choice::Use(_) => Err(Error::Solver {

@@ -108,6 +108,7 @@ impl Strip {
     /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         let equations = &mut self.equations;
+        let takes = "gravity, lift, drag, rotational_damping, added_mass";
         match effect.into() {
             Effect::Gravity(gravity) => equations.gravity = Some(gravity.value()),
             Effect::Lift(lift) => equations.lift = Some(lift.checked()?),
@@ -117,10 +118,7 @@ impl Strip {
                 not_negative("the added mass", added.factor)?;
                 equations.added_mass = Some(added);
             }
-            other => {
-                let takes = "gravity, lift, drag, rotational_damping, added_mass";
-                return Err(other.refused("a strip", takes));
-            }
+            other => return Err(other.refused("a strip", takes)),
         }
         Ok(self)
     }

@@ -118,6 +118,7 @@ impl Play {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
+        let takes = "gravity, turn_loss, hand, sleep, axle_friction, air_drag";
         match effect.into() {
             Effect::Gravity(gravity) => self.gravity = Some(positive("gravity", gravity.value())?),
             Effect::TurnLoss(loss) => self.turn_loss = Some(loss.value()),
@@ -125,10 +126,7 @@ impl Play {
             Effect::Sleep(sleep) => self.sleep = Some(sleep.value()),
             Effect::AxleFriction(friction) => self.axle_friction = Some(friction.value()),
             Effect::AirDrag(drag) => self.air_drag = Some(drag.value()),
-            other => {
-                let takes = "gravity, turn_loss, hand, sleep, axle_friction, air_drag";
-                return Err(other.refused("a yo-yo", takes));
-            }
+            other => return Err(other.refused("a yo-yo", takes)),
         }
         Ok(self)
     }

@@ -132,11 +132,8 @@ impl Unwinding {
         // ∫ √(1 + k²/r²)/√(2(e + g x)) dx, divided by its value with r constant as at the upper end.
         let ([_, b0], [a, b]) = (self.roots(0.0), self.roots(way));
         let [c0, c] = [speed, later].map(|v| v / (speed + later));
-        let [x, y, z] = [
-            a * b0 * c + b * c0,
-            b0 * c + a * b * c0,
-            b * c + a * b0 * c0,
-        ];
+        let (x, y) = (a * b0 * c + b * c0, b0 * c + a * b * c0);
+        let z = b * c + a * b0 * c0;
         let bend = q * even * even * (2.0 * acceleration + q * speed * speed);
         let second = bend / 12.0 * rd(x * x, y * y, z * z)?;
         let first = rf(x * x, y * y, z * z)?;

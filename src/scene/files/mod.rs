@@ -21,7 +21,7 @@
 //! | `values` | the values of keys, and the declaration of tables |
 //! | `run` | times, accuracy, solver, columns |
 //! | `body` | the tables of a rigid body |
-//! | `file` | the tables of one kind, and how their effects are added |
+//! | `file` | the tables of one kind, how their effects are added, and all that the reader of a kind imports |
 //! | `look` | the drawing of a scene |
 //! | one for each kind or several | the tables of the kind, and the scene made from them |
 //!
@@ -45,6 +45,8 @@ pub use keys::KeyRow;
 use reader::Open;
 pub use reader::{Mistakes, meant};
 pub use run::telling;
+
+pub(super) use look::{Look, Told};
 
 use toml::de::{DeTable, DeValue};
 

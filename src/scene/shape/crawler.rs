@@ -101,7 +101,7 @@ impl Crawler {
         let [sliding, holding] = self.grip().unwrap_or_default();
         let mut leg = self.body.leg(feet, &gap, sliding, holding);
         for foot in 0..2 {
-            let slowing = self.body.slowing(&leg, foot, y[1], gap.rate);
+            let slowing = self.body.slowing(&leg, foot, [y[1], gap.rate]);
             if slowing.is_some_and(|[velocity, _]| velocity <= 0.0) {
                 let mut feet = leg.feet;
                 feet[foot] = Foot::Holds;
@@ -115,7 +115,7 @@ impl Crawler {
     /// The time after which a foot first comes to rest if the stroke continues, and which foot.
     fn rest(&self, leg: &Leg, velocity: f64, rate: f64) -> Option<(f64, usize)> {
         let stop = |foot: usize| {
-            let [along, acceleration] = self.body.slowing(leg, foot, velocity, rate)?;
+            let [along, acceleration] = self.body.slowing(leg, foot, [velocity, rate])?;
             Some(((-along / acceleration).max(0.0), foot))
         };
         (0..2).filter_map(stop).min_by(|a, b| a.0.total_cmp(&b.0))
@@ -158,7 +158,7 @@ impl Flow<5> for Crawler {
 
     fn margin(&self, (piece, leg): Phase, t: f64, y: &[f64; 5]) -> Option<f64> {
         let rate = self.gap(piece, t).rate;
-        let along = |foot| self.body.slowing(&leg, foot, y[1], rate);
+        let along = |foot| self.body.slowing(&leg, foot, [y[1], rate]);
         let margins = (0..2).filter_map(along).map(|[velocity, _]| velocity);
         margins.reduce(f64::min)
     }

@@ -93,15 +93,9 @@ impl Swivel {
     }
 
     fn shape(&self, t: f64) -> Twist {
-        self.path.map_or(self.still(), |path| path.at(t))
-    }
-
-    fn still(&self) -> Twist {
-        Twist {
-            upper: self.upper,
-            angle: 0.0,
-            rate: 0.0,
-        }
+        let (upper, angle, rate) = (self.upper, 0.0, 0.0);
+        let still = Twist { upper, angle, rate };
+        self.path.map_or(still, |path| path.at(t))
     }
 
     fn lower_rate(&self, l: f64, shape: &Twist) -> f64 {
@@ -125,7 +119,7 @@ impl Swivel {
     /// The angle of the lower part: whole cycles, whole phases of the last one, and one integral for the rest.
     fn turned(&self, parts: &[f64], t: f64) -> Result<f64> {
         let Some(path) = &self.path else {
-            return Ok(self.lower_rate(self.angular_momentum, &self.still()) * t);
+            return Ok(self.lower_rate(self.angular_momentum, &self.shape(t)) * t);
         };
         let (since, part) = (t.rem_euclid(path.duration), path.part());
         let rounds = ((t - since) / path.duration).round();

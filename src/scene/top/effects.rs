@@ -127,6 +127,7 @@ impl Top {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
+        let takes = "gravity, pivot_friction, bearing_friction, air_drag and tip_friction";
         match effect.into() {
             Effect::Gravity(gravity) => self.gravity = Some(gravity),
             Effect::PivotFriction(friction) => self.pivot_friction = Some(friction),
@@ -144,10 +145,7 @@ impl Top {
                 let condition = "tip friction is for bodies with I1 = I2 and the centre of mass on the third axis";
                 return refused(condition, self.body.moments[1] / self.body.moments[0]);
             }
-            other => {
-                let takes = "gravity, pivot_friction, bearing_friction, air_drag and tip_friction";
-                return Err(other.refused("a top", takes));
-            }
+            other => return Err(other.refused("a top", takes)),
         }
         Ok(self)
     }

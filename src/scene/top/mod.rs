@@ -38,6 +38,9 @@ impl Top {
     fn planned(&self, request: &Request) -> Result<(Plan, Option<ClosedForm>)> {
         let resisting: Vec<&str> = self.resisting().collect();
         let cannot = |condition| Err(Error::Solver { condition });
+        let exact = "the solver `exact` is for scenes with a closed form, this one has none";
+        let geometric =
+            "the geometric solvers are for tops under gravity alone, and dormand-prince-8 for all";
         let closed = match request.choice {
             Choice::Auto | Choice::Use(Solver::Exact) if resisting.is_empty() => {
                 ClosedForm::find(&self.body, self.g(), &self.start)?
@@ -50,17 +53,11 @@ impl Top {
             (Choice::Auto, None) => {
                 Plan::stepped(format!("{}: no closed form", resisting.join(" and ")))
             }
-            (Choice::Use(Solver::Exact), None) => {
-                return cannot(
-                    "the solver `exact` is for scenes with a closed form, this one has none",
-                );
-            }
+            (Choice::Use(Solver::Exact), None) => return cannot(exact),
             (Choice::Use(Solver::Geometric(method)), _)
                 if method != Geometric::DormandPrince8 && !resisting.is_empty() =>
             {
-                return cannot(
-                    "the geometric solvers are for tops under gravity alone, and dormand-prince-8 for all",
-                );
+                return cannot(geometric);
             }
             (Choice::Use(Solver::Events), _) => {
                 return cannot("the solver `events` is for scenes with contacts, a top has none");

@@ -60,10 +60,14 @@ fn bind_as(settings: Config, root: &Path, folder: &Path, drawings: &[Drawing]) -
 }
 
 /// The book with its chapters typeset; the typesetter keeps their pieces.
-pub(crate) fn typeset(settings: Config, root: &Path, by: &mut Typesetter<'_>) -> Result<MDBook> {
+pub(crate) fn typeset(
+    settings: Config,
+    root: &Path,
+    typesetter: &mut Typesetter<'_>,
+) -> Result<MDBook> {
     let book = as_html(settings).and_then(|html| MDBook::load_with_config(root.join("book"), html));
     let mut book = book.map_err(wrong)?;
-    set(&mut book.book.items, by)?;
+    set(&mut book.book.items, typesetter)?;
     Ok(book)
 }
 

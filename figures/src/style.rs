@@ -402,9 +402,12 @@ impl Pen {
         let mut best = ([0.0; 2], f64::MIN);
         for place in places {
             let apart = |k: usize, point: &Point| (point[k] - place[k]).abs() - half[k];
-            let nearest = taken.iter().map(|p| apart(0, p).max(apart(1, p)));
-            let room = nearest.fold(4.0, f64::min);
-            if room > best.1 {
+            let mut nearest = taken.iter().map(|p| apart(0, p).max(apart(1, p)));
+            // A place that is no clearer than the best need not be measured to the end.
+            let room = nearest.try_fold(CLEAR, |room: f64, near| {
+                Some(room.min(near)).filter(|room| *room > best.1)
+            });
+            if let Some(room) = room {
                 best = (place, room);
             }
         }
@@ -484,6 +487,8 @@ impl Pen {
     }
 }
 
+/// The distance at which a place is well clear.
+const CLEAR: f64 = 4.0;
 /// Height of the middle of letters above their base line, as a fraction of their size.
 const LOWER: f64 = 0.3;
 

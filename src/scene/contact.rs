@@ -557,11 +557,11 @@ impl Flow<NUMBERS> for OnTheTable {
     }
 
     fn rate(&self, mode: Mode, _: f64, y: &Numbers) -> Numbers {
+        let pose = Pose::of(y);
         let y = &match mode {
-            Mode::Rolling => self.table.body.rolled(y),
+            Mode::Rolling => self.table.body.rolling(y, &pose),
             _ => *y,
         };
-        let pose = Pose::of(y);
         self.table.rates(y, &pose, &self.contact(&mode, &pose))
     }
 

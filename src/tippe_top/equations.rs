@@ -309,7 +309,11 @@ impl ConvexBody {
 
     /// The state with the velocity of C replaced by that of pure rolling.
     pub(crate) fn rolled(&self, y: &Numbers) -> Numbers {
-        let pose = Pose::of(y);
+        self.rolling(y, &Pose::of(y))
+    }
+
+    /// The same, where the pose is known; its own level velocity makes no difference.
+    pub(crate) fn rolling(&self, y: &Numbers, pose: &Pose) -> Numbers {
         let velocity = pose.turn * -pose.omega.cross(&self.arm(&pose.up));
         let mut y = *y;
         (y[7], y[8]) = (velocity.x, velocity.y);

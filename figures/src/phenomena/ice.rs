@@ -171,7 +171,7 @@ pub fn crawler(values: &Values) -> Result<Figure> {
     let wriggler = Wriggler::random(4);
     let times: Vec<f64> = (0..=500).map(|k| 0.01 * f64::from(k)).collect();
     let (start, scales) = (wriggler.start(), [1.0; 4 * PARTS]);
-    let effort = Effort::Tolerance(1e-9);
+    let effort = Effort::Tolerance(1e-6);
     let run = order_eight(&wriggler, Kept::Nothing, start, &scales, &times, effort)?;
     let center = wriggler.center(wriggler.start());
     let (mu, strokes) = (values.of(&GRIP), strokes(values));

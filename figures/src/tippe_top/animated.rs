@@ -23,7 +23,7 @@ const FRAME: Frame = Frame::linear([0.0, END], [0.0, 180.0], [340.0, 574.0, 282.
 pub fn turning_over(_: &Values) -> Result<Figure> {
     let top = tippe(ALPHA.default, GAMMA.default)?;
     let scene = tippe_scene(&top, SPIN.default, VISCOUS.default)?;
-    let rows = run(&scene, END, PICTURES, 1e-3)?;
+    let rows = run(&scene, END, PICTURES)?;
     let (first, last) = (rows[0].1, rows[rows.len() - 1].1);
     let climbed = 1e3 * (last.position.z() - first.position.z());
     let [fast, slow, climbed] = numbers([first.spin(), last.spin(), climbed], 1);

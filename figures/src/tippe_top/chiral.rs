@@ -23,7 +23,7 @@ pub fn both_spins(values: &Values) -> Result<Figure> {
     let [spin, tilt, mu] = values.each(BOTH_SPINS);
     let runs = tried([-spin, spin], |spin| {
         let scene = chiral_scene(spin, tilt.to_radians(), 0.0, mu)?;
-        run(&scene, END, 600, 1e-3)
+        run(&scene, END, 600)
     })?;
     let side = [0, 1].map(|k| passage(&runs[k], degrees, 90.0));
     let last = [0, 1].map(|k| degrees(&runs[k][600].1));

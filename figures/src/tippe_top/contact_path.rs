@@ -17,7 +17,7 @@ pub fn path(values: &Values) -> Result<Figure> {
     let [spin, alpha, mu] = values.each(PATH);
     // Four fifths of the time that the estimate allows.
     let end = 1.25 * (spin / 200.0) / (3.0 * mu);
-    let rows = run(&toy_scene(alpha, spin, mu)?, end, 4000, 1e-3)?;
+    let rows = run(&toy_scene(alpha, spin, mu)?, end, 4000)?;
     let aloft = rows.iter().filter(|row| row.1.support == Support::Airborne);
     let aloft = short(100.0 * aloft.count() as f64 / rows.len() as f64, 2);
     // The contact lies opposite to the vertical, seen from K in the body's axes.

@@ -44,7 +44,7 @@ pub fn energies(values: &Values) -> Result<Figure> {
     let invert = over.and(top.steady_jellett(PI)).map(|j| j / unit);
     let spins = [SPINS[0], values.of(&CHOSEN), SPINS[1]];
     let falls = tried(spins, |spin| {
-        let rows = run(&tippe_scene(&top, spin, 0.3)?, 14.0, 28, 1e-2)?;
+        let rows = run(&tippe_scene(&top, spin, 0.3)?, 14.0, 28)?;
         let path = rows.iter().map(|(_, s)| [s.jellett / unit, 1e3 * s.energy]);
         Ok((
             path.collect::<Vec<Point>>(),

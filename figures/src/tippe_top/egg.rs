@@ -35,7 +35,7 @@ fn outline(tilt: f64) -> (Vec<Point>, f64) {
 /// An egg that was laid down and spun stands up.
 pub fn egg_film(values: &Values) -> Result<Figure> {
     let [turns, mu] = values.each(FILM);
-    let rows = run(&egg_scene(turns, mu)?, 2.5 * 0.1 / mu, 500, 1e-2)?;
+    let rows = run(&egg_scene(turns, mu)?, 2.5 * 0.1 / mu, 500)?;
     let last = slope(rows[500].1.tilt());
     let levels = [70.0, 50.0, 30.0, 6.0].map(|level| {
         let time = passage(&rows, |s| -slope(s.tilt()), -level);
@@ -98,7 +98,7 @@ fn one(pen: &mut Pen, foot: Point, time: f64, tilt: f64) {
 /// An egg with too little spin rises part of the way, then rolls. Seven runs of eight seconds; the figure has no parameters.
 pub fn how_far_eggs_rise(_: &Values) -> Result<Figure> {
     let ends = tried(SPINS, |turns| {
-        let rows = run(&egg_scene(turns, 0.1)?, 8.0, 8, 1e-2)?;
+        let rows = run(&egg_scene(turns, 0.1)?, 8.0, 8)?;
         Ok(slope(rows[8].1.tilt()))
     })?;
     let [eight, nine, ten] = numbers([ends[0], ends[1], ends[2]], 0);

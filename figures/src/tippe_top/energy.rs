@@ -15,7 +15,7 @@ const END: f64 = 8.0;
 pub fn height_and_energy(values: &Values) -> Result<Figure> {
     let [spin, friction, alpha] = values.each(ENERGY);
     let scene = tippe_scene(&tippe(alpha, GAMMA.default)?, spin, friction)?;
-    let rows = run(&scene, END, 400, 1e-3)?;
+    let rows = run(&scene, END, 400)?;
     let (first, last) = (rows[0].1, rows[rows.len() - 1].1);
     let half = passage(&rows, degrees, 90.0);
     let weight = 0.02 * G_TIPPE;

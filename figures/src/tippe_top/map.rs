@@ -12,7 +12,7 @@ const END: f64 = 2.5;
 /// Whether the top is on its head at the end.
 fn over(sense: f64, tilt: f64, azimuth: f64) -> Result<bool> {
     let scene = chiral_scene(sense * CHIRAL_SPIN, tilt.to_radians(), azimuth, 0.3)?;
-    let rows = run(&scene, END, 1, 0.1)?;
+    let rows = run(&scene, END, 1)?;
     Ok(rows[1].1.tilt() > FRAC_PI_2)
 }
 

@@ -23,7 +23,7 @@ pub fn strobed(values: &Values) -> Result<Figure> {
     let end = step * f64::from(PICTURES - 1);
     let rows = tried([-spin, spin], |spin| {
         let scene = chiral_scene(spin, tilt.to_radians(), 0.0, mu)?;
-        run(&scene, end, PICTURES - 1, 1e-2)
+        run(&scene, end, PICTURES - 1)
     })?;
     let spun = number(spin, 1);
     let [above, below] = [0, 1].map(|k: usize| {

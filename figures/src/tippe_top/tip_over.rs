@@ -7,10 +7,10 @@ use crate::prelude::*;
 
 parameters! {
     LIGHT: "light", r"\alpha_1", "", "offset of the centre of mass over the radius, lighter clay", [0.02, 0.08], 0.05;
-    HEAVY: "heavy", r"\alpha_2", "", "offset of the centre of mass over the radius, heavier clay", [0.09, 0.3], 0.1;
+    HEAVY: "heavy", r"\alpha_2", "", "offset of the centre of mass over the radius, heavier clay", [0.09, 0.25], 0.1;
 }
-/// The parameters.
-pub const TIP_OVER: &[Parameter] = &[LIGHT, HEAVY, TURNS.between([15.0, 80.0], 50.0), FRICTION];
+/// The parameters. Heavier and faster the ball hops so often that the motion amplifies rounding errors.
+pub const TIP_OVER: &[Parameter] = &[LIGHT, HEAVY, TURNS.between([15.0, 60.0], 50.0), FRICTION];
 
 /// Tilt at the release, rad.
 const START: f64 = 0.1;
@@ -22,9 +22,7 @@ pub fn tip_over(values: &Values) -> Result<Figure> {
     let hoop = toy(alphas[1], mu)?;
     let rate = hoop.tip_rate(spin);
     let end = 1.087 * hoop.tip_over_time(spin);
-    let runs = tried(alphas, |alpha| {
-        run(&toy_scene(alpha, spin, mu)?, end, 250, 1e-3)
-    })?;
+    let runs = tried(alphas, |alpha| run(&toy_scene(alpha, spin, mu)?, end, 250))?;
     // Between 30° and 150°, if it gets there.
     let mean = |k: usize| -> Option<f64> {
         let at = |level: f64| passage(&runs[k], degrees, level);

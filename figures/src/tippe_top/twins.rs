@@ -22,7 +22,7 @@ pub fn twins(values: &Values) -> Result<Figure> {
     let rods = tried(&tops, inside)?;
     let runs = tried(tops, |body| {
         let scene = body_scene(body, -spin, tilt.to_radians(), 0.0, mu)?;
-        run(&scene, END, 600, 1e-3)
+        run(&scene, END, 600)
     })?;
     let side = [0, 1].map(|k| passage(&runs[k], degrees, 90.0));
     let most = [0, 1].map(|k| greatest_tilt(&runs[k]));

@@ -198,7 +198,7 @@ pub fn momentum_flow(values: &Values) -> Result<Figure> {
         }
         _ => "Circles go round the axis whose moment differs from the other two.",
     };
-    let [i1, i2, i3] = of;
+    let [i1, i2, i3] = of.map(brief);
     let rest = if parted { saddles } else { rest };
     let words = words!(
         "{claim}",

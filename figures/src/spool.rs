@@ -144,11 +144,11 @@ pub fn dial(values: &Values) -> Result<Figure> {
     let at = |angle: f64| Ok(spool.rolling_acceleration(Tug::new(tension, angle)?));
     let rays = tried(spaced([0.0, PI], 36), |angle| Ok((angle, at(angle)?)))?;
     let (level, back) = (at(0.0)?, at(PI)?);
-    let axle = number(ratio, 2);
+    let (axle, force) = (number(ratio, 2), brief(tension));
     let [most, away, after] = numbers([level, -at(PI / 2.0)?, -back], 1);
     let words = words!(
         "The spool comes for every tug lower than {degrees} degrees, runs away from a steeper one, and follows a hand beyond the vertical.",
-        "Acceleration of a spool with $r/R = {axle}$, $M = 200$ g, $I = \\frac12MR^2$, tugged gently with {tension} N: each ray points along the tug. Ink: it rolls to the left \
+        "Acceleration of a spool with $r/R = {axle}$, $M = 200$ g, $I = \\frac12MR^2$, tugged gently with {force} N: each ray points along the tug. Ink: it rolls to the left \
          and winds string up, {most} m/s² at most. Grey: to the right, and pays it out, up to {after} m/s².",
         "A half dial of rays over a spool, one every five degrees, counted from the left. Rays on the left, in ink, shrink from {most} at 0 degrees to nothing at {degrees} \
          degrees; grey rays grow from there over {away} at 90 degrees, where the spool runs away from the hand, to {after} at 180 degrees, where it follows the hand."

@@ -70,7 +70,8 @@ pub fn two_axes(values: &Values) -> Result<Figure> {
     let begins = match roll == ROLL.default {
         true => String::new(),
         false => format!(
-            " It starts with {roll}° a day about its long axis; Toutatis had {}°.",
+            " It starts with {}° a day about its long axis; Toutatis had {}°.",
+            brief(roll),
             ROLL.default
         ),
     };

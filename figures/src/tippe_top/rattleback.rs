@@ -22,14 +22,13 @@ fn spins(rows: &[(f64, State)]) -> impl Iterator<Item = Point> {
 /// It turns back from one sense quickly, from the other slowly.
 pub fn reversals(values: &Values) -> Result<Figure> {
     let [spin, tilt] = values.each(REVERSALS);
-    let [quick, slow] = [-spin, spin].map(|spin| {
-        let scene = stone_scene(spin, tilt.to_radians())?;
-        run(&scene, END, 1400)
-    });
-    let (quick, slow) = (quick?, slow?);
+    let runs = tried([-spin, spin], |spin| {
+        run(&stone_scene(spin, tilt.to_radians())?, END, 1400)
+    })?;
+    let [quick, slow] = [&runs[0], &runs[1]];
     let back = [
-        passage(&quick, State::spin, 0.0),
-        passage(&slow, |s| -s.spin(), 0.0),
+        passage(quick, State::spin, 0.0),
+        passage(slow, |s| -s.spin(), 0.0),
     ];
     let claim = match back {
         [Some(wrong), Some(right)] => format!(
@@ -44,7 +43,7 @@ pub fn reversals(values: &Values) -> Result<Figure> {
         Some(time) => format!("at {time:.2} s"),
         None => "not within the picture".to_owned(),
     });
-    let greatest = quick.iter().chain(&slow).map(|(_, s)| s.spin().abs());
+    let greatest = quick.iter().chain(slow).map(|(_, s)| s.spin().abs());
     let greatest = greatest.fold(spin, f64::max);
     let [spun, askew] = numbers([spin, tilt], 1);
     let [wrong, right] = &told;
@@ -60,7 +59,7 @@ pub fn reversals(values: &Values) -> Result<Figure> {
         let frame = Frame::linear([0.0, END], [-1.3 * greatest, 1.3 * greatest], places);
         frame.draw_round(pen, ["time, s", "spin, rad/s"]);
         pen.line([frame.at(0.0, 0.0), frame.at(END, 0.0)], inked(AXIS));
-        for (rows, role) in [(&slow, Muted), (&quick, Ink)] {
+        for (rows, role) in [(slow, Muted), (quick, Ink)] {
             frame.curve(pen, spins(rows), stroke(role, DATA * 0.8));
         }
         let least = 1.18 * greatest;
@@ -74,8 +73,8 @@ pub fn reversals(values: &Values) -> Result<Figure> {
     });
     let columns = "time (s) | spin (rad/s)";
     Ok(made
-        .data("the wrong way", columns, spins(&quick))
-        .data("the right way", columns, spins(&slow))
+        .data("the wrong way", columns, spins(quick))
+        .data("the right way", columns, spins(slow))
         .value("wrong", number(back[0].unwrap_or(0.0), 2))
         .value("right", number(back[1].unwrap_or(0.0), 2)))
 }

@@ -269,8 +269,8 @@ pub fn momentum_flow(values: &Values) -> Result<Figure> {
         let seen = seen.filter(|p| view.faces(p)).map(|p| view.project(p));
         let corner = seen.min_by(|a, b| (a[0] + a[1]).total_cmp(&(b[0] + b[1])));
         if let Some([x, y]) = corner {
-            let name = label(AngularMomentum);
-            pen.text([x - 8.0, y - 6.0], End, "separatrix", name);
+            let places = [-11.0, -18.0, -25.0, -32.0].map(|up| [x - 46.0, y + up]);
+            pen.name(places, "separatrix", label(AngularMomentum));
         }
     });
     let columns = "time (s) | L1 | L2 | L3";

@@ -160,6 +160,15 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
             pen.arc(r, 20.0, PI, to, inked(AXIS));
         }
 
+        // The hinge, and the sense of each torque.
+        pen.dot(a, 5.0);
+        pen.ring(a, 9.5, inked(SECONDARY));
+        // Each corner's letter stands away from the middle of the box.
+        let middle = between(a, between(r, b, 0.5), 2.0 / 3.0);
+        for (corner, name) in corners.into_iter().zip(["*A*", "*R*", "*B*"]) {
+            let out = between(corner, middle, -26.0 / distance(corner, middle));
+            pen.label(shifted(out, [0.0, 6.0]), Middle, name);
+        }
         for (k, (from, to, length)) in around.into_iter().enumerate() {
             let middle = between(from, to, 0.5);
             let outward = outward(from, to);
@@ -180,15 +189,6 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
             places.extend(further.concat());
             let places = places.into_iter().map(|beside| shifted(tip, beside));
             pen.name(places, &text, sized(Torque, 20.0));
-        }
-        // The hinge, and the sense of each torque.
-        pen.dot(a, 5.0);
-        pen.ring(a, 9.5, inked(SECONDARY));
-        // Each corner's letter stands away from the middle of the box.
-        let middle = between(a, between(r, b, 0.5), 2.0 / 3.0);
-        for (corner, name) in corners.into_iter().zip(["*A*", "*R*", "*B*"]) {
-            let out = between(corner, middle, -26.0 / distance(corner, middle));
-            pen.label(shifted(out, [0.0, 6.0]), Middle, name);
         }
         let sign = |k: usize| match shown[k].strip_prefix('\u{2212}') {
             Some(rest) => format!("\u{2212} {rest}"),

@@ -4,6 +4,7 @@
 //! and its view box is scaled back; the finisher does the rest.
 
 use core::borrow::Borrow;
+use core::f64::consts::PI;
 
 use plotters_backend::BackendCoord;
 use spinning_bodies::Result;
@@ -171,7 +172,8 @@ pub fn figure(
     words: Words,
     draw: impl FnOnce(&mut Pen),
 ) -> Figure {
-    let mut pen = Pen::default();
+    let marks = Vec::new();
+    let mut pen = Pen { height, marks };
     draw(&mut pen);
     Figure {
         name,
@@ -187,8 +189,9 @@ pub fn figure(
 }
 
 /// Draws marks, each with the attributes that a backend has no place for.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Pen {
+    height: f64,
     marks: Vec<(Mark, String)>,
 }
 
@@ -396,19 +399,27 @@ impl Pen {
     }
 
     /// The place for a label of these half sides: the first of the places for its middle that is well clear of all lines, discs and words
-    /// so far, or the clearest.
+    /// so far, or the clearest. Where it would touch something at all of them, places round about them are tried.
     pub fn room(&self, places: impl IntoIterator<Item = Point>, half: [f64; 2]) -> Point {
-        let taken = self.taken();
+        let (taken, places) = (self.taken(), Vec::from_iter(places));
         let mut best = ([0.0; 2], f64::MIN);
-        for place in places {
-            let apart = |k: usize, point: &Point| (point[k] - place[k]).abs() - half[k];
-            let mut nearest = taken.iter().map(|p| apart(0, p).max(apart(1, p)));
-            // A place that is no clearer than the best need not be measured to the end.
-            let room = nearest.try_fold(CLEAR, |room: f64, near| {
-                Some(room.min(near)).filter(|room| *room > best.1)
-            });
-            if let Some(room) = room {
-                best = (place, room);
+        let inside = within([half[0], WIDTH - half[0]], [half[1], self.height - half[1]]);
+        // First the places themselves, then round about them in eight directions.
+        let moves = (7..40).map(|k| (8.0 * f64::from(k / 8), f64::from(k % 8) * PI / 4.0));
+        for by in moves.map(|(far, turn)| polar([0.0; 2], far, turn)) {
+            let moved = places.iter().map(|p| shifted(*p, by));
+            for place in moved.filter(|p| by == [0.0; 2] || inside(p)) {
+                let apart = |k: usize, point: &Point| (point[k] - place[k]).abs() - half[k];
+                let mut nearest = taken.iter().map(|p| apart(0, p).max(apart(1, p)));
+                // A place that is no clearer than the best need not be measured to the end.
+                let room = nearest.try_fold(CLEAR, |room: f64, near| {
+                    Some(room.min(near)).filter(|room| *room > best.1)
+                });
+                best = room.map_or(best, |room| (place, room));
+            }
+            // The letters are smaller than their box.
+            if best.1 > -2.5 {
+                break;
             }
         }
         best.0

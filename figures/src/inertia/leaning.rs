@@ -89,6 +89,11 @@ pub fn leaning(values: &Values) -> Result<Figure> {
         let l = momentum(angle);
         let leaned = l.z().atan2(l.x());
         pen.arc(CENTER, 46.0, angle, leaned, inked(AXIS));
+        let at = [x + 222.0, y + 5.0];
+        let text = format!("*I*_{{1}} = {smallest:.2} kg m²");
+        pen.note(at, Start, &text);
+        let text = format!("*I*_{{3}} = {largest:.2} kg m²");
+        pen.note([x - 10.0, 26.0], End, &text);
         if !parallel {
             let on = |k: u32, from: f64, angle| polar(CENTER, from + 4.0 * f64::from(k), angle);
             let between = (0..40).map(|k| on(k, 66.0, 0.5 * (angle + leaned)));
@@ -96,11 +101,6 @@ pub fn leaning(values: &Values) -> Result<Figure> {
             let beside = (0..30).map(|k| shifted(on(k, 60.0, angle), [32.0, 0.0]));
             pen.name(between.chain(beside), &format!("{shown}°"), label(Ink));
         }
-        let at = [x + 222.0, y + 5.0];
-        let text = format!("*I*_{{1}} = {smallest:.2} kg m²");
-        pen.note(at, Start, &text);
-        let text = format!("*I*_{{3}} = {largest:.2} kg m²");
-        pen.note([x - 10.0, 26.0], End, &text);
         // Each letter on its side of the angle, if there is room.
         for (tip, role, name) in arrows {
             let (first, way) = match role {

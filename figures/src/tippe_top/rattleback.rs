@@ -30,14 +30,9 @@ pub fn reversals(values: &Values) -> Result<Figure> {
         passage(quick, State::spin, 0.0),
         passage(slow, |s| -s.spin(), 0.0),
     ];
-    let claim = match back {
-        [Some(wrong), Some(right)] => format!(
-            "A rattleback spun the wrong way rattles, stops and turns back; spun the right way it takes {} times as long about it.",
-            number(right / wrong, 1)
-        ),
-        _ => format!(
-            "A rattleback spun the wrong way rattles, stops and turns back; spun the right way it has not turned back after {END} seconds."
-        ),
+    let then = match back {
+        [Some(wrong), Some(right)] => format!("takes {:.1} times as long about it", right / wrong),
+        _ => format!("has not turned back after {END} seconds"),
     };
     let told = back.map(|time| match time {
         Some(time) => format!("at {time:.2} s"),
@@ -48,7 +43,7 @@ pub fn reversals(values: &Values) -> Result<Figure> {
     let [spun, askew] = numbers([spin, tilt], 1);
     let [wrong, right] = &told;
     let words = words!(
-        "{claim}",
+        "A rattleback spun the wrong way rattles, stops and turns back; spun the right way it {then}.",
         "Spin about the vertical of Kane and Levinson's stone in pure rolling without any loss, released at ±{spun} rad/s {askew}° off level. First reversal: the wrong way \
          {wrong}, the right way {right}.",
         "Spin against time up to {END} seconds. One curve starts at minus {spun} radians a second, trembles and crosses zero {wrong}. The grey one starts at plus {spun} and crosses zero \

@@ -130,6 +130,7 @@ fn lens(pen: &mut Pen, outline: &[Point], angle: f64, [belly, inertia]: [Stroke;
         (axis(0.0), belly, Some(("belly", side))),
         (axis(angle), inertia, Some(("inertia", -side))),
     ];
+    let mut names = Vec::new();
     for (curve, style, name) in curves {
         let placed: Vec<Point> = curve.iter().map(place).collect();
         pen.lines(placed.split(|p| !within(p)), style);
@@ -138,8 +139,11 @@ fn lens(pen: &mut Pen, outline: &[Point], angle: f64, [belly, inertia]: [Stroke;
             .filter(|p| distance(*p, center) < 0.6 * radius);
         // Each name on the far side of its axis from the other.
         if let Some(((text, down), at)) = name.zip(nearest(left, near)) {
-            pen.note(shifted(at, [0.0, down + 5.0]), Middle, text);
+            names.push((shifted(at, [0.0, down]), text));
         }
+    }
+    for (at, text) in names {
+        pen.name([at], text, small(Ink));
     }
 }
 

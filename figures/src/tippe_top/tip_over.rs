@@ -35,14 +35,9 @@ pub fn tip_over(values: &Values) -> Result<Figure> {
         [Some(light), Some(heavy)] => {
             let worst = light.max(heavy);
             let better = if light < heavy { "lighter" } else { "heavier" };
-            match worst < 30.0 {
-                true => format!(
-                    "The tutorial's straight line has the right slope to {worst:.0} %, and the {better} the clay, the better."
-                ),
-                false => format!(
-                    "Here the tutorial's straight line is wrong by up to {worst:.0} %: it leaves out that the slip turns."
-                ),
-            }
+            format!(
+                "The tutorial's straight line has the right slope to {worst:.0} %, and the {better} the clay, the better."
+            )
         }
         [None, Some(_)] => format!(
             "Clay of α = {} is too light to tip the ball over in the time that the tutorial's straight line allows.",

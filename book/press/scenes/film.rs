@@ -124,7 +124,8 @@ pub fn stills(
     };
     can_be_made(form)?;
     let empty = std::fs::read_dir(folder).map(|mut inside| inside.next().is_none());
-    if folder.file_name().is_none() || folder.exists() && !empty.unwrap_or(false) {
+    let is_stream = folder == Path::new("-");
+    if is_stream || folder.file_name().is_none() || folder.exists() && !empty.unwrap_or(false) {
         let folder = folder.display();
         return refused(format!(
             "DIR is '{folder}', expected an empty folder or a new one"

@@ -142,8 +142,14 @@ impl Top {
                 self.tip_friction = Some(friction);
             }
             Effect::TipFriction(_) => {
-                let condition = "tip friction is for bodies with I1 = I2 and the centre of mass on the third axis";
-                return refused(condition, self.body.moments[1] / self.body.moments[0]);
+                let ([x, y, _], [first, second, _]) = (self.body.center, self.body.moments);
+                return match x.hypot(y) {
+                    0.0 => refused("tip friction is for bodies with I2/I1 = 1", second / first),
+                    off => refused(
+                        "tip friction is for bodies with the centre of mass on the third axis",
+                        off,
+                    ),
+                };
             }
             other => return Err(other.refused("a top", takes)),
         }

@@ -70,6 +70,7 @@ fn every_scene_of_the_book_is_filmed() {
         ("--film --speed 0", "expected a speed from"),
         ("--film --output x.png", "must end with `.svg`"),
         ("--frames src 10", "expected an empty folder or a new one"),
+        ("--frames - 10", "expected an empty folder or a new one"),
         ("--frames stills 0", "a whole number from 1 to 10000"),
     ] {
         refused(&typed(&format!("scene racket {wrong}")), &[told]);

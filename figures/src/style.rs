@@ -417,8 +417,8 @@ impl Pen {
                 });
                 best = room.map_or(best, |room| (place, room));
             }
-            // The letters are smaller than their box.
-            if best.1 > -2.5 {
+            // Letters are smaller than their box; a place beyond those given must be clear.
+            if best.1 > if by == [0.0; 2] { -1.5 } else { 1.0 } {
                 break;
             }
         }

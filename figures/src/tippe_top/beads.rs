@@ -70,6 +70,7 @@ pub fn view(pen: &mut Pen, (center, radius): (Point, f64), azimuth: f64, beads: 
             [x, 2.0 * y],
             [0.0, -2.0 * y],
             [0.0, 2.8 * y],
+            [1.4 * x, -y],
         ];
         pen.name(around.map(|by| shifted(at, by)), text, lettering);
     };

@@ -401,7 +401,11 @@ impl Pen {
     /// The place for a label of these half sides: the first of the places for its middle that is well clear of all lines, discs and words
     /// so far, or the clearest. Where it would touch something at all of them, places round about them are tried.
     pub fn room(&self, places: impl IntoIterator<Item = Point>, half: [f64; 2]) -> Point {
-        let (taken, places) = (self.taken(), Vec::from_iter(places));
+        self.clearest(&Vec::from_iter(places), half)
+    }
+
+    fn clearest(&self, places: &[Point], half: [f64; 2]) -> Point {
+        let taken = self.taken();
         let mut best = ([0.0; 2], f64::MIN);
         let inside = within([half[0], WIDTH - half[0]], [half[1], self.height - half[1]]);
         // First the places themselves, then round about them in eight directions.

@@ -138,7 +138,7 @@ moments | mass = 0.0\nmoments | mass | positive | 0
 moments | colour = "red"\nmoments | colour | unknown | moments
 [effects] | [effects]\ngravity = true | gravity | m/s² | boolean
 [effects] | [effects]\npivot_friction = -1.0 | pivot_friction | negative
-[effects] | [effects]\ntip_friction = 1.0 | tip_friction | I1 = I2
+[effects] | [effects]\ntip_friction = 1.0 | tip_friction | I2/I1 = 1
 [effects] | [efects] | efects | unknown | effects
 until = 10.0\nsamples = 11 | times = [] | times | 1 to
 until = 10.0\nsamples = 11 |  | times | until | missing

@@ -46,8 +46,6 @@ use reader::Open;
 pub use reader::{Mistakes, meant};
 pub use run::telling;
 
-pub(super) use look::{Look, Told};
-
 use toml::de::{DeTable, DeValue};
 
 use super::{AnyScene, Request, Scene};

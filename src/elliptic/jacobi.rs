@@ -151,12 +151,7 @@ impl Modulus {
             Side::Hyperbolic => {
                 let (v, v_low) = self.multiplied(high, low);
                 let odd = bits & 1 != 0;
-                let set = if odd {
-                    &self.series.odd
-                } else {
-                    &self.series.even
-                };
-                let [sn, cn, dn] = hyperbolic(&self.series, set, bits, v, v_low);
+                let [sn, cn, dn] = hyperbolic(&self.series, bits, v, v_low);
                 let (sine, cosine) = if odd { (cn, sn) } else { (sn, cn) };
                 let angle = quick::angle(sine.abs(), cosine.abs());
                 let am = turned(quarters, angle.copysign(v), 0.0);
@@ -215,7 +210,7 @@ impl Reduction {
 fn circular(series: &Series, bits: u64, high: f64, low: f64) -> ([f64; 3], f64) {
     let (sine, cosine) = quick::small_sine_cosine(high, low);
     let (s, c) = in_quadrant(bits, sine, cosine);
-    circular_at(&series.even, s, c)
+    circular_at(&series.corrections, s, c)
 }
 
 /// The same from the sine and the cosine of v.
@@ -252,12 +247,11 @@ fn turned(quarters: f64, v: f64, ahead: f64) -> f64 {
     all.high() + rest
 }
 
-/// Beyond m = 1/2: sn, cn and dn at v = `high + low` from the nearest multiple of K; the two lowest bits count the multiples, `set` are
-/// the corrections for the lowest bit.
+/// Beyond m = 1/2: sn, cn and dn at v = `high + low` from the nearest multiple of K; the two lowest bits count the multiples.
 #[inline(always)]
-fn hyperbolic(series: &Series, set: &Corrections, bits: u64, high: f64, low: f64) -> [f64; 3] {
+fn hyperbolic(series: &Series, bits: u64, high: f64, low: f64) -> [f64; 3] {
     let argument = SignedHyperbolic::new(series.root, high, low);
-    hyperbolic_at(series.complementary_modulus, set, bits, &argument)
+    hyperbolic_at(series, bits, &argument)
 }
 
 /// sinh and cosh of |v|, the sign of v as a bit, and z = 4 √q′ sinh² v.
@@ -285,24 +279,27 @@ impl SignedHyperbolic {
 
 /// The functions from the hyperbolic functions of v.
 #[inline(always)]
-pub(super) fn hyperbolic_at(
-    complementary_modulus: f64,
-    set: &Corrections,
-    bits: u64,
-    argument: &SignedHyperbolic,
-) -> [f64; 3] {
+pub(super) fn hyperbolic_at(series: &Series, bits: u64, argument: &SignedHyperbolic) -> [f64; 3] {
     let odd = (bits & 1).wrapping_neg();
     let SignedHyperbolic { sign, scaled, z } = argument;
-    let inverse = 1.0 / polynomial(&set.denominator, *z);
-    let upper = complementary_modulus * scaled.growth;
+    let set = &series.corrections;
+    let [on_sn, on_cn, on_dn] = [&set.sn, &set.cn, &set.dn].map(|p| polynomial(p, *z));
+    // A quarter period exchanges the theta functions.
+    let [exchanged, on_sn, on_cn, on_dn] = if bits & 1 == 0 {
+        [0.0, on_sn, on_cn, on_dn]
+    } else {
+        [on_dn, on_cn - on_dn, on_sn - on_dn, -on_dn]
+    };
+    let inverse = 1.0 / (polynomial(&set.denominator, *z) + exchanged);
+    let upper = series.complementary_modulus * scaled.growth;
     let below = 1.0 / scaled.cosine;
     let sech = below * scaled.decay[0] * scaled.decay[1];
     let s = quick::select(odd, 1.0, scaled.sine / scaled.cosine);
     let c = quick::select(odd, upper * scaled.sine, sech);
     let d = quick::select(odd, upper * scaled.cosine, sech);
-    let sn = s + s * (polynomial(&set.sn, *z) * inverse);
-    let cn = c + c * (polynomial(&set.cn, *z) * inverse);
-    let dn = d + d * (polynomial(&set.dn, *z) * inverse);
+    let sn = s + s * (on_sn * inverse);
+    let cn = c + c * (on_cn * inverse);
+    let dn = d + d * (on_dn * inverse);
     // Near even multiples sn is odd in v, near odd ones cn is, with the other sign.
     let half = (bits & 2) << 62;
     let sn_sign = half ^ (sign & !odd);
@@ -310,7 +307,7 @@ pub(super) fn hyperbolic_at(
     [
         f64::from_bits(quick::lesser(sn, 1.0).to_bits() ^ sn_sign),
         f64::from_bits(cn.to_bits() ^ cn_sign),
-        quick::lesser(quick::greater(dn, complementary_modulus), 1.0),
+        quick::lesser(quick::greater(dn, series.complementary_modulus), 1.0),
     ]
 }
 
@@ -402,8 +399,7 @@ impl Modulus {
                 }),
                 Side::Hyperbolic => self.chunk(u, [sn, cn, dn], |bits, high, low| {
                     let (v, v_low) = self.multiplied(high, low);
-                    let set = Corrections::chosen(&self.series, bits);
-                    hyperbolic(&self.series, &set, bits, v, v_low)
+                    hyperbolic(&self.series, bits, v, v_low)
                 }),
             };
             if rare {

@@ -12,7 +12,7 @@
 use super::jacobi::{ScaledHyperbolic, SignedHyperbolic, circular_at, hyperbolic_at};
 use super::landen::Side;
 use super::modulus::Modulus;
-use super::theta::{Corrections, Theta};
+use super::theta::Theta;
 use crate::error::{Result, same_length, too_long};
 use crate::precise::quick::{
     self, EXACT_COUNT, ROUNDER, in_quadrant, polynomial, reduced, select, sine_cosine,
@@ -187,7 +187,7 @@ impl<const W: usize> Places<W> {
                     (self.sine[i], self.cosine[i]) = in_quadrant(self.bits[i], sine, cosine);
                 }
                 for i in 0..W {
-                    let set = &series.even;
+                    let set = &series.corrections;
                     let (functions, _) = circular_at(set, self.sine[i], self.cosine[i]);
                     self.put_functions(i, functions);
                 }
@@ -205,9 +205,7 @@ impl<const W: usize> Places<W> {
                     self.z[i] = z;
                 }
                 for i in 0..W {
-                    let set = Corrections::chosen(series, self.bits[i]);
-                    let root = series.complementary_modulus;
-                    let functions = hyperbolic_at(root, &set, self.bits[i], &self.argument(i));
+                    let functions = hyperbolic_at(series, self.bits[i], &self.argument(i));
                     self.put_functions(i, functions);
                 }
             }

@@ -9,39 +9,21 @@ use crate::precise::{DoubleDouble as Dd, Number};
 /// Coefficients in powers of z: z = sin² on the circular side, z = 4 √q′ sinh² on the hyperbolic one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Series {
-    /// Near even multiples of K; on the circular side for every argument.
-    pub(super) even: Corrections,
-    /// Near odd multiples of K, on the hyperbolic side only.
-    pub(super) odd: Corrections,
+    pub(super) corrections: Corrections,
     /// 2 q′^{1/4}: its square times sinh² is z.
     pub(super) root: f64,
     /// √mc.
     pub(super) complementary_modulus: f64,
 }
 
-/// Each Jacobi function is an elementary function times 1 + (its polynomial)/(denominator).
+/// Each Jacobi function is an elementary function times 1 + (its polynomial)/(denominator);
+/// on the hyperbolic side near even multiples of K.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Corrections {
     pub(super) denominator: [f64; 4],
     pub(super) sn: [f64; 4],
     pub(super) cn: [f64; 4],
     pub(super) dn: [f64; 4],
-}
-
-impl Corrections {
-    /// The set for an even or odd number of quarter periods, by the lowest of `bits`, without a branch.
-    #[inline(always)]
-    pub(super) fn chosen(series: &Series, bits: u64) -> Self {
-        let odd = (bits & 1).wrapping_neg();
-        let choose = |a: &[f64; 4], b: &[f64; 4]| core::array::from_fn(|k| select(odd, b[k], a[k]));
-        let Series { even, odd, .. } = series;
-        Self {
-            denominator: choose(&even.denominator, &odd.denominator),
-            sn: choose(&even.sn, &odd.sn),
-            cn: choose(&even.cn, &odd.cn),
-            dn: choose(&even.dn, &odd.dn),
-        }
-    }
 }
 
 /// q⁰, q^½, q, … q¹² by products that the processor can form side by side.
@@ -109,7 +91,7 @@ impl Series {
     #[inline(always)]
     pub(super) fn circular(q: f64, complementary_modulus: f64) -> Self {
         // Below it terms in q² are 3·10⁻¹⁸ at most.
-        let even = if 16.0 * q < SMALL {
+        let corrections = if 16.0 * q < SMALL {
             Corrections {
                 denominator: [1.0 - 2.0 * q, 4.0 * q, 0.0, 0.0],
                 sn: [4.0 * q, 0.0, 0.0, 0.0],
@@ -121,8 +103,7 @@ impl Series {
             circular_corrections(thetas(|a, _| powers[a]))
         };
         Self {
-            even,
-            odd: even,
+            corrections,
             root: 0.0,
             complementary_modulus,
         }
@@ -135,10 +116,8 @@ impl Series {
         } else {
             hyperbolic_thetas(half)
         };
-        let [even, odd] = hyperbolic_corrections(thetas, rate);
         Self {
-            even,
-            odd,
+            corrections: hyperbolic_corrections(thetas, rate),
             root: 2.0 * half.sqrt(),
             complementary_modulus,
         }
@@ -170,24 +149,16 @@ fn circular_corrections([t1, t2, t3, t4]: [[f64; 4]; 4]) -> Corrections {
     }
 }
 
-/// The corrections near even and near odd multiples of K; `rate` is π/(2K′).
+/// The corrections near even multiples of K; `rate` is π/(2K′).
 #[inline(always)]
-fn hyperbolic_corrections([t1, t2, t3, t4]: [[f64; 4]; 4], rate: f64) -> [Corrections; 2] {
+fn hyperbolic_corrections([t1, t2, t3, t4]: [[f64; 4]; 4], rate: f64) -> Corrections {
     let slope = 1.0 / (rate * t1[0]);
-    [
-        Corrections {
-            denominator: t2,
-            sn: correction(slope * t2[0], t1, t2),
-            cn: correction(t2[0] / t4[0], t4, t2),
-            dn: correction(t2[0] / t3[0], t3, t2),
-        },
-        Corrections {
-            denominator: t3,
-            sn: correction(t3[0] / t4[0], t4, t3),
-            cn: correction(slope * t3[0], t1, t3),
-            dn: correction(t3[0] / t2[0], t2, t3),
-        },
-    ]
+    Corrections {
+        denominator: t2,
+        sn: correction(slope * t2[0], t1, t2),
+        cn: correction(t2[0] / t4[0], t4, t2),
+        dn: correction(t2[0] / t3[0], t3, t2),
+    }
 }
 
 /// One of the two equivalent arguments η and ξ = K′ − η, given by its elliptic functions of the complementary modulus.

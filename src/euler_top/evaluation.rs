@@ -58,7 +58,6 @@ impl Default for State {
 /// start positive; right-handed like the old ones.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Renumbering {
-    axis: [usize; 3],
     /// For each of the body's own axes, its new number.
     pub(super) own: [usize; 3],
     pub(super) sign: [f64; 3],
@@ -73,7 +72,6 @@ impl Renumbering {
             own[axis[k]] = k;
         }
         Self {
-            axis,
             own,
             sign: [first, handedness(axis) * first * third, third],
         }
@@ -81,13 +79,11 @@ impl Renumbering {
 
     /// Values along the body's own axes in the new order, without the signs.
     pub(super) fn renumber<T: Copy>(&self, v: [T; 3]) -> [T; 3] {
-        self.axis.map(|i| v[i])
-    }
-
-    /// Components along the body's own axes, from those along the new ones.
-    pub(super) fn restore(&self, w: [f64; 3]) -> [f64; 3] {
-        let signed = self.signed(w);
-        self.own.map(|k| signed[k])
+        let mut renumbered = v;
+        for (k, value) in self.own.into_iter().zip(v) {
+            renumbered[k] = value;
+        }
+        renumbered
     }
 
     /// Components with the signs of the old axes, still in the new order.
@@ -111,15 +107,13 @@ pub(super) struct Constants {
     pub(super) axes: Renumbering,
     /// The argument u as a function of time.
     pub(super) course: Course,
-    /// P₁, P₂, P₃.
+    /// P₁, P₂, P₃, the coefficients of cn, sn and dn in L, with the signs of the old axes.
     pub(super) amplitudes: [f64; 3],
-    /// P₁/P₂.
+    /// P₁/P₂ without the signs.
     pub(super) aspect: f64,
-    /// Z̄, or iZ̄ on the circular side.
+    /// Z̄, or iZ̄ on the circular side, with the lag of the phase of Z with each quarter period.
     pub(super) turning: Turning,
-    /// The lag of the phase of Z with each quarter period.
-    pub(super) lag: DoubleDouble,
-    /// ψ = `turning_rate` t − quarters · `lag` + …
+    /// ψ = `turning_rate` t − quarters · lag + …
     pub(super) turning_rate: DoubleDouble,
 }
 
@@ -127,8 +121,7 @@ pub(super) struct Constants {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Moving {
     pub(super) constants: Constants,
-    /// The coefficients of cn, sn and dn in L, Ω and L/|L|, along the renumbered axes.
-    l: [f64; 3],
+    /// The coefficients of cn, sn and dn in Ω and, without the signs, in L/|L|, along the renumbered axes.
     omega: [f64; 3],
     direction: [f64; 3],
     /// The constant factor of the attitude, to which the turn by ψ and P(L) are applied, along those axes.
@@ -166,7 +159,12 @@ impl<const W: usize> Work<W> {
         self.places.follow(&constants.course, times);
         for i in 0..W {
             let quarters = self.places.quarters[i];
-            let [high, low] = phase(constants.turning_rate, times[i], constants.lag, quarters);
+            let [high, low] = phase(
+                constants.turning_rate,
+                times[i],
+                constants.turning.lag,
+                quarters,
+            );
             (self.sine[i], self.cosine[i]) = sine_cosine([0.5 * high, 0.5 * low]);
         }
         self.turn(body);
@@ -243,7 +241,7 @@ impl<const W: usize> Work<W> {
         let [sn, cn, dn] = self.places.functions(i);
         let functions = [cn, sn, dn];
         let own = &body.constants.axes.own;
-        let l = own.map(|k| body.l[k] * functions[k]);
+        let l = own.map(|k| body.constants.amplitudes[k] * functions[k]);
         let omega = own.map(|k| body.omega[k] * functions[k]);
         let [x, y, z] = own.map(|k| self.attitude[k + 1][i]);
         State {
@@ -268,18 +266,13 @@ pub(super) fn vector([x, y, z]: [f64; 3]) -> BodyVector {
 }
 
 impl Moving {
-    /// From the constants, the greatest components of Ω along the body's own axes, and the attitude at time 0.
-    pub(super) fn new(
-        constants: Constants,
-        greatest_omega: [f64; 3],
-        attitude: Attitude,
-    ) -> Result<Self> {
+    /// From the constants, the coefficients in Ω, and the attitude at time 0.
+    pub(super) fn new(constants: Constants, omega: [f64; 3], attitude: Attitude) -> Result<Self> {
         let (axes, amplitudes) = (constants.axes, constants.amplitudes);
         let size = amplitudes[0].hypot(amplitudes[2]);
         let mut moving = Self {
-            l: axes.signed(amplitudes),
-            omega: axes.renumber(greatest_omega),
-            direction: amplitudes.map(|x| x / size),
+            omega,
+            direction: amplitudes.map(|x| x.abs() / size),
             base: [1.0, 0.0, 0.0, 0.0],
             reach: constants.course.reach(0.5, &[constants.turning_rate]),
             constants,
@@ -308,7 +301,7 @@ impl Moving {
         } else {
             let constants = &self.constants;
             work.places.follow_any_time(&constants.course, t)?;
-            let lag = constants.lag * DoubleDouble::from(work.places.quarters[0]);
+            let lag = constants.turning.lag * DoubleDouble::from(work.places.quarters[0]);
             let half = (constants.turning_rate * DoubleDouble::from(t) - lag).scaled(0.5);
             (work.sine[0], work.cosine[0]) = turned(half, t)?;
             work.turn(self);
@@ -337,14 +330,14 @@ impl Constants {
         if quarter.high() == f64::INFINITY {
             return self.turning_rate.value();
         }
-        let gain = RIGHT_ANGLE - self.lag;
+        let gain = RIGHT_ANGLE - self.turning.lag;
         let quarters = self.course.rate / quarter;
         (self.turning_rate + gain * quarters).value()
     }
 
     /// Solid angle of the cone that L traces in the body in one period, with the sign of du/dt.
     pub(super) fn solid_angle(&self) -> f64 {
-        let [p1, p2, p3] = self.amplitudes;
+        let [p1, p2, p3] = self.amplitudes.map(f64::abs);
         let size = p1.hypot(p3);
         let magnitude = match self.course.modulus.side {
             // ∮ (1 − cos θ) dφ = P₁P₂/P₃ ∫ P₃ dn/(|L| (|L| + P₃ dn)) du, over a periodic function with poles beyond ±iK′: the
@@ -364,7 +357,7 @@ impl Constants {
                 let mc = self.course.modulus.parameter.mc();
                 let share = mc * (p1 / p2) * (p3 / size) + self.turning.slope.value();
                 let quarter = self.course.modulus.quarter_period();
-                4.0 * (self.lag.value() - quarter * share)
+                4.0 * (self.turning.lag.value() - quarter * share)
             }
         };
         magnitude * self.course.rate.high().signum()

@@ -269,7 +269,8 @@ impl EulerTop {
                 let rate = rate.max(constants.turning_rate.value());
                 finite("the rate of the motion", rate)?;
                 // L may swing onto an axis with a smaller moment, where Ω is greater than at the start, or round up.
-                let peaks = ratio(constants.axes.restore(constants.amplitudes), moments);
+                let axes = constants.axes;
+                let peaks = ratio(constants.amplitudes, axes.renumber(moments));
                 let doubled = peaks.map(|peak| 2.0 * peak);
                 each_finite("twice the greatest angular velocity", doubled)?;
                 Motion::Moving(Moving::new(constants, peaks, attitude)?)

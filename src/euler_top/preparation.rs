@@ -250,8 +250,8 @@ fn constants<N: Number>(
     let aspect = c[0].root_of_quotient(c[1]);
     // sc η = √(c₁/c₃) against sc ξ = P₃/P₁.
     let elevation = Elevation::smaller([c[0], c[2], c[1]], [steady, wobble, c[1] * size_squared]);
-    let turning = Turning::new(descent.modulus.side, &descent.landen, &elevation);
-    let lag = match descent.modulus.side {
+    let mut turning = Turning::new(descent.modulus.side, &descent.landen, &elevation);
+    turning.lag = match descent.modulus.side {
         Side::Circular => DoubleDouble::from(0.0),
         Side::Hyperbolic => RIGHT_ANGLE - turning.lag,
     };
@@ -276,10 +276,9 @@ fn constants<N: Number>(
             start: start.signed(axes.sign[1] * l[1].leading()),
             rate: rate.narrow(),
         },
-        amplitudes,
+        amplitudes: axes.signed(amplitudes),
         aspect,
         turning,
-        lag,
         turning_rate: (base + slope).narrow(),
     }
 }

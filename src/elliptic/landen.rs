@@ -7,7 +7,7 @@ use core::ops::{Add, Mul};
 
 use super::parameter::Parameter;
 use crate::precise::{
-    DoubleDouble as Dd, Number, RIGHT_ANGLE, RIGHT_ANGLE_REST, exponent_of, logarithm,
+    DoubleDouble as Dd, Number, RIGHT_ANGLE, RIGHT_ANGLE_REST, exponent_of, logarithm_of_quotient,
     power_of_two_below, quick,
 };
 
@@ -233,16 +233,16 @@ impl Nome {
         // ln(q/l) = 2 y + 13 y² + (368/3) y³ + …, y = l⁴ ≤ 3.6e-6.
         // The quotient is formed with a power of two taken out: mc may be as small as a double can be.
         let unit = power_of_two_below(lesser.high());
-        let ratio = Dd::quick_quotient(product.scaled(16.0), lesser.scaled(1.0 / unit));
-        let logarithm = logarithm(ratio, -exponent_of(unit));
+        let (n, d) = (product.scaled(16.0), lesser.scaled(1.0 / unit));
+        let logarithm = logarithm_of_quotient(n, d, -exponent_of(unit));
         if self.l4 < 1e-34 {
             return logarithm;
         }
         // l in two words by one step of Newton.
-        let l = self.l;
-        let (back, error) = quick::exact_product(l, ratio.high() / unit);
-        let off = ((1.0 - back) - error) - l * (ratio.low() / unit);
-        let l = Dd::new(l, l * off);
+        let l = self.l / unit;
+        let (back, error) = quick::exact_product(l, n.high());
+        let off = ((d.high() - back) - error) + (d.low() - l * n.low());
+        let l = Dd::new(self.l, unit * off / n.high());
         let square = l.quick_product(l);
         let y = square.quick_product(square);
         let second = y.quick_product(y).quick_product(Dd::from(13.0));

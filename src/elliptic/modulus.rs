@@ -1,6 +1,8 @@
 //! The prepared modulus: quarter period to 101 bits and more, nome, and the constants that reduce an argument by quarter periods; and the
 //! modulus as an exact top prepares it, from m and mc in all their digits.
 
+use core::f64::consts::FRAC_2_PI;
+
 use super::landen::{Landen, Mean, Nome, SMALL, Side, quarter_next_to_zero};
 use super::parameter::Parameter;
 use super::theta::Series;
@@ -15,8 +17,8 @@ use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE};
 ///
 /// Cost on one core of a server, beside GSL's `gsl_sf_elljac_e` in the same run (`cargo bench -p lab --bench
 /// elliptic`): `new` 30–110 ns; then 16–28 ns for sn, cn, dn of one argument (0.30–0.36 of GSL's time), 24–46 ns with the
-/// amplitude (0.43–0.59), 6–12 ns in a batch (0.11–0.16). From scratch, [`Parameter::new`] and [`sn_cn_dn`](super::sn_cn_dn), 80–160 ns: 1.4–1.9,
-/// and 2.0–2.1 next to m = 1. For tiny m GSL takes only 34 ns; there the four ratios are 0.48, 0.70, 0.19 and 1.6.
+/// amplitude (0.43–0.59), 6–12 ns in a batch (0.11–0.16). From scratch, [`Parameter::new`] and [`sn_cn_dn`](super::sn_cn_dn), 80–160 ns: 1.3–1.8,
+/// and 1.9–2.0 next to m = 1. For tiny m GSL takes only 34 ns; there the four ratios are 0.49, 0.71, 0.19 and 1.5.
 ///
 /// Source: Digital Library of Mathematical Functions, 20.2, 22.2 and 19.8; the range reduction is our own.
 ///
@@ -44,7 +46,7 @@ pub struct Modulus {
 /// The constants that subtract quarter periods from an argument, when there are at most 2²⁵ of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Reduction {
-    /// 1/K.
+    /// 1/K, to an ulp or two.
     pub(super) inverse: f64,
     /// K in three words, of which the first two are so short that a count times either is exact.
     pub(super) parts: [f64; 3],
@@ -81,19 +83,28 @@ impl Modulus {
                 (quarter, mean.value, nome.value())
             };
             let series = Series::circular(q, complementary_modulus);
-            Self::assemble(parameter, Side::Circular, quarter, rate, series)
+            let inverse = rate.high() * FRAC_2_PI;
+            Self::assemble(parameter, Side::Circular, (quarter, inverse), rate, series)
         } else {
             let mean = Mean::new(m, mc);
             let nome = Nome::new(mc.value(), mean.product.value());
-            let quarter = if mc.value() == 0.0 {
-                DoubleDouble::from(f64::INFINITY)
+            let (quarter, inverse) = if mc.value() == 0.0 {
+                (DoubleDouble::from(f64::INFINITY), 0.0)
             } else {
-                let logarithm = nome.logarithm(mc, mean.product);
-                DoubleDouble::quick_quotient(logarithm.scaled(0.5), mean.value)
+                let half = nome.logarithm(mc, mean.product).scaled(0.5);
+                // Not from the quotient, which would have to be waited for.
+                let inverse = mean.value.high() / half.high();
+                (DoubleDouble::quick_quotient(half, mean.value), inverse)
             };
             let (half, rate) = (nome.value().sqrt(), mean.value);
             let series = Series::hyperbolic(half, complementary_modulus, rate.value());
-            Self::assemble(parameter, Side::Hyperbolic, quarter, rate, series)
+            Self::assemble(
+                parameter,
+                Side::Hyperbolic,
+                (quarter, inverse),
+                rate,
+                series,
+            )
         }
     }
 
@@ -111,20 +122,20 @@ impl Modulus {
     fn assemble(
         parameter: Parameter,
         side: Side,
-        quarter: DoubleDouble,
+        (quarter, inverse): (DoubleDouble, f64),
         rate: DoubleDouble,
         series: Series,
     ) -> Self {
         let reduction = if quarter.high() == f64::INFINITY {
             Reduction {
-                inverse: 0.0,
+                inverse,
                 parts: [0.0; 3],
                 limit: f64::MAX,
             }
         } else {
             let (first, second) = quick::halves(quarter.high());
             Reduction {
-                inverse: 1.0 / quarter.high(),
+                inverse,
                 parts: [first, second, quarter.low()],
                 limit: EXACT_COUNT * quarter.high(),
             }
@@ -205,7 +216,13 @@ impl<N: Number> Descent<N> {
         let parameter = Parameter::from_both(m.narrow(), mc.narrow());
         Self {
             mc,
-            modulus: Modulus::assemble(parameter, side, quarter, landen.mean, series),
+            modulus: Modulus::assemble(
+                parameter,
+                side,
+                (quarter, 1.0 / quarter.high()),
+                landen.mean,
+                series,
+            ),
             landen,
         }
     }

@@ -36,18 +36,38 @@ const LOGARITHMS: [f64; 66] = [
 
 /// ln(x · 2^exponent) for a normal positive x, to 103 bits of the result or of 1, whichever is greater.
 ///
-/// The power of two is split off, then the nearest c = j/32; what remains is 2 artanh((x − c)/(x + c)), with an argument of at most 1/128.
 pub(crate) fn logarithm(x: DoubleDouble, exponent: i32) -> DoubleDouble {
     let unit = power_of_two_below(x.high());
+    let digits = DoubleDouble::new(x.high() / unit, x.low() / unit);
+    logarithm_of_quotient(
+        digits,
+        DoubleDouble::from(1.0),
+        exponent_of(unit) + exponent,
+    )
+}
+
+/// ln(n/d · 2^exponent) for n and d between 1 and 16, as exact; the quotient itself is not formed.
+///
+/// A power of two is split off, then the nearest c = j/32 times that; what remains is 2 artanh((n − cd)/(n + cd)), with an argument of at most 1/128.
+pub(crate) fn logarithm_of_quotient(
+    n: DoubleDouble,
+    d: DoubleDouble,
+    exponent: i32,
+) -> DoubleDouble {
+    let quotient = n.high() / d.high();
+    let unit = power_of_two_below(quotient);
     let exponent = f64::from(exponent_of(unit) + exponent);
-    let digits = x.high().to_bits() & ((1 << 52) - 1);
-    let x = DoubleDouble::new(f64::from_bits(digits | 1.0_f64.to_bits()), x.low() / unit);
-    let index = (x.high() * 32.0 + 0.5) as usize;
-    let (center, place) = (index as f64 / 32.0, 2 * (index.clamp(32, 64) - 32));
+    let digits = quotient.to_bits() & ((1 << 52) - 1);
+    let index = (f64::from_bits(digits | 1.0_f64.to_bits()) * 32.0 + 0.5) as usize;
+    let (center, place) = (index as f64 / 32.0 * unit, 2 * (index.clamp(32, 64) - 32));
     let entry = DoubleDouble::new(LOGARITHMS[place], LOGARITHMS[place + 1]);
-    let sum = DoubleDouble::sum(x.high(), center);
-    let gap = DoubleDouble::sum(x.high() - center, x.low());
-    let s = gap.quick_quotient(DoubleDouble::new(sum.high(), sum.low() + x.low()));
+    let (near, error) = quick::exact_product(center, d.high());
+    let near_low = error + center * d.low();
+    let sum = DoubleDouble::sum(n.high(), near);
+    // The difference of numbers so close is exact.
+    let gap = DoubleDouble::sum(n.high() - near, n.low() - near_low);
+    let low = sum.low() + (n.low() + near_low);
+    let s = gap.quick_quotient(DoubleDouble::new(sum.high(), low));
     let s2 = s.quick_product(s);
     let y = s2.high();
     // From the fourth term on one word suffices, and so it does for the remainder of 1/5 after its leading word.

@@ -21,5 +21,5 @@ pub(crate) mod quick;
 pub use double_double::DoubleDouble;
 pub(crate) use double_double::{RIGHT_ANGLE, RIGHT_ANGLE_REST, power_of_two_below};
 pub(crate) use extended::{Extended, exponent_of, power, shifted, sum_of_products};
-pub(crate) use logarithm::{FIFTH, THIRD, logarithm};
+pub(crate) use logarithm::{FIFTH, THIRD, logarithm_of_quotient};
 pub(crate) use number::{Number, Operators};

@@ -284,7 +284,7 @@ pub(super) fn hyperbolic_at(series: &Series, bits: u64, argument: &SignedHyperbo
     let SignedHyperbolic { sign, scaled, z } = argument;
     let set = &series.corrections;
     let [on_sn, on_cn, on_dn] = [&set.sn, &set.cn, &set.dn].map(|p| polynomial(p, *z));
-    // A quarter period exchanges the theta functions.
+    // A quarter period exchanges the theta functions: dn's becomes the denominator, the denominator dn's, and sn's and cn's change places.
     let [exchanged, on_sn, on_cn, on_dn] = if bits & 1 == 0 {
         [0.0, on_sn, on_cn, on_dn]
     } else {

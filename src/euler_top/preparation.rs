@@ -251,10 +251,9 @@ fn constants<N: Number>(
     // sc η = √(c₁/c₃) against sc ξ = P₃/P₁.
     let elevation = Elevation::smaller([c[0], c[2], c[1]], [steady, wobble, c[1] * size_squared]);
     let mut turning = Turning::new(descent.modulus.side, &descent.landen, &elevation);
-    turning.lag = match descent.modulus.side {
-        Side::Circular => DoubleDouble::from(0.0),
-        Side::Hyperbolic => RIGHT_ANGLE - turning.lag,
-    };
+    if descent.modulus.side == Side::Hyperbolic {
+        turning.lag = RIGHT_ANGLE - turning.lag;
+    }
     let amplitudes = [
         wobble.root_of_quotient(c[1]),
         wobble.root_of_quotient(c[0]),

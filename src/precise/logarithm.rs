@@ -35,7 +35,6 @@ const LOGARITHMS: [f64; 66] = [
 ];
 
 /// ln(x · 2^exponent) for a normal positive x, to 103 bits of the result or of 1, whichever is greater.
-///
 pub(crate) fn logarithm(x: DoubleDouble, exponent: i32) -> DoubleDouble {
     let unit = power_of_two_below(x.high());
     let digits = DoubleDouble::new(x.high() / unit, x.low() / unit);

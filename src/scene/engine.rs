@@ -184,6 +184,8 @@ pub(crate) struct Run<'a, F, const N: usize> {
     pub stepper: Stepper<'a>,
     pub effort: Effort,
     pub budget: &'a Budget,
+    /// Rates that are added to those of the flow.
+    pub drift: Option<[f64; N]>,
 }
 
 /// Returns the passage of a leg.
@@ -207,6 +209,7 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
             stepper,
             effort,
             budget,
+            drift: None,
         }
     }
 
@@ -291,7 +294,11 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         let (flow, budget) = (self.flow, self.budget);
         let rate = |t: f64, y: &[f64; N]| {
             budget.count(1);
-            flow.rate(phase, t, y)
+            let rates = flow.rate(phase, t, y);
+            match &self.drift {
+                None => rates,
+                Some(drift) => core::array::from_fn(|n| rates[n] + drift[n]),
+            }
         };
         let reached = |time: f64| budget.reached(time);
         let margin = |t: f64, y: &[f64; N]| flow.margin(phase, t, y).unwrap_or(f64::INFINITY);
@@ -360,18 +367,15 @@ fn sized<const N: usize>(slice: &[f64]) -> [f64; N] {
     core::array::from_fn(|n| slice[n])
 }
 
-/// Ratio of the tolerances of two compared runs; by order 8 the looser run costs half as much as the tighter.
-const APART: f64 = 100.0;
-/// The error of the better of two runs, as a fraction of their distance, is this times [`APART`] divided by the ratio of their tolerances.
-/// Errors in proportion to the tolerance would make the fraction a hundredth.
-const SHARE: f64 = 0.2;
-/// Above this distance two runs say nothing about each other's error: then the distance itself is the estimate.
-const TOGETHER: f64 = 0.05;
+/// Ratio of the tolerances of two compared runs; by order 8 the tighter run costs half as much again as the looser.
+const APART: f64 = 20.0;
+/// The same for the last two, where no tolerance is left that is tighter.
+const NEARER: f64 = 3.0;
+/// How far beside the better run the looser one starts, in units of the doubt, and how far its rates lead it away besides.
+const BESIDE: f64 = 0.2;
+const DRIFT: f64 = 0.5;
 /// The error of a run of a few steps, in units of its tolerance.
 const OF_A_STEP: f64 = 10.0;
-/// First tolerance of the looser run: this times the accuracy per radian. A steady motion is then off by the accuracy, a fast top by four
-/// times that.
-const FIRST: f64 = 2.5;
 /// The least tolerance: below it the error estimate of a step is rounding. The next constant is the greatest one with a meaning.
 const LEAST_TOLERANCE: f64 = 4e-16;
 const GREATEST_TOLERANCE: f64 = 1e-2;
@@ -379,8 +383,8 @@ const GREATEST_TOLERANCE: f64 = 1e-2;
 const CHECKS: usize = 8;
 /// Below this angle, rad, runs are compared only at the requested times, for no quantity has returned to an earlier value.
 const SHORT: f64 = 3.0;
-/// Weight of the distance at times that were not requested.
-const CHECKED: f64 = 0.5;
+/// Weight of the distance at times that were not requested, after the first pair.
+const CHECKED: f64 = 0.1;
 /// A phase of at most this many steps is compared with one of twice as many.
 const FEW_STEPS: u64 = 3;
 /// The rate of a path of shapes, times the duration of the phase that the clock ends: it limits the steps, as a growth rate does. A path begins and
@@ -391,10 +395,11 @@ pub(crate) const ROUNDING: f64 = 4e-16;
 
 /// The motion at the requested times with an error below the accuracy, or by a single run at the requested effort.
 ///
-/// Two runs are compared, whose tolerances differ by a factor of a hundred, or whose steps differ by a factor of two, as do those in phases of few
-/// steps. Their distance is the error of the looser run; the better run, which is returned, is taken to be off by a fifth of it, with steps of one
-/// length by half. Where that exceeds the accuracy, one or two further runs take their place, and the better one must agree with them too. The reported error
-/// is larger: the whole distance and the sum of the errors of the steps, as long as it is below the accuracy. A flow may depend on the tolerance of its run, which `flow` receives.
+/// Two runs are compared, whose tolerances differ by a factor of twenty, or whose steps differ by a factor of two, as do those in phases of few
+/// steps. Their distance is the error of the looser run; the better run, which is returned, is taken to be off by as much. Where that exceeds
+/// the accuracy, one or two further runs take their place, and the better one must agree with them too. The reported error is larger: twice the
+/// distance and the sum of the errors of the steps, as long as it is below the accuracy. A flow may depend on the tolerance of its run, which
+/// `flow` receives.
 ///
 /// Runs that begin with the same rounded state agree on what the motion makes of that rounding. If the flow states the [`doubt`](Flow::doubt) of its
 /// start, the looser run begins that far off, so that the distance contains its effect; with tolerances near rounding twice, once in each direction.
@@ -439,10 +444,14 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
     let sure = first.doubt() == [0.0; N];
     let times = with_checks(request, angle);
     let mut cost = Cost::default();
+    // What steps round may be amplified more than a doubt of the start is, if there is time for both.
+    let (drifts, span) = (!sure && angle > SHORT, furthest(&times));
     let mut run = |effort, off, halves: &[Half<F::Phase>]| -> Result<(F, Trace<F::Phase, N>)> {
         let flow = flow(tolerance_of(effort, accuracy))?;
-        let run = Run::new(&flow, stepper, effort, budget);
-        let trace = run.at(beside(&flow, off)?, &times, halves)?;
+        let mut run = Run::new(&flow, stepper, effort, budget);
+        run.drift =
+            (off != 0.0 && drifts).then(|| flow.doubt().map(|doubt| off * DRIFT * doubt / span));
+        let trace = run.at(beside(&flow, off * BESIDE)?, &times, halves)?;
         cost += trace.cost;
         Ok((flow, trace))
     };
@@ -453,54 +462,51 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
         let growth = growth(&first, stepper, efforts.worse(), &times, &request.moment());
         return Err(request.amplified(rounding, growth.unwrap_or(angle)));
     }
-    // Runs beside the better one, the looser one first, and the fraction of the distance to each that is taken for the error.
-    let mut others = vec![(run(efforts.worse(), 1.0, &[])?.1, efforts.share())];
+    // Runs beside the better one, the looser one first.
+    let mut others = vec![run(efforts.worse(), 1.0, &[])?.1];
     loop {
-        let (flow, mut better) = run(efforts.better(), 0.0, &others[0].0.halves)?;
+        let (flow, mut better) = run(efforts.better(), 0.0, &others[0].halves)?;
         let seen = &better.samples;
         let floor = efforts.floor(better.phases.len());
-        let told = |asked: &Trace<_, N>, checked: &Trace<_, N>, share: f64| {
+        let weight = efforts.weight();
+        let told = |asked: &Trace<_, N>, checked: &Trace<_, N>| {
             let asked = flow.furthest_apart(&asked.samples[..count], &seen[..count], seen);
             let checked = flow.furthest_apart(&checked.samples[count..], &seen[count..], seen);
-            let apart = greater(asked, CHECKED * checked);
-            let share = if apart < TOGETHER { share } else { 1.0 };
-            greater(share * apart, floor) + rounding
+            greater(greater(asked, weight * checked), floor) + rounding
         };
-        let most = |least: f64, others: &[(Trace<_, N>, f64)]| {
-            let error = |(run, share): &(Trace<_, N>, f64)| told(run, run, share.max(least));
-            others.iter().map(error).fold(0.0, greater)
+        let most = |others: &[Trace<_, N>]| {
+            let errors = others.iter().map(|run| told(run, run));
+            errors.fold(0.0, greater)
         };
-        let mut error = most(0.0, &others);
+        let mut error = most(&others);
         if !sure && efforts.near_rounding() && error <= accuracy {
             // The errors of the doubt and of the steps are of one size and may cancel: they cannot with both signs of the doubt.
-            others.push((run(efforts.worse(), -1.0, &[])?.1, efforts.share()));
-            error = most(0.0, &others);
+            others.push(run(efforts.worse(), -1.0, &[])?.1);
+            error = most(&others);
         }
         if error > accuracy {
             if efforts.tighten(accuracy, error) {
                 // It stays beside the next: where the motion amplifies what steps round, two runs may agree by luck, three hardly.
-                others = vec![(better, efforts.share())];
+                others = vec![better];
                 if !sure {
                     efforts.spread(APART);
-                    others.insert(0, (run(efforts.worse(), 1.0, &[])?.1, efforts.share()));
+                    others.insert(0, run(efforts.worse(), 1.0, &[])?.1);
                 }
                 continue;
             }
-            // No tighter tolerance is left, but the worse run can be brought nearer; then the whole distance is the error. At times that were not
+            // No tighter tolerance is left, but the worse run can be brought nearer. At times that were not
             // requested, amplified rounding is no reason for an error, so there the runs have the same start.
-            efforts.spread(APART.sqrt());
-            let asked = run(efforts.worse(), SHARE, &[])?.1;
-            others[0] = (run(efforts.worse(), 0.0, &[])?.1, 1.0);
-            // Looser runs say less than these.
-            others.retain(|(_, share)| *share >= 1.0);
-            error = greater(most(0.0, &others), told(&asked, &others[0].0, 1.0));
+            efforts.spread(NEARER);
+            let asked = run(efforts.worse(), 1.0, &[])?.1;
+            let checked = run(efforts.worse(), 0.0, &[])?.1;
+            error = greater(told(&checked, &checked), told(&asked, &checked));
         }
         if error > accuracy {
             let growth = growth(&flow, stepper, efforts.better(), &times, budget)?;
             return Err(request.amplified(error, growth));
         }
-        // The runs agree within the accuracy. Below it the whole distance and the sum of the steps' errors are reported: both runs may have been lucky.
-        let mut whole = most(1.0, &others);
+        // The runs agree within the accuracy. Below it twice as much and the sum of the steps' errors are reported: both may have been lucky.
+        let mut whole = 2.0 * error;
         if !efforts.even {
             whole += better.cost.steps as f64 * of_a_step(&flow, efforts.better, seen);
         }
@@ -619,7 +625,8 @@ const SMALL: f64 = 1e-6;
 impl Efforts {
     fn new(stepper: Stepper<'_>, accuracy: f64, angle: f64, last: f64) -> Self {
         let even = matches!(stepper, Stepper::Other(_, true));
-        let first = FIRST * accuracy / angle.max(2.0);
+        // A steady motion is then off by much less than the accuracy, a fast top by nearly as much.
+        let first = 0.5 * accuracy / angle.max(2.0);
         let tolerance = first.clamp(LEAST_TOLERANCE * APART, GREATEST_TOLERANCE);
         let (kind, worse, apart): (fn(f64) -> Effort, f64, f64) = match even {
             true => (Effort::Step, longest_step(angle, last), 2.0),
@@ -642,15 +649,6 @@ impl Efforts {
         (self.kind)(self.better)
     }
 
-    /// The fraction of the distance that is taken for the error of the better run.
-    fn share(&self) -> f64 {
-        match self.even {
-            // For order 2 the error is a third of the distance, for order 4 a fifteenth.
-            true => 0.5,
-            false => (SHARE * APART * self.better / self.worse).min(1.0),
-        }
-    }
-
     /// Whether rounding is at least a hundredth of the error that the better run allows a step.
     fn near_rounding(&self) -> bool {
         !self.even && self.better < APART * LEAST_TOLERANCE
@@ -664,10 +662,20 @@ impl Efforts {
         }
     }
 
+    /// The weight of the distance at times that were not requested: if the first pair parts there, a further one must agree.
+    fn weight(&self) -> f64 {
+        if self.reached.is_finite() {
+            CHECKED
+        } else {
+            1.0
+        }
+    }
+
     /// Passes to the next pair, whose worse run is the better one of the last; false if there is none.
     fn tighten(&mut self, accuracy: f64, error: f64) -> bool {
-        // At least half a digit more, at most four at once: a greater estimate says nothing.
-        let less = (0.3 * accuracy / error).clamp(1e-4, 0.3);
+        // At least as much tighter as a first pair, for nearer runs may agree and both be wrong; at most four digits at once, for a greater
+        // estimate says nothing.
+        let less = (0.3 * accuracy / error).clamp(1e-4, 1.0 / APART);
         let tighter = (self.better * less).max(LEAST_TOLERANCE);
         let (is_last, next) = match self.even {
             true => (error >= self.reached && error < SMALL, 0.5 * self.better),

@@ -358,7 +358,7 @@ const KNOWN: [&str; 5] = ["meteorite", "roller", "spool", "superball", "crawler"
 
 #[test]
 fn a_run_ends_with_its_budget_and_tells_how_far_it_came() {
-    const FEW: u64 = 100;
+    const FEW: u64 = 50;
     let ends = |name: &str, text: &str| {
         let (scene, request) = parse(name, text).unwrap();
         let progress = Progress::default();

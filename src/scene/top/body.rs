@@ -229,7 +229,7 @@ impl Body {
 /// so that the displacement lacks the symmetries of the motion.
 pub(super) const DOUBT: [f64; 6] = [2e-14, -1.5e-14, 1.8e-14, -1.2e-14, 1e-14, 8e-15];
 /// The reported error is this fraction of the effect of such a displacement.
-pub(super) const DOUBTED: f64 = 0.1;
+pub(super) const DOUBTED: f64 = 0.15;
 
 /// The start of a top: its attitude, and Ω or L along the body's axes.
 #[derive(Debug, Clone, Copy, PartialEq)]

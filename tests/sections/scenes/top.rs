@@ -126,7 +126,7 @@ fn what_is_told_of_a_closed_form() {
             }))
         });
         let doubted = if turned { greatest(doubted) } else { 0.0 };
-        let known = known + 0.1 * doubted;
+        let known = known + 0.15 * doubted;
         let [growth, reached] = amplified(displaced(0.0)(1e-15));
         let whole = known + rounded * pace / fastest;
         for (told, expected) in [

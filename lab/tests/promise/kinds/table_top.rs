@@ -1,7 +1,7 @@
 //! A body on a table, as long as it does not leave it: Newton and Euler at the contact, the unknown force found from what it must bring about.
 
 use super::super::door::held;
-use super::super::extrapolation::pieced;
+use super::super::extrapolation::{Place, followed, pieced};
 use super::super::number::{Matrix, Vector, inverse, root, rotation};
 use super::super::random::Random;
 use super::{Scene, Sort, line, told};
@@ -160,22 +160,29 @@ impl Body {
     }
 
     fn rows(&self, start: &[Dd], times: &[f64], rate: f64) -> Vec<State> {
-        let size = self.squares[0].sqrt().value();
-        let (v, energy) = (rate * size, self.mass.value() * rate * rate * size * size);
-        let scales = scales(rate, v, size, energy);
         let (start, moves) = (self.state(start), |_, _, y: &_| self.rate(y));
-        pieced(moves, start, &scales, &[], times, 1.0 / rate)
+        pieced(moves, start, &self.scales(rate), &[], times, 1.0 / rate)
     }
 
-    /// How long it is pressed to the table by at least a tenth of its weight.
+    /// How long it is pressed to the table by at least a tenth of its weight; no further, for a table that pulls lets friction push.
     fn pressed(&self, start: &[Dd], until: f64, rate: f64) -> f64 {
         let times: Vec<f64> = (0..=40).map(|k| until * f64::from(k) / 40.0).collect();
-        let rows = self.rows(start, &times, rate);
-        let weight = self.mass * self.gravity;
-        let lifts = |y: &State| (self.contact(y).reaction / weight).value() < 0.1;
-        rows.iter()
-            .position(lifts)
-            .map_or(until, |k| times[k.saturating_sub(2)])
+        let (time, state) = (Dd::ZERO, self.state(start));
+        let (scales, moves) = (self.scales(rate), |_, y: &_| self.rate(y));
+        let (end, weight) = (Dd::from(until), self.mass * self.gravity);
+        let lifts = |y: &State| self.contact(y).reaction / weight - 0.1;
+        let from = Place { time, state };
+        let leg = followed(moves, from, &scales, &times, end, 1.0 / rate, lifts);
+        match leg.met {
+            true => times[leg.samples.len().saturating_sub(2)],
+            false => until,
+        }
+    }
+
+    fn scales(&self, rate: f64) -> [f64; 12] {
+        let size = self.squares[0].sqrt().value();
+        let (v, energy) = (rate * size, self.mass.value() * rate * rate * size * size);
+        scales(rate, v, size, energy)
     }
 }
 

@@ -402,7 +402,8 @@ pub(crate) const ROUNDING: f64 = 4e-16;
 /// `flow` receives.
 ///
 /// Runs that begin with the same rounded state agree on what the motion makes of that rounding. If the flow states the [`doubt`](Flow::doubt) of its
-/// start, the looser run begins that far off, so that the distance contains its effect; with tolerances near rounding twice, once in each direction.
+/// start, the looser run begins beside the other and is led away from it on the way, so that the distance contains the effect; with tolerances
+/// near rounding twice, once in each direction.
 ///
 /// # Errors
 /// [`Error::Amplified`] where rounding, amplified by the motion, exceeds the accuracy, with the factor by which a change of the start

@@ -469,14 +469,13 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
         let (flow, mut better) = run(efforts.better(), 0.0, &others[0].halves)?;
         let seen = &better.samples;
         let floor = efforts.floor(better.phases.len());
-        let weight = efforts.weight();
-        let told = |asked: &Trace<_, N>, checked: &Trace<_, N>| {
+        let told = |asked: &Trace<_, N>, checked: &Trace<_, N>, weight: f64| {
             let asked = flow.furthest_apart(&asked.samples[..count], &seen[..count], seen);
             let checked = flow.furthest_apart(&checked.samples[count..], &seen[count..], seen);
             greater(greater(asked, weight * checked), floor) + rounding
         };
         let most = |others: &[Trace<_, N>]| {
-            let errors = others.iter().map(|run| told(run, run));
+            let errors = others.iter().map(|run| told(run, run, efforts.weight()));
             errors.fold(0.0, greater)
         };
         let mut error = most(&others);
@@ -495,12 +494,13 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
                 }
                 continue;
             }
-            // No tighter tolerance is left, but the worse run can be brought nearer. At times that were not
-            // requested, amplified rounding is no reason for an error, so there the runs have the same start.
+            // No tighter tolerance is left, but the worse run can be brought nearer. At times that were not requested, amplified rounding is no reason
+            // for an error, so there the runs have the same start, and the distance counts less.
             efforts.spread(NEARER);
             let asked = run(efforts.worse(), 1.0, &[])?.1;
             let checked = run(efforts.worse(), 0.0, &[])?.1;
-            error = greater(told(&checked, &checked), told(&asked, &checked));
+            let told = |asked: &Trace<_, N>| told(asked, &checked, CHECKED);
+            error = greater(told(&checked), told(&asked));
         }
         if error > accuracy {
             let growth = growth(&flow, stepper, efforts.better(), &times, budget)?;
@@ -650,7 +650,7 @@ impl Efforts {
         (self.kind)(self.better)
     }
 
-    /// Whether rounding is at least a hundredth of the error that the better run allows a step.
+    /// Whether rounding is at least a twentieth of the error that the better run allows a step.
     fn near_rounding(&self) -> bool {
         !self.even && self.better < APART * LEAST_TOLERANCE
     }

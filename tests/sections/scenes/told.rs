@@ -51,12 +51,12 @@ fn no_error_is_more_than_is_told() {
         if rough.error_estimate < 1e-5 && rough.cost.evaluations > 0 {
             better += 1;
         }
-        // Of steps ten tolerances are told, and something of every step: a tolerance is a fortieth of the accuracy over the angle.
+        // Of steps twice ten tolerances are told, and something of every step: a tolerance is a fortieth of the accuracy over the angle.
         let strict = request.clone().to_accuracy(1e-15).unwrap().within(1000);
         let refused = scene.simulate(&strict.by(steps));
         if let (Err(Error::Amplified { reached, .. }), 1..) = (refused, rough.cost.evaluations) {
             let angle = (reached / 4e-16 - 10.0).max(2.0);
-            let (told, least) = (rough.error_estimate, 10.5 * 1e-5 / 40.0 / angle);
+            let (told, least) = (rough.error_estimate, 20.5 * 2.5e-7 / angle);
             assert!(told > least, "{name}: {told:e} {least:e}\n{text}");
         }
         let half = request.of_times(&times[..4]).unwrap();
@@ -153,7 +153,7 @@ fn what_two_runs_cost_is_what_each_costs() {
     let ball = RoundBody::new(0.17, 0.03, 0.4).unwrap();
     let ball = spinning_bodies::scene::Roller::new(ball, 9.81, 2.0, 0.7).unwrap();
     let motion = ball.simulate(&using(&asking([3.0], 1e-2), OURS)).unwrap();
-    let told = motion.error_estimate / (1e-2 / 40.0 / 16.0) - 20.0;
+    let told = motion.error_estimate / (2.5e-4 / 16.0) - 20.0;
     let part = told / (2.0 * motion.cost.steps as f64);
     assert!((0.49..0.7).contains(&part), "{part}");
 }

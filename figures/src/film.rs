@@ -246,6 +246,8 @@ struct Scenery {
     followed: bool,
     /// Whether the surroundings are the same in every picture, so that they are drawn only once.
     still: bool,
+    /// The round distance between the points of space, m.
+    step: f64,
     /// Units of the picture per unit of the quantity that an arrow shows.
     shares: [f64; 2],
 }
@@ -283,7 +285,10 @@ fn clear_of(y: f64, line: f64) -> f64 {
 
 impl Film<'_> {
     fn scenery(&self) -> Scenery {
-        let reach = self.reach();
+        // How far the body reaches from the point that is followed, m.
+        let reaches = self.shots.iter().map(|(_, sight)| reach(sight));
+        let reach = reaches.fold(f64::MIN_POSITIVE, f64::max);
+        let ticks = Axis::linear([0.0, 16.0 * reach], [0.0, 16.0]).ticks(1.6);
         let around = self.shots[0].1.around;
         let mut seen: Vec<Vector> = self.shots.iter().map(|(_, sight)| sight.place).collect();
         match around {
@@ -319,6 +324,7 @@ impl Film<'_> {
             view,
             followed,
             still: !followed && !matches!(around, Around::String),
+            step: ticks.get(1).map_or(1.0, |tick| tick.0),
             shares: [0, 1].map(|k| {
                 let lengths = self.shots.iter().map(|(_, sight)| vectors(sight)[k].norm());
                 let longest = lengths.fold(0.0, f64::max);
@@ -345,15 +351,14 @@ impl Film<'_> {
         scenery
     }
 
-    /// How far the body reaches from the point that is followed, m.
-    fn reach(&self) -> f64 {
-        let reaches = self.shots.iter().map(|(_, sight)| reach(sight));
-        reaches.fold(f64::MIN_POSITIVE, f64::max)
-    }
-
     /// The surroundings that are at rest in space.
     fn draw_around(&self, pen: &mut Pen, scenery: &Scenery, sight: &Sight) {
-        let Scenery { view, followed, .. } = scenery;
+        let Scenery {
+            view,
+            followed,
+            step,
+            ..
+        } = scenery;
         let floor = match sight.around {
             Around::Space => false,
             Around::Floor => true,
@@ -370,7 +375,6 @@ impl Film<'_> {
             }
         };
         // Points of space at round distances: on the floor, or in the plane of the motion.
-        let step = self.step();
         let near = if *followed {
             sight.place
         } else {
@@ -389,12 +393,6 @@ impl Film<'_> {
                 pen.disc([x, y], 1.6, Muted, 1.0);
             }
         }
-    }
-
-    /// The round distance between the points of space, m.
-    fn step(&self) -> f64 {
-        let ticks = Axis::linear([0.0, 16.0 * self.reach()], [0.0, 16.0]).ticks(1.6);
-        ticks.get(1).map_or(1.0, |tick| tick.0)
     }
 
     fn draw(&self, pen: &mut Pen, scenery: &Scenery, (time, sight): &(f64, Sight)) {

@@ -1,12 +1,10 @@
 //! The energy over a million steps.
 
-use lab::follow::Follow;
-use lab::general::GeneralMethod;
+use lab::accuracy::{Candidate, candidates};
+use spinning_bodies::Error;
 use spinning_bodies::euler_top::EulerTop;
-use spinning_bodies::integrators::geometric::{
-    FreeSplitting, Integrator, MoserVeselov, Order, Phase, VeselovOrder,
-};
-use spinning_bodies::integrators::{Effort, Method};
+use spinning_bodies::integrators::Effort;
+use spinning_bodies::integrators::geometric::Phase;
 
 use super::problem::problem;
 use crate::prelude::*;
@@ -16,51 +14,38 @@ const STEP: f64 = 0.0625;
 const PARTS: u32 = 500;
 const STEPS: u32 = 2000;
 
-/// The number of steps, and the largest relative error of the energy so far.
-fn followed(
-    start: &Phase,
-    moments: [f64; 3],
-    mut advance: impl FnMut(&mut Phase) -> Result<()>,
-) -> Result<Vec<[f64; 2]>> {
-    let energy = |phase: &Phase| -> Result<f64> {
-        Ok(EulerTop::new(moments, phase.angular_momentum(), phase.attitude()?)?.energy())
-    };
-    let first = energy(start)?;
-    let (mut phase, mut worst, mut line) = (*start, 0.0_f64, Vec::new());
-    for part in 1..=PARTS {
-        advance(&mut phase)?;
-        worst = worst.max((energy(&phase)? / first - 1.0).abs());
-        line.push([f64::from(part) * f64::from(STEPS), worst]);
-    }
-    Ok(line)
-}
-
 /// Relative error of the energy, largest so far, over 10⁶ steps of three methods.
 pub fn energy_drift(_: &Values) -> Result<Figure> {
     let problem = problem("free-top/1")?;
-    let moments = problem.moments();
-    let start = problem.start();
-    let rotations = FreeSplitting::new(moments, Order::Two)?;
-    let discrete = MoserVeselov::new(moments, VeselovOrder::Two)?;
-    let general = GeneralMethod::new(moments, (), Method::Rk4)?;
-    let span = STEP * f64::from(STEPS);
-    let by_steps = |method: &dyn Integrator| {
-        let mut stepper = method.start(start, STEP)?;
-        followed(start, moments, |phase| {
-            stepper.advance(STEPS.into())?;
-            *phase = stepper.phase()?;
-            Ok(())
+    let energy = |phase: &Phase| -> Result<f64> {
+        let (momentum, attitude) = (phase.angular_momentum(), phase.attitude()?);
+        Ok(EulerTop::new(problem.moments(), momentum, attitude)?.energy())
+    };
+    let first = energy(problem.start())?;
+    let all = candidates(&problem)?;
+    let counts: Vec<f64> = (1..=PARTS).map(|part| f64::from(part * STEPS)).collect();
+    let times: Vec<f64> = counts.iter().map(|count| count * STEP).collect();
+    // The number of steps, and the largest relative error of the energy so far.
+    let errors = |Candidate { method, .. }: &Candidate| -> Result<Vec<[f64; 2]>> {
+        let effort = Effort::Step(STEP * (1.0 + 1e-9));
+        let states = method.follow(problem.start(), &times, effort)?.states;
+        let mut worst = 0.0_f64;
+        tried(counts.iter().zip(&states), |(&count, phase)| {
+            worst = worst.max((energy(phase)? / first - 1.0).abs());
+            Ok([count, worst])
         })
     };
-    let rk4 = followed(start, moments, |phase| {
-        let effort = Effort::Step(STEP * (1.0 + 1e-9));
-        *phase = general.follow(phase, &[span], effort)?.states[0];
-        Ok(())
-    })?;
+    let line = |name: &'static str, style| -> Result<_> {
+        let found = all.iter().find(|candidate| candidate.name == name);
+        let found = found.ok_or(Error::Empty {
+            quantity: "the list of methods of this name",
+        })?;
+        Ok((errors(found)?, style, name))
+    };
     let lines = [
-        (rk4, muted(DATA), "rk4"),
-        (by_steps(&rotations)?, inked(DATA).dashed(), "rotations-2"),
-        (by_steps(&discrete)?, inked(DATA), "moser-veselov-2"),
+        line("rk4", muted(DATA))?,
+        line("rotations-2", inked(DATA).dashed())?,
+        line("moser-veselov-2", inked(DATA))?,
     ];
     let frame = Frame::log([2e3, 1e6], [1e-16, 1e-2], [64.0, 584.0, 332.0, 32.0]);
     let [rk4, rotations, discrete] = lines.each_ref().map(|(line, ..)| {

@@ -287,10 +287,11 @@ pub(crate) fn classify(i: [f64; 3], lever: BodyVector) -> Integrability {
         let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
         if i[j] == i[k] {
             let (on_axis, across) = (c[j] == 0.0 && c[k] == 0.0, c[axis] == 0.0);
-            return match i[j] / i[axis] {
+            // A quotient would be rounded.
+            return match i[axis] {
                 _ if on_axis => Integrability::Lagrange(axis),
-                2.0 if across => Integrability::Kovalevskaya(axis),
-                4.0 if across => Integrability::GoryachevChaplygin(axis),
+                axial if across && i[j] == 2.0 * axial => Integrability::Kovalevskaya(axis),
+                axial if across && i[j] == 4.0 * axial => Integrability::GoryachevChaplygin(axis),
                 _ => Integrability::None,
             };
         }

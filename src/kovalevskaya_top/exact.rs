@@ -79,7 +79,7 @@ impl Exact {
         let separation = Separation::prepare(constants, variables.s1)?;
         let curve = Curve::prepare(&separation)?;
         let mut torus = Torus::prepare(&curve, separation.pinched())?;
-        let places = separation.places(&variables, constants.l1);
+        let places = separation.places(&variables, constants, wide);
         let [one, two] = separation.phases(places.each_ref());
         let signs = [[0.5, 0.5], [0.5, -0.5], [-0.5, 0.5], [-0.5, -0.5]];
         let origins = signs.map(|[x, y]| [0, 1].map(|i| x * one[i] + y * two[i]));

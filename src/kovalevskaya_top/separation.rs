@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use super::constants::{Complex, Constants, I, Root};
+use super::constants::{Complex, Constants, I, Root, WidePhase};
 use crate::precise::{DoubleDouble, Number as _, power_of_two_below};
 
 /// A value of s, given by its distances from the five roots and from Z, the point that belongs to the vertical: ω(s − e) for each, infinite where Z does not matter, and ω ≥ 0, which is 0 at −∞.
@@ -256,13 +256,25 @@ impl Separation {
     // ANCHOR_END: abel
 
     /// s₁ and s₂ of a start, as places.
-    pub fn places(&self, of: &Variables, l1: DoubleDouble) -> [Place; 2] {
-        let first = self.roots.map(|root| Root::on_axis(of.s1).from(&root));
+    ///
+    /// Where one of them has just turned at a root, or is about to, its distance from the root is the product of both distances, a square, over the other's:
+    /// as a difference it would keep only half of the digits of the time since the turn.
+    pub fn places(&self, of: &Variables, constants: &Constants, start: &WidePhase) -> [Place; 2] {
+        let mut first = self.roots.map(|root| Root::on_axis(of.s1).from(&root));
         let eight = of.q_squared.scaled(8.0);
-        let second = self.roots.map(|root| {
-            let real = eight * (l1.scaled(0.5) - root.real) - of.numerator;
+        let mut second = self.roots.map(|root| {
+            let real = eight * (constants.l1.scaled(0.5) - root.real) - of.numerator;
             Complex::new(real.value(), -(eight * root.imaginary).value())
         });
+        let products = products(constants, &self.roots, start);
+        for &i in &self.real {
+            let product = products[i].value();
+            if eight.value() * first[i].norm() < second[i].norm() {
+                first[i] = (product / second[i].re).into();
+            } else if first[i].re != 0.0 {
+                second[i] = (product / first[i].re).into();
+            }
+        }
         let size = second.iter().fold(eight.value(), |m, x| m.max(x.norm()));
         let weight = eight.value() / size;
         // So near −∞ that no digit of the phase shows the difference.
@@ -378,6 +390,50 @@ fn apart(constants: &Constants, roots: &[Root; 5]) -> ([[Complex; 6]; 5], Double
         row[5] = -x;
     }
     (apart, residue)
+}
+
+/// 8q²(s₁−e)(s₂−e) for the five roots, of which the complex ones do not count: a square times a number without cancellation.
+///
+/// For e₄ and e₅ it is 2 Im²(√ξ Ā) and −2 Re²(√ξ Ā), with ξ = x₁² − c(z₁+iz₂) and A = rx₁ − cz₃, since A² = R(x₁) + (x₁−x₂)²ξ and |A|² = R(x₁,x₂); for the roots
+/// of the cubic −½(α(x₁x₂ − e′) + β(x₁+x₂))², with α² = 4(l₁+e), β² = d + e′², αβ = b and e′ = 2e − l₁ (Kötter).
+fn products(
+    constants: &Constants,
+    roots: &[Root; 5],
+    &[p, q, r, z1, z2, z3]: &WidePhase,
+) -> [DoubleDouble; 5] {
+    let square = |x: DoubleDouble| x * x;
+    let (c, k, b) = (constants.c, constants.k, constants.b());
+    let [re, im] = [square(p) - square(q) - c * z1, (p * q).scaled(2.0) - c * z2];
+    let large = (k + re.magnitude()).scaled(0.5).square_root();
+    let small = match large.high() {
+        0.0 => large,
+        _ => im / large.scaled(2.0),
+    };
+    let [x, y] = if re.high() < 0.0 {
+        [small, large]
+    } else {
+        [large, small]
+    };
+    let a = [r * p - c * z3, r * q];
+    core::array::from_fn(|i| match i {
+        3 => square(y * a[0] - x * a[1]).scaled(2.0),
+        4 => square(x * a[0] + y * a[1]).scaled(-2.0),
+        _ => {
+            let prime = roots[i].real.scaled(2.0) - constants.l1;
+            let alpha_squared = (constants.l1 + roots[i].real).scaled(4.0);
+            let beta_squared = constants.d + square(prime);
+            let (rest, sum) = (square(p) + square(q) - prime, p.scaled(2.0));
+            let [line, divisor] = if alpha_squared.magnitude().exceeds(beta_squared.magnitude()) {
+                [alpha_squared * rest + b * sum, alpha_squared]
+            } else {
+                [b * rest + beta_squared * sum, beta_squared]
+            };
+            match divisor.high() {
+                0.0 => divisor,
+                _ => (square(line) / divisor).scaled(-0.5),
+            }
+        }
+    })
 }
 
 /// s₁, and s₂ as a quotient, infinite for q = 0: s₂ = l₁/2 − numerator/8q².

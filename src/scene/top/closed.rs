@@ -8,7 +8,7 @@ use crate::euler_top::EulerTop;
 use crate::integrators::both_ways;
 use crate::kovalevskaya_top::{KovalevskayaTop, State as Turned};
 use crate::lagrange_top::{self, Exact, LagrangeTop};
-use crate::precise::{Extended, Number, sum_of_products};
+use crate::precise::{DoubleDouble, Extended, Number, sum_of_products};
 use crate::scene::Budget;
 use crate::scene::prelude::*;
 
@@ -44,6 +44,10 @@ impl ClosedForm {
         let moments = body.moments;
         let [x, y, z] = body.arm().map(|component| component * gravity);
         let lever_vector = BodyVector::new(x, y, z);
+        let weighed = |center: f64| {
+            let number = Extended::from_double;
+            number(body.mass) * number(center) * number(gravity)
+        };
         let axes = match classify(moments, lever_vector) {
             Integrability::Euler => {
                 let top = match start.spin {
@@ -56,10 +60,13 @@ impl ClosedForm {
             Integrability::Lagrange(axis) => Axes::third_from(axis),
             Integrability::Kovalevskaya(axis) => {
                 let axes = Axes::third_from(axis);
-                let [i1, i2, i3] = axes.exchanged(moments);
-                let (omega, attitude) = axes.start(moments, start)?;
-                let lever = axes.inward(lever_vector);
-                let top = KovalevskayaTop::new([i1, i2, i3], lever, omega, attitude)?;
+                let double = |number: Extended| number.as_number::<DoubleDouble>();
+                let top = KovalevskayaTop::exactly(
+                    axes.exchanged(moments),
+                    axes.exchanged(body.center).map(weighed).map(double),
+                    axes.exchanged(start.exact_omega(moments)).map(double),
+                    axes.exact_attitude(&start.attitude).map(double),
+                )?;
                 return Ok(Some(Self::Kovalevskaya(Box::new(top), axes)));
             }
             Integrability::GoryachevChaplygin(_) | Integrability::None => return Ok(None),
@@ -69,17 +76,19 @@ impl ClosedForm {
             // Without rounding, which a motion next to its separatrix would amplify.
             Some(_) => {
                 let [_, _, center] = axes.exchanged(body.center);
-                let number = Extended::from_double;
                 let exact = Exact {
-                    weight_moment: number(body.mass) * number(center) * number(gravity),
+                    weight_moment: weighed(center),
                     omega: axes.exchanged(start.exact_omega(moments)),
                     quaternion: axes.exact_attitude(&start.attitude),
                 };
                 LagrangeTop::exactly(transverse, axial, &exact)?
             }
             None => {
-                let (omega, attitude) = axes.start(moments, start)?;
-                LagrangeTop::new(transverse, axial, lever_vector.norm(), omega, attitude)?
+                let omega = axes.onto * start.omega(moments)?.components();
+                let omega = BodyVector::from_components(omega);
+                let attitude = start.attitude.quaternion() * axes.onto.inverse();
+                let weight_moment = lever_vector.norm();
+                LagrangeTop::new(transverse, axial, weight_moment, omega, attitude.into())?
             }
         };
         Ok(Some(Self::Lagrange(top, axes)))
@@ -98,8 +107,7 @@ impl ClosedForm {
     pub(super) fn is_exact(&self) -> bool {
         match self {
             Self::Free(_) => true,
-            Self::Lagrange(_, axes) => axes.shift.is_some(),
-            Self::Kovalevskaya(..) => false,
+            Self::Lagrange(_, axes) | Self::Kovalevskaya(_, axes) => axes.shift.is_some(),
         }
     }
 
@@ -205,13 +213,6 @@ impl Axes {
         ]
     }
 
-    fn inward(&self, vector: BodyVector) -> BodyVector {
-        match self.shift {
-            Some(shift) => exchanged::<f64>(vector.into(), shift).into(),
-            None => BodyVector::from_components(self.onto * vector.components()),
-        }
-    }
-
     /// Attitude and Ω along the body's axes, from those along the axes of the solution.
     fn outward(&self, attitude: Attitude, omega: BodyVector) -> (Attitude, BodyVector) {
         let omega = match self.shift {
@@ -219,12 +220,6 @@ impl Axes {
             None => BodyVector::from_components(self.onto.inverse() * omega.components()),
         };
         ((attitude.quaternion() * self.onto).into(), omega)
-    }
-
-    fn start(&self, moments: [f64; 3], start: &Start) -> Result<(BodyVector, Attitude)> {
-        let omega = self.inward(start.omega(moments)?);
-        let attitude = start.attitude.quaternion() * self.onto.inverse();
-        Ok((omega, attitude.into()))
     }
 }
 

@@ -196,6 +196,8 @@ fn start_number(n: u64) -> [[f64; 3]; 3] {
             up = [re + nudged(), im, (1.0 - re * re - im * im).sqrt()];
         }
         14 => lever = 10_f64.powf(-6.0 * draw.next()),
+        // Next to a double root just where s₂ turns.
+        15 => (omega, up) = ([0.0, q, 0.0], [pole, nudged(), nudged()]),
         _ => {}
     }
     // Every other one with C not on axis 1; rounding makes it another start nearby.

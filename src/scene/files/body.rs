@@ -56,9 +56,7 @@ impl Matter {
                 file.missing("body.moments", expected)
             }
             (Some(_), ..) => file.wrong(self.key(), FOLLOWS),
-            (None, Some(_), Some(_)) => {
-                file.wrong("body.moments", " and `inertia` exclude each other")
-            }
+            (None, Some(_), Some(_)) => file.exclude("body.moments", "inertia"),
         }
     }
 
@@ -83,7 +81,7 @@ impl Matter {
             (Some(mass), None, _) => Some(mass),
             (None, Some(density), Some(measure)) => Some(density * measure),
             (None, Some(_), None) => file.wrong("body.density", " is of no use: beads have a mass"),
-            (Some(_), Some(_), _) => file.wrong("body.density", " and `mass` exclude each other"),
+            (Some(_), Some(_), _) => file.exclude("body.density", "mass"),
             (None, None, _) => file.missing("body.mass", expected),
         };
         file.right("body.shape", (shape.made)(mass?))

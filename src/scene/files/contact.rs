@@ -95,9 +95,7 @@ pub fn roller(file: &File<'_, RoundKeys, RollerInitial, RollerEffects>) -> Made<
     let (body, gravity) = (body?, file.effects.gravity);
     let velocity = file.initial.velocity.unwrap_or(0.0);
     let scene = match (file.initial.rim_speed, file.initial.cue_height) {
-        (Some(_), Some(_)) => {
-            file.wrong("initial.rim_speed", " and `cue_height` exclude each other")
-        }
+        (Some(_), Some(_)) => file.exclude("initial.rim_speed", "cue_height"),
         (None, Some(height)) if velocity > 0.0 => {
             let shot = body.strike(height, velocity);
             let scene = shot.and_then(|shot| Roller::after(&shot, gravity));

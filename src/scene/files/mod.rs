@@ -32,7 +32,7 @@ mod changing;
 mod contact;
 mod file;
 mod keys;
-mod look;
+pub(super) mod look;
 mod reader;
 mod run;
 mod strip;

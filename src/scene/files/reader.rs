@@ -105,6 +105,11 @@ impl<'a> Reader<'a> {
         self.wrong(key, format_args!(" is missing: {expected} is expected"))
     }
 
+    /// Records that a key and another of its table exclude each other.
+    pub fn exclude<T>(&self, key: &str, other: &str) -> Option<T> {
+        self.wrong(key, format_args!(" and `{other}` exclude each other"))
+    }
+
     /// The result of a constructor; its error is recorded for these keys.
     pub fn right<T, E: Display>(&self, keys: &str, given: Result<T, E>) -> Option<T> {
         given.map_or_else(|error| self.wrong(keys, format_args!(": {error}")), Some)
@@ -330,12 +335,8 @@ impl<'p> Place<'p> {
 
     /// Records that the value is of the wrong type.
     pub fn unexpected<T>(&self, value: &Toml<'_>, expected: &str) -> Option<T> {
-        self.wrong(value, self.instead(value, expected))
-    }
-
-    fn instead(&self, value: &Toml<'_>, expected: &str) -> String {
         let (kind, shown) = (value.get_ref().type_str(), self.table.reader.shown(value));
-        format!("{expected}, got the {kind} {shown}")
+        self.wrong(value, format_args!("{expected}, got the {kind} {shown}"))
     }
 
     /// Records that the value is not as it must be.

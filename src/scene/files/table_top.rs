@@ -122,7 +122,7 @@ fn surface(file: &Reader<'_>, body: &StandsOn) -> Option<Surface> {
     let surface = match (body.radius, body.semi_axes) {
         (Some(radius), None) => file.right("body.radius", Surface::sphere(radius)),
         (None, Some(axes)) => file.right("body.semi_axes", Surface::ellipsoid(axes)),
-        (Some(_), Some(_)) => file.wrong("body.radius", " and `semi_axes` exclude each other"),
+        (Some(_), Some(_)) => file.exclude("body.radius", "semi_axes"),
         (None, None) => file.missing("body.radius", "either `radius` or `semi_axes` in m"),
     }?;
     if body.surface_turn == 0.0 {
@@ -160,8 +160,8 @@ fn start(file: &Reader<'_>, initial: &Initial) -> Option<Start> {
         }
     };
     let mut start = start?;
-    if let Some([x, y, z]) = initial.velocity {
-        start.velocity = SpaceVector::new(x, y, z);
+    if let Some(velocity) = initial.velocity {
+        start.velocity = velocity.into();
     }
     Some(start)
 }

@@ -88,13 +88,13 @@ fn made(file: &Reader<'_>, body: &Body, heavy: bool) -> Option<(TopBody, Outline
 }
 
 fn start(file: &Reader<'_>, initial: &Initial) -> Option<Start> {
-    let told = match (initial.omega, initial.angular_momentum) {
-        (Some(omega), None) => return Some(Start::with_omega(omega, initial.attitude)),
-        (None, Some(l)) => return Some(Start::with_angular_momentum(l, initial.attitude)),
-        (Some(_), Some(_)) => " and `angular_momentum` exclude each other",
+    match (initial.omega, initial.angular_momentum) {
+        (Some(omega), None) => Some(Start::with_omega(omega, initial.attitude)),
+        (None, Some(l)) => Some(Start::with_angular_momentum(l, initial.attitude)),
+        (Some(_), Some(_)) => file.exclude("initial.omega", "angular_momentum"),
         (None, None) => {
-            " is missing: either `omega` in rad/s or `angular_momentum` in kg m²/s is expected"
+            let expected = "either `omega` in rad/s or `angular_momentum` in kg m²/s";
+            file.missing("initial.omega", expected)
         }
-    };
-    file.wrong("initial.omega", told)
+    }
 }

@@ -7,10 +7,7 @@ use super::reader::{Place, Toml, Value, meant};
 
 use crate::error::Number;
 use crate::frame::{Attitude, BodyVector};
-use crate::scene::effects::{
-    Air, AirDrag, AxleFriction, BearingFriction, Coulomb, Gravity, Hand, Pace, PivotFriction,
-    RollingResistance, Sleep, TipFriction, TurnLoss,
-};
+use crate::scene::effects::*;
 use crate::scene::{Choice, Solver};
 
 /// Declares tables: a struct each, with a line for each key, `name: type, "the expected value, with its unit", bound;`, without the bound where any number
@@ -155,7 +152,7 @@ impl Value for BodyVector {
     }
 
     fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
-        <[f64; 3]>::read(place, value).map(|[x, y, z]| Self::new(x, y, z))
+        <[f64; 3]>::read(place, value).map(Self::from)
     }
 }
 

@@ -69,7 +69,7 @@ fn toy(file: &Reader<'_>, body: &YoYoBody) -> Option<YoYo> {
             let keys = "body.axle, body.length, body.mass, body.radius";
             file.right(keys, YoYo::disc(mass, radius, length, axle))
         }
-        (Some(_), Some(_)) => file.wrong("body.inertia", " and `radius` exclude each other"),
+        (Some(_), Some(_)) => file.exclude("body.inertia", "radius"),
         (None, None) => {
             let expected = "either `inertia` in kg m² or `radius` of a disc in m";
             file.missing("body.inertia", expected)

@@ -508,7 +508,6 @@ impl TryFrom<[f64; 4]> for Attitude {
     }
 }
 
-#[cfg(feature = "serde")]
 impl From<Attitude> for [f64; 4] {
     fn from(attitude: Attitude) -> Self {
         let q = attitude.0;

@@ -83,10 +83,7 @@ impl<S: 'static> Columns<S> {
     pub(crate) fn attitude(self, of: fn(&S) -> Attitude) -> Self {
         let meaning = "attitude, a unit quaternion that turns body axes into space axes";
         let numbers = ["qw", "qx", "qy", "qz"].map(|name| [name, "1", meaning]);
-        self.with(numbers, move |state| {
-            let q = of(state).quaternion().into_inner();
-            [q.w, q.i, q.j, q.k]
-        })
+        self.with(numbers, move |state| of(state).into())
     }
 
     /// With an angular velocity along the body's axes added.

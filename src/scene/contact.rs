@@ -131,12 +131,11 @@ impl TableTop {
         let start = numbers(&self.start);
         each_finite("the start of a body on a table", start)?;
         let table = self.table;
-        let size = table.body.surface.size;
-        let turning = self.start.omega.norm() + (table.gravity / size).sqrt();
+        let falling = (table.gravity / table.body.surface.size).sqrt();
+        let turning = self.start.omega.norm() + falling;
         Ok(OnTheTable {
             table,
             start,
-            size,
             turning: turning.max(f64::MIN_POSITIVE),
             tolerance,
         })
@@ -327,8 +326,6 @@ const ROUNDING: f64 = 1e-6;
 struct OnTheTable {
     table: Table,
     start: Numbers,
-    /// Size of the surface, m.
-    size: f64,
     /// Fastest rate, rad/s.
     turning: f64,
     tolerance: f64,
@@ -352,7 +349,7 @@ impl OnTheTable {
     }
 
     fn velocity_scale(&self) -> f64 {
-        self.size * self.turning
+        self.table.body.surface.size * self.turning
     }
 
     /// μg/ω: a slip of this speed stops within a radian.
@@ -532,6 +529,7 @@ impl OnTheTable {
 
 impl Flow<NUMBERS> for OnTheTable {
     type Phase = Mode;
+    const KEPT: Kept = Kept::UnitQuaternion(0);
 
     fn start(&self) -> Result<(Mode, Numbers)> {
         let mut y = self.start;
@@ -543,13 +541,9 @@ impl Flow<NUMBERS> for OnTheTable {
     }
 
     fn scales(&self) -> Numbers {
-        let (size, v, w) = (self.size, self.velocity_scale(), self.turning);
-        let energy = self.table.body.mass() * v * v;
+        let (body, v, w) = (&self.table.body, self.velocity_scale(), self.turning);
+        let (size, energy) = (body.surface.size, body.mass() * v * v);
         [1.0, 1.0, 1.0, 1.0, w, w, w, v, v, size, size, energy]
-    }
-
-    fn kept(&self) -> Kept {
-        Kept::UnitQuaternion(0)
     }
 
     fn pace(&self) -> f64 {
@@ -699,7 +693,7 @@ impl OnTheTable {
             if whole > 0.0 && lasts(&z) > Some(0.0) {
                 let leg = Leg {
                     system: &slowing as &dyn System<{ NUMBERS + 1 }>,
-                    kept: self.kept(),
+                    kept: Self::KEPT,
                     start: (0.0, &z),
                     scales: &scales,
                     times: &[],

@@ -7,7 +7,7 @@
 
 use super::motion::{OpenLedger, furthest};
 use super::{Budget, Choice, Plan, Request, Solver};
-use crate::error::{Error, Result, finite, stopped};
+use crate::error::{Error, Result, each_finite, stopped};
 use crate::integrators::{
     AnyLeg, Cost, Effort, Kept, Leg, Passage, Stop, System, Watched, both_ways, growth_limiting,
 };
@@ -16,6 +16,9 @@ use crate::integrators::{
 pub(crate) trait Flow<const N: usize> {
     /// The phase, which decides which equations hold.
     type Phase: Copy + PartialEq + core::fmt::Debug;
+
+    /// What is restored after every step.
+    const KEPT: Kept = Kept::Nothing;
 
     /// The phase and the state at time 0.
     fn start(&self) -> Result<At<Self::Phase, N>>;
@@ -26,11 +29,6 @@ pub(crate) trait Flow<const N: usize> {
     /// The rounding error of each initial component, for a motion that may amplify it: compared runs start this far apart. Otherwise zero.
     fn doubt(&self) -> [f64; N] {
         [0.0; N]
-    }
-
-    /// What is restored after every step.
-    fn kept(&self) -> Kept {
-        Kept::Nothing
     }
 
     /// The fastest rate of the motion, rad/s or 1/s. Times this, a duration becomes the angle by which errors are counted.
@@ -269,9 +267,7 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
                 break;
             }
             phase = self.flow.next(phase, passage.stopped, now, &mut y)?;
-            for &number in &y {
-                finite("the state after an event", number)?;
-            }
+            each_finite("the state after an event", y)?;
             trace.phases.push((now, phase));
             self.budget.spend(1, now)?;
             if trace.phases.len() > MOST_PHASES || at_once > MOST_AT_ONCE {
@@ -313,7 +309,7 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         let Stepper::Other(follow, _) = self.stepper else {
             let leg = Leg {
                 system: &Watched(rate, reached, growth) as &dyn System<N>,
-                kept: flow.kept(),
+                kept: F::KEPT,
                 start: (now, y),
                 scales: &scales,
                 times,

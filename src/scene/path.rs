@@ -69,6 +69,9 @@ pub struct FourPhases {
     pub pace: Pace,
 }
 
+/// The most cycles in a run by steps.
+const MOST_ROUNDS: f64 = 1e5;
+
 impl FourPhases {
     /// The shape at a time. The remainder by the duration is exact, however late the time.
     pub(super) fn at(&self, t: f64) -> Twist {
@@ -85,12 +88,7 @@ impl FourPhases {
         };
         Twist { upper, angle, rate }
     }
-}
 
-/// The most cycles in a run by steps.
-const MOST_ROUNDS: f64 = 1e5;
-
-impl FourPhases {
     pub(super) fn checked(self) -> Result<Self> {
         positive("the duration of a cycle", self.duration)?;
         let waist = Waist {

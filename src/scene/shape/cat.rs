@@ -137,7 +137,8 @@ impl Cat {
 
     /// The turn from the frame of the bend, which turns about the bisector of the spines, to the first half, which turns back in that frame.
     fn to_half(bend: &Bend) -> UnitQuaternion<f64> {
-        turn_z(-0.5 * bend.angle) * turn_x(-bend.direction)
+        let bent = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), -0.5 * bend.angle);
+        bent * turn_x(-bend.direction)
     }
 
     /// The attitude in closed form: χ = ψ − ∫(1 − f) dψ while the bend goes round.
@@ -152,7 +153,7 @@ impl Cat {
         };
         let bend = self.bend(t);
         let attitude = self.attitude.quaternion() * turn_x(bend.direction - turned);
-        Ok(numbers(*(attitude * Self::to_half(&bend)).quaternion()))
+        Ok(Attitude::from(attitude * Self::to_half(&bend)).into())
     }
 
     /// The angular velocity in closed form.
@@ -191,17 +192,14 @@ impl Cat {
 /// The cat's state is the quaternion of the first half.
 impl Flow<4> for Cat {
     type Phase = ();
+    const KEPT: Kept = Kept::UnitQuaternion(0);
 
     fn start(&self) -> Result<((), [f64; 4])> {
-        Ok(((), numbers(self.attitude.quaternion().into_inner())))
+        Ok(((), self.attitude.into()))
     }
 
     fn scales(&self) -> [f64; 4] {
         [1.0; 4]
-    }
-
-    fn kept(&self) -> Kept {
-        Kept::UnitQuaternion(0)
     }
 
     fn pace(&self) -> f64 {
@@ -213,7 +211,8 @@ impl Flow<4> for Cat {
     fn rate(&self, (): (), t: f64, y: &[f64; 4]) -> [f64; 4] {
         let omega = self.omega(t, &unit(y));
         let omega = omega.map_or(Vector3::repeat(f64::NAN), |o| o.components());
-        numbers(Quaternion::new(y[0], y[1], y[2], y[3]) * Quaternion::from_imag(omega) * 0.5)
+        let rate = Quaternion::new(y[0], y[1], y[2], y[3]) * Quaternion::from_imag(omega) * 0.5;
+        [rate.w, rate.i, rate.j, rate.k]
     }
 
     fn lasts_until(&self, (): (), t: f64) -> f64 {
@@ -276,18 +275,10 @@ impl Scene for Cat {
     }
 }
 
-fn numbers(q: Quaternion<f64>) -> [f64; 4] {
-    [q.w, q.i, q.j, q.k]
-}
-
 fn unit(y: &[f64; 4]) -> Attitude {
     Attitude::from_unit(Quaternion::new(y[0], y[1], y[2], y[3]).normalize())
 }
 
 fn turn_x(angle: f64) -> UnitQuaternion<f64> {
     UnitQuaternion::from_axis_angle(&Vector3::x_axis(), angle)
-}
-
-fn turn_z(angle: f64) -> UnitQuaternion<f64> {
-    UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle)
 }

@@ -82,15 +82,7 @@ impl Crawler {
         let (friction, g) = (self.friction?, self.gravity?);
         Some([friction.kinetic * g, friction.grip * g])
     }
-}
 
-/// Most cycles of a run: more than a day of crawling.
-const MOST_CYCLES: f64 = 250_000.0;
-
-/// The piece of the strokes, a half of one, and the leg: how the feet move in it.
-type Phase = (u64, Leg);
-
-impl Crawler {
     fn gap(&self, piece: u64, t: f64) -> Gap {
         self.body.strokes.at(piece, t)
     }
@@ -121,6 +113,12 @@ impl Crawler {
         (0..2).filter_map(stop).min_by(|a, b| a.0.total_cmp(&b.0))
     }
 }
+
+/// Most cycles of a run: more than a day of crawling.
+const MOST_CYCLES: f64 = 250_000.0;
+
+/// The piece of the strokes, a half of one, and the leg: how the feet move in it.
+type Phase = (u64, Leg);
 
 /// Components: centre, velocity, impulse of friction, heat, work of the muscle. A phase ends where a stroke reverses or a foot comes to rest.
 impl Flow<5> for Crawler {

@@ -151,16 +151,17 @@ impl Body {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn with_center_of_mass(self, mass: f64, center: BodyVector) -> Result<Self> {
-        let center = self.inward(finite_vector("the centre of mass", center)?);
-        let [x, y, z]: [f64; 3] = center.components().into();
+        let center = self
+            .inward(finite_vector("the centre of mass", center)?)
+            .into();
         let mass = not_negative("the mass", mass)?;
-        let arm = [mass * x, mass * y, mass * z];
-        each_finite("mass times centre of mass", arm)?;
-        Ok(Self {
+        let body = Self {
             mass,
-            center: [x, y, z],
+            center,
             ..self
-        })
+        };
+        each_finite("mass times centre of mass", body.arm())?;
+        Ok(body)
     }
 
     /// A vector, from the body's own axes to the principal ones.

@@ -42,8 +42,7 @@ impl ClosedForm {
     /// The closed form of a top under this gravity alone, if there is one.
     pub(super) fn find(body: &Body, gravity: f64, start: &Start) -> Result<Option<Self>> {
         let moments = body.moments;
-        let [x, y, z] = body.arm().map(|component| component * gravity);
-        let lever_vector = BodyVector::new(x, y, z);
+        let lever_vector = body.arm().map(|component| component * gravity).into();
         let weighed = |center: f64| {
             let number = Extended::from_double;
             number(body.mass) * number(center) * number(gravity)

@@ -40,7 +40,7 @@ pub(super) fn columns(top: &Top) -> Columns<State> {
     if body.mass == 0.0 {
         return columns;
     }
-    let center = BodyVector::from_components(body.center.into());
+    let center = BodyVector::from(body.center);
     let columns = columns.and(columns! { |state: &State|
         "height", "m", "centre of mass above the pivot" => center.dot(&up(state));
     });

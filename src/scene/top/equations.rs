@@ -120,7 +120,8 @@ impl Turning {
     /// Ω̇ along the body's axes, rad/s², at this attitude and Ω, before dry friction stops the spin; what that does about the third axis does not move C, which lies on it.
     pub fn acceleration(&self, attitude: &Attitude, omega: BodyVector) -> BodyVector {
         let l = AxisMoments::allowing_rods(self.moments).angular_momentum(omega);
-        let y = numbers(Phase::new(l, attitude));
+        let Phase { l, q } = Phase::new(l, attitude);
+        let y = numbers(l, q, 0.0);
         let [n1, n2, n3, ..] = Flow::<8>::rate(self, Spin::Spinning, 0.0, &y);
         let [j1, j2, j3] = self.inverse;
         BodyVector::new(j1 * n1, j2 * n2, j3 * n3)
@@ -129,37 +130,29 @@ impl Turning {
 
 impl<const N: usize> Flow<N> for Turning {
     type Phase = Spin;
+    const KEPT: Kept = Kept::UnitQuaternion(3);
 
     fn start(&self) -> Result<(Spin, [f64; N])> {
         let rests = self.tip_friction.is_some() && self.start.l[2] == 0.0;
         let spin = if rests { Spin::Stopped } else { Spin::Spinning };
-        Ok((spin, numbers(self.start)))
+        Ok((spin, numbers(self.start.l, self.start.q, 0.0)))
     }
 
     fn scales(&self) -> [f64; N] {
-        core::array::from_fn(|n| match n {
-            0..3 => self.moments[n] * self.pace,
-            3..7 => 1.0,
-            _ => self.energy,
-        })
+        let momenta = self.moments.map(|moment| moment * self.pace);
+        numbers(momenta, [1.0; 4], self.energy)
     }
 
     fn doubt(&self) -> [f64; N] {
         let rate = speed(self.start.l, self.inverse);
         let [w, x, y, z] = self.start.q;
         let q = Start::tilted(nalgebra::Quaternion::new(w, x, y, z));
-        let q = [q.w, q.i, q.j, q.k];
-        core::array::from_fn(|n| match n {
+        let mut l = core::array::from_fn(|n| DOUBT[n] * self.moments[n] * rate);
+        if self.tip_friction.is_some() && self.start.l[2] == 0.0 {
             // A spin stopped by dry friction is exactly 0.
-            2 if self.tip_friction.is_some() && self.start.l[2] == 0.0 => 0.0,
-            0..3 => DOUBT[n] * self.moments[n] * rate,
-            3..7 => q[n - 3],
-            _ => 0.0,
-        })
-    }
-
-    fn kept(&self) -> Kept {
-        Kept::UnitQuaternion(3)
+            l[2] = 0.0;
+        }
+        numbers(l, [q.w, q.i, q.j, q.k], 0.0)
     }
 
     fn pace(&self) -> f64 {
@@ -172,8 +165,8 @@ impl<const N: usize> Flow<N> for Turning {
     }
 
     /// L′ = L∧Ω + N, q′ = ½qΩ, and the power lost to resistance.
-    fn rate(&self, spin: Spin, _: f64, numbers: &[f64; N]) -> [f64; N] {
-        let phase = phase(numbers);
+    fn rate(&self, spin: Spin, _: f64, y: &[f64; N]) -> [f64; N] {
+        let phase = phase(y);
         let [a, b, c] = phase.l;
         let [j1, j2, j3] = self.inverse;
         let omega = [j1 * a, j2 * b, j3 * c];
@@ -186,8 +179,7 @@ impl<const N: usize> Flow<N> for Turning {
             torque[1] += up[2] * l1 - up[0] * l3;
             torque[2] += up[0] * l2 - up[1] * l1;
         }
-        let [o1, o2, o3] = omega;
-        let turned = quaternion_rate(phase.q, BodyVector::new(o1, o2, o3));
+        let turned = quaternion_rate(phase.q, omega.into());
         let mut power = 0.0;
         // With seven components nothing resists.
         if N > 7 {
@@ -197,11 +189,7 @@ impl<const N: usize> Flow<N> for Turning {
                 power -= resistance[k] * omega[k];
             }
         }
-        core::array::from_fn(|n| match n {
-            0..3 => torque[n],
-            3..7 => turned[n - 3],
-            _ => power,
-        })
+        numbers(torque, turned, power)
     }
 
     fn margin(&self, spin: Spin, _: f64, y: &[f64; N]) -> Option<f64> {
@@ -242,12 +230,12 @@ pub(super) fn phase(y: &[f64]) -> Phase {
     Phase { l, q }
 }
 
-/// L and the quaternion as components, without loss of energy.
-fn numbers<const N: usize>(Phase { l, q }: Phase) -> [f64; N] {
+/// The components: L, the quaternion and, if there are eight, the energy lost; or the same of their rates or scales.
+fn numbers<const N: usize>(l: [f64; 3], q: [f64; 4], lost: f64) -> [f64; N] {
     core::array::from_fn(|n| match n {
         0..3 => l[n],
         3..7 => q[n - 3],
-        _ => 0.0,
+        _ => lost,
     })
 }
 

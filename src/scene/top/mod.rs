@@ -30,6 +30,9 @@ use closed::ClosedForm;
 use equations::Turning;
 use ledger::Conserved;
 
+/// The reason for a plan that leaves a closed form.
+const NEAR_A_DOUBLE_ROOT: &str = "near a double root, where the closed form refuses times as long";
+
 /// The most requested times at which a closed form is compared with one from a displaced start.
 const OF_THE_TIMES: usize = 64;
 
@@ -66,31 +69,6 @@ impl Top {
         };
         Ok((plan, closed))
     }
-}
-
-const NEAR_A_DOUBLE_ROOT: &str = "near a double root, where the closed form refuses times as long";
-
-impl Scene for Top {
-    type State = State;
-
-    fn plan(&self, request: &Request) -> Result<Plan> {
-        Ok(self.planned(request)?.0)
-    }
-
-    fn simulate(&self, request: &Request) -> Result<Motion<State>> {
-        let mut motion = self.along_principal_axes(request)?;
-        for (_, state) in &mut motion.rows {
-            (state.attitude, state.omega) = self.body.outward(state.attitude, state.omega);
-        }
-        Ok(motion)
-    }
-
-    fn further(&self) -> Columns<State> {
-        columns::columns(self)
-    }
-}
-
-impl Top {
     /// The motion along the principal axes.
     fn along_principal_axes(&self, request: &Request) -> Result<Motion<State>> {
         let conserved = Conserved::of(self)?;
@@ -189,5 +167,25 @@ impl Top {
         };
         let ledger = trace.told(request, plan, |_, _, y| here.state(y, kept));
         kept.lossless(ledger)?.closed(request)
+    }
+}
+
+impl Scene for Top {
+    type State = State;
+
+    fn plan(&self, request: &Request) -> Result<Plan> {
+        Ok(self.planned(request)?.0)
+    }
+
+    fn simulate(&self, request: &Request) -> Result<Motion<State>> {
+        let mut motion = self.along_principal_axes(request)?;
+        for (_, state) in &mut motion.rows {
+            (state.attitude, state.omega) = self.body.outward(state.attitude, state.omega);
+        }
+        Ok(motion)
+    }
+
+    fn further(&self) -> Columns<State> {
+        columns::columns(self)
     }
 }

@@ -32,15 +32,14 @@ pub struct Claim {
 
 /// The verdict on a claim, displayed by the words that the register has for it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Verdict {
     /// It holds.
-    #[serde(rename = "verified")]
     Verified,
     /// It holds under a condition that the tutorial leaves unsaid.
     #[serde(rename = "verified with condition")]
     VerifiedWithCondition,
     /// It does not hold as printed.
-    #[serde(rename = "erratum")]
     Erratum,
     /// Asked or announced there without an answer; a test and a chapter have one.
     #[serde(rename = "posed there, answered here")]
@@ -49,7 +48,6 @@ pub enum Verdict {
     #[serde(rename = "open question")]
     OpenQuestion,
     /// Nothing that a test of the library could show: history, a definition, an outlook, a theorem quoted.
-    #[serde(rename = "context")]
     Context,
 }
 

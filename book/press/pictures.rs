@@ -63,7 +63,7 @@ pub fn file(figure: &Figure, copying: Copying) -> Result<Vec<u8>> {
     let svg = figure.file(copying.look);
     #[cfg(feature = "pictures")]
     if copying.form != Form::Svg {
-        return converted(&svg, copying.form, copying);
+        return converted(&svg, copying);
     }
     Ok(svg.into_bytes())
 }
@@ -80,11 +80,11 @@ const SERIFS: [&str; 6] = [
 ];
 
 #[cfg(feature = "pictures")]
-fn converted(svg: &str, form: Form, copying: Copying) -> Result<Vec<u8>> {
+fn converted(svg: &str, copying: Copying) -> Result<Vec<u8>> {
     use resvg::tiny_skia::{Pixmap, Transform};
     use svg2pdf::usvg::{Options, Tree};
 
-    let failed = |told: String| Error::Failed(format!("--as {}: {told}", ending(&form)));
+    let failed = |told: String| Error::Failed(format!("--as {}: {told}", ending(&copying.form)));
     let paper = copying.look.theme.color(figures::style::Role::Paper);
     // The background of an SVG is a style of the page that shows it; these forms need a rectangle.
     let sheet = format!("</title>\n<rect width=\"100%\" height=\"100%\" fill=\"{paper}\"/>\n");
@@ -108,7 +108,7 @@ fn converted(svg: &str, form: Form, copying: Copying) -> Result<Vec<u8>> {
     );
     let tree = Tree::from_str(&svg, &options).map_err(|error| failed(error.to_string()))?;
     let size = tree.size();
-    match form {
+    match copying.form {
         Form::Pdf => {
             let width = f32::from(copying.width.unwrap_or(432));
             // A page has 72 points to the inch.

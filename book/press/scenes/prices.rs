@@ -64,6 +64,6 @@ impl Priced {
 /// # Errors
 /// [`crate::Error`].
 pub fn run(name: &str, text: &str) -> Result<Table> {
-    let (scene, request) = super::parse(name, text)?;
-    super::run(name, &scene, &request)
+    let motion = super::Motion::of(name, text)?;
+    motion.at(motion.request.times())
 }

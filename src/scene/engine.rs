@@ -753,6 +753,15 @@ pub(crate) fn planned(request: &Request, plan: Plan, has: &'static str) -> Resul
     }
 }
 
+/// The same for a scene that cannot be run backward.
+///
+/// # Errors
+/// As for [`planned`]; [`Error::OutOfRange`] for a time before the start.
+pub(crate) fn planned_forward(request: &Request, plan: Plan, has: &'static str) -> Result<Plan> {
+    request.forward()?;
+    planned(request, plan, has)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

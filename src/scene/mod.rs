@@ -57,7 +57,7 @@ mod prelude {
     pub(crate) use super::columns::{Columns, columns, state};
     pub(crate) use super::effects::Effect;
     pub(crate) use super::engine::{AN_INTEGRAL, Ahead, At, Flow, OF_CLOSED_FORMS, Passed, Trace};
-    pub(crate) use super::engine::{apart, greater, planned, solved, to_accuracy};
+    pub(crate) use super::engine::{apart, greater, planned, planned_forward, solved, to_accuracy};
     pub(crate) use super::motion::OpenLedger;
     pub(crate) use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
     pub(crate) use crate::conservation::Law;

@@ -344,14 +344,13 @@ impl Scene for TuggedSpool {
 
 /// The plan of a rolling body: closed forms from event to event, for this reason, or a closed form without events.
 fn rolling_plan(request: &Request, events: Option<&'static str>) -> Result<Plan> {
-    request.forward()?;
     let reason = events.unwrap_or("no force along the table: closed form");
     let plan = match (request.choice, events) {
         (Choice::Auto | Choice::Use(Solver::Exact), None) => Plan::exact(reason),
         _ => Plan::events(reason),
     };
     let solvers = "the solver of what rolls is `events`, `exact` where no force acts along the table, or one that steps";
-    planned(request, plan, solvers)
+    planned_forward(request, plan, solvers)
 }
 
 /// A round body on a table under any of its laws: for [`Roller`] and [`TuggedSpool`].

@@ -122,7 +122,6 @@ impl Scene for Superball {
     type State = Bouncing;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
-        request.forward()?;
         let plan = match request.choice {
             Choice::Auto | Choice::Use(Solver::Exact) if self.flight.is_elastic() => {
                 Plan::exact("elastic and non-slipping: a rotation a bounce, closed form")
@@ -130,7 +129,7 @@ impl Scene for Superball {
             _ => Plan::events("bounces: closed form from one to the next"),
         };
         let solvers = "the solver of a superball is `exact` without restitution and grip, `events`, or one that steps";
-        planned(request, plan, solvers)
+        planned_forward(request, plan, solvers)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<Bouncing>> {

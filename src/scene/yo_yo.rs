@@ -475,7 +475,6 @@ impl Scene for Play {
     type State = YoYoState;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
-        request.forward()?;
         if let Choice::Use(Solver::General(method)) = request.choice
             && !method.is_adaptive()
         {
@@ -488,7 +487,7 @@ impl Scene for Play {
         };
         let solvers =
             "the solver of a yo-yo is `events` without air, or one that chooses its steps";
-        planned(request, plan, solvers)
+        planned_forward(request, plan, solvers)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<YoYoState>> {

@@ -36,12 +36,8 @@ pub(super) struct Key {
 }
 
 impl Key {
-    pub const fn new(name: &'static str, what: &'static str) -> Self {
-        Self {
-            name,
-            what,
-            bound: None,
-        }
+    pub const fn new(name: &'static str, what: &'static str, bound: Option<Bound>) -> Self {
+        Self { name, what, bound }
     }
 
     /// The expected value in words: its description, then `shape`, then the bounds.

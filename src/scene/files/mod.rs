@@ -81,8 +81,8 @@ impl Word for Kind {
     }
 }
 
-const TITLE: Key = Key::new("title", "a title in quotes");
-const KIND: Key = Key::new("kind", "");
+const TITLE: Key = Key::new("title", "a title in quotes", None);
+const KIND: Key = Key::new("kind", "", None);
 
 /// The scene made from the tables of a file, and the request. Every table is read before the first mistake ends the reading.
 fn read<B: Section, I: Section, E: Section, S: Scene<State: Send + 'static> + 'static>(

@@ -270,7 +270,7 @@ impl<'r> Table<'r> {
 
     /// One of the main tables, such as `[body]`: read as empty if it is absent, unless its name seems to be misspelt.
     pub fn part<S: Section>(&self, name: &'static str) -> Option<S> {
-        let key = &Key::new(name, "a table");
+        let key = &Key::new(name, "a table", None);
         match self.entry(name) {
             Some(value) => S::read(&Place { table: self, key }, value),
             None if self.slip(name).is_some() => None,

@@ -44,7 +44,7 @@ macro_rules! keys {
                 fn fields(table: &Table<'_>) -> Option<Self> {
                     $(
                         let bound = None $(.or(Some($bound)))?;
-                        let key = Key { bound, ..Key::new(stringify!($field), $what) };
+                        let key = Key::new(stringify!($field), $what, bound);
                         let $field = <$type as Value>::take(table, &key, None $(.or(Some(($default, format!("{:?}", $default)))))?);
                     )*
                     Some(Self { $($field: $field?,)* })

@@ -229,14 +229,13 @@ impl Scene for Cat {
     type State = CatState;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
-        request.forward()?;
         let equal = "equal halves without angular momentum: one integral along the path of shapes";
         let plan = match self.equal_halves() {
             Some(_) => Plan::exact(equal),
             None => Plan::stepped("unequal halves or angular momentum: no closed form"),
         };
         let solvers = "the solver of a cat is `exact`, if it has equal halves and no angular momentum, or one that steps";
-        planned(request, plan, solvers)
+        planned_forward(request, plan, solvers)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<CatState>> {

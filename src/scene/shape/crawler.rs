@@ -214,13 +214,12 @@ impl Scene for Crawler {
     type State = CrawlerState;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
-        request.forward()?;
         let plan = match self.grip() {
             Some(_) => Plan::events("sliding friction: closed forms from event to event"),
             None => Plan::exact("no outside force: the centre of mass stays"),
         };
         let solvers = "the solver of a crawler is `events` on a rough ground, `exact` on perfect ice, or one that steps";
-        planned(request, plan, solvers)
+        planned_forward(request, plan, solvers)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<CrawlerState>> {

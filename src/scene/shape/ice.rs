@@ -186,13 +186,12 @@ impl Scene for Swivel {
     type State = SwivelState;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
-        request.forward()?;
         let plan = match self.bearing_friction {
             Some(_) => Plan::stepped("bearing friction: no closed form"),
             None => Plan::exact("no torque: one integral along the path of shapes"),
         };
         let solvers = "the solver of a swivel is `exact`, if nothing resists, or one that steps";
-        planned(request, plan, solvers)
+        planned_forward(request, plan, solvers)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<SwivelState>> {
@@ -384,13 +383,12 @@ impl Scene for Skater {
     type State = SkaterState;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
-        request.forward()?;
         let plan = match self.bearing_friction {
             Some(_) => Plan::stepped("bearing friction: no closed form"),
             None => Plan::exact("no torque: spin and moment have a fixed product"),
         };
         let solvers = "the solver of a skater is `exact`, if nothing resists, or one that steps";
-        planned(request, plan, solvers)
+        planned_forward(request, plan, solvers)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<SkaterState>> {

@@ -220,13 +220,12 @@ impl Scene for PaperCat {
     type State = PaperCatState;
 
     fn plan(&self, request: &Request) -> Result<Plan> {
-        request.forward()?;
         let plan = match self.air {
             Some(_) => Plan::stepped("air: no closed form"),
             None => Plan::exact("no air: a rigid body at rest does not turn"),
         };
         let solvers = "the solver of a paper cat is `exact`, if there is no air, or one that steps";
-        planned(request, plan, solvers)
+        planned_forward(request, plan, solvers)
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<PaperCatState>> {

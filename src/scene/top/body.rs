@@ -166,10 +166,10 @@ impl Body {
 
     /// A vector, from the body's own axes to the principal ones.
     pub(super) fn inward(&self, vector: BodyVector) -> BodyVector {
-        let own = vector.components();
-        let inward = |turn: Attitude| turn.quaternion().inverse_transform_vector(&own);
-        let inward = self.own.map(inward).map(BodyVector::from_components);
-        inward.unwrap_or(vector)
+        let components = vector.components();
+        let inward = |own: Attitude| own.quaternion().inverse_transform_vector(&components);
+        self.own
+            .map_or(vector, |own| BodyVector::from_components(inward(own)))
     }
 
     /// The attitude of the principal axes.
@@ -180,8 +180,7 @@ impl Body {
     /// Attitude and Ω, from the principal axes to the body's own.
     pub(super) fn outward(&self, attitude: Attitude, omega: BodyVector) -> (Attitude, BodyVector) {
         self.own.map_or((attitude, omega), |own| {
-            let outward = own.quaternion() * omega.components();
-            let omega = BodyVector::from_components(outward);
+            let omega = BodyVector::from_components(own.quaternion() * omega.components());
             (attitude * own.inverse(), omega)
         })
     }

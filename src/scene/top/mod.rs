@@ -69,6 +69,7 @@ impl Top {
         };
         Ok((plan, closed))
     }
+
     /// The motion along the principal axes.
     fn along_principal_axes(&self, request: &Request) -> Result<Motion<State>> {
         let conserved = Conserved::of(self)?;

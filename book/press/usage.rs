@@ -1,4 +1,4 @@
-//! The command line: commands, options and their help texts.
+//! The command line: commands and options; what `--help` adds to them is in `help/`.
 
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -14,114 +14,20 @@ use crate::scenes::scan::{self, Over, Tell};
 
 /// Spinning Bodies, the executable edition: draws the figures and builds the book.
 #[derive(Debug, Parser)]
-#[command(name = "book", bin_name = "cargo run --", version, after_help = EXAMPLES)]
+#[command(name = "book", bin_name = "cargo run --", version, after_help = include_str!("help/book.txt"))]
 pub struct Cli {
     /// What to do; without it, the whole job.
     #[command(subcommand)]
     pub command: Option<Command>,
 }
 
-const EXAMPLES: &str = "\
-Without a command it draws every figure, builds the book, and prints where it is.
-
-Examples:
-  cargo run                              the whole job: figures/svg/*.svg and book/build/index.html
-  cargo run -- book --open               builds the book and opens it in the browser
-  cargo run -- figures --list            the names of the figures and their chapters
-  cargo run -- scene book/scenes/racket.toml    simulates a scene file
-  cargo run -- help scene                what a scene file may contain; most commands have examples
-  cargo test                             runs every example of the book
-
-Exit status: 0 success, 2 an error in the command line or in a source file (one line says which), 1 any other error.";
-
 /// The help text of `scene` after the options: a scene file, and every kind and solver.
 fn scene_help() -> String {
     let kinds = Vec::from_iter(files::kinds()).join(", ");
     let solvers = Vec::from_iter(Solver::all().map(Solver::name)).join(", ");
-    format!(
-        "\
-A scene file, in TOML and SI units; only the effects that [effects] names act:
-
-  title = \"A racket\"
-  [body]
-  moments = [1.0, 2.0, 3.0]        # principal moments, kg m2; or inertia, or a shape with its sizes and mass
-  [initial]
-  omega = [0.01, 1.0, 0.01]        # rad/s, along the body's axes; or angular_momentum
-  attitude = [1.0, 0.0, 0.0, 0.0]  # w x y z, from body to space; the default
-  [effects]                        # gravity = 9.80665, pivot_friction = 0.001, ...
-  [run]
-  until = 10.0                     # s; or times = [0.0, 2.5, 10.0]
-  samples = 101
-  accuracy = 1e-10                 # relative
-  solver = \"auto\"                  # or one of those below
-  columns = [\"tilt\", \"energy\"]     # the columns of a row after the time; if absent, the usual ones of the kind
-
-A run stops after 200 million evaluations of its equations and has at most ten million rows; if it takes more than a moment,
-it shows its progress. A body under gravity also needs mass and center_of_mass. Other kinds of scene name their kind at the top;
-book/scenes has a file for each scene of the book.
-
-Kinds: {kinds}.
-Solvers: {solvers}.
-
-Examples:
-  cargo run -- scene book/scenes/racket.toml
-  cargo run -- scene --keys roller    the keys of a kind; `--keys shapes` has the shapes that a body can have
-  cargo run -- scene sleeping-top --columns tilt,lz,force --format json --output motion.json
-  cargo run -- scene tippe-top --plot tilt,energy --output motion.svg
-  cargo run -- scene racket --plot omega1:omega2 --output polhode.svg
-  cargo run -- scene racket --film --speed 0.5 --output racket.svg
-  cargo run --features book/pictures -- scene racket --frames stills 250 --as png
-  ffmpeg -framerate 25 -i stills/%03d.png -pix_fmt yuv420p racket.mp4    makes a video of these stills"
-    )
+    let help = include_str!("help/scene.txt");
+    help.replace("KINDS", &kinds).replace("SOLVERS", &solvers)
 }
-
-const SCAN: &str = "\
-Each point of the grid gives one line: the varied numbers, the last row of the motion, and `ok`, or the reason why there is none. A
-number is named by its keys, joined by dots; places in a list count from 0. --tell asks for other numbers than the last row: the first,
-last, least or greatest value of any column (`scene --columns`), or the time (s) at which it first reaches a level, to the accuracy of
-the scene. In JSON refused points are listed separately, with their reasons. Exit status 1 if no point could be run.
-
-Examples:
-  cargo run -- scan racket --over initial.omega.0=0.001..0.1:25
-  cargo run -- scan heavy-body --over effects.gravity=0..20:21 --over initial.omega.2=1..20:20
-  cargo run -- scan racket --over initial.omega.0=1e-8..1e-1:8:log --tell crossing:omega2=0
-  cargo run -- scan tippe-top --over body.mass=0.01..0.04,body.radius=0.01..0.04:4 --tell greatest:tilt,last:energy
-  cargo run -- scan racket --over initial.omega.0=1e-8..1e-1:40:log --plot crossing:omega2=0 --output flip.svg
-  cargo run -- scan strip --over initial.angle=0..1.5:30 --over body.width=0.01..0.05:30 --plot x --output map.svg";
-
-const FIGURES: &str = "\
-Many figures have parameters: `--list NAME` shows them, with their ranges and the values of the book. The caption is computed
-from the same numbers, and printed. Files have plain colours that any program can read.
-
-Examples:
-  cargo run -- figures
-  cargo run -- figures --list spool-dial
-  cargo run -- figures --list --format json
-  cargo run -- figures spool-dial --set axle=0.6,tension=0.5 --theme dark
-  cargo run -- figures spool-dial --set axle=0.6 --data dial.csv --out elsewhere
-  cargo run --features book/pictures -- figures polhodes nutations --as pdf --out elsewhere";
-
-const ACCURACY: &str = "\
-Errors are those at the end of the run: the angle between the attitudes in radians, and the relative error of the
-angular velocity. Times are the least of repeated runs. Below each table, for errors of 1e-3, 1e-6, 1e-9 and 1e-12, are the
-cheapest method, the next one, and dop853. Efforts for which a run would take much of a second are left out, and counted.
-Times need a release build; a debug build gives only errors and evaluations.
-
-Problems: free-top, near-separatrix, cusped-top, near-sleeping, kovalevskaya, kovalevskaya-level, heavy-body,
-tippe-top; each over 1, 10 and 1000 turns, the first four also over 1000000 (the tippe top: 1, 10, 100). free-top/1000 is one
-length of one. They are judged by motions known to 30 digits; all together they take about ten minutes.
-
-Or a scene file of any kind, by its path or by its name in book/scenes, over its whole run; this takes seconds. Every solver
-that can run it does; the others give the reason why they cannot. Two methods of different families, at their tightest
-tolerances, are the judges: the closed form if there is one, order 8, verner98. If they disagree by more than 1e-3 the scene
-is refused; errors too small to be distinguished from their disagreement are marked `floor`. For a kind without an attitude
-the errors are those of its angular velocities, or else of its velocities, over the greatest in the motion.
-
-Examples:
-  cargo run --release -- accuracy --scene near-separatrix/1000
-  cargo run --release -- accuracy --csv mine.csv
-  cargo run --release -- accuracy --scene strip
-  cargo run --release -- accuracy --scene racket --plot racket.svg";
 
 /// The subcommands.
 #[derive(Debug, Subcommand)]
@@ -142,7 +48,7 @@ pub enum Command {
 
 /// Draws all figures, or those named, as SVG
 #[derive(Debug, Default, Args)]
-#[command(after_help = FIGURES)]
+#[command(after_help = include_str!("help/figures.txt"))]
 pub struct Figures {
     /// Names of figures; all if none is given
     #[arg(value_name = "NAME")]
@@ -241,7 +147,7 @@ pub struct Scene {
 
 /// Simulates a scene file over a grid of its numbers, on all cores; a line for each point
 #[derive(Debug, Args)]
-#[command(after_help = SCAN)]
+#[command(after_help = include_str!("help/scan.txt"))]
 pub struct Scan {
     /// The scene file, or the name of one in book/scenes; `-` reads standard input
     pub file: PathBuf,
@@ -272,7 +178,7 @@ pub struct Written {
 
 /// Measures error against time for every method that can run a motion, on this machine
 #[derive(Debug, Args)]
-#[command(after_help = ACCURACY)]
+#[command(after_help = include_str!("help/accuracy.txt"))]
 pub struct Accuracy {
     /// A problem, one of its lengths, or a scene file; without it, all problems
     #[arg(long, value_name = "NAME")]

@@ -382,9 +382,43 @@ impl OnTable<'_> {
         state: impl Fn(Moment) -> S,
     ) -> Result<Motion<S>> {
         let (moments, done) = self.followed(&plan, request)?;
-        let states = moments.iter().copied().map(state);
+        let (times, states) = (request.times(), moments.iter().copied().map(state));
         let mut ledger = OpenLedger::of(request, plan, done, states);
-        self.keep(&mut ledger, request.times(), &moments)?;
+        let &Laws { kappa, load, .. } = self.laws;
+        let (mass, drive) = (self.body.mass, load.push + load.twist);
+        let scale = |size: &dyn Fn(&Moment) -> f64| {
+            let all = moments.iter().chain([&self.start]).map(size);
+            mass * all.fold(0.0, f64::max)
+        };
+        let driven = load != Load::weight(load.reaction);
+        let balance = |m: &Moment| mass * (m.energy(kappa) + m.heat - m.work);
+        // About the table only a tug has a moment, and it is constant.
+        let about =
+            |row: usize, _: &S| mass * (moments[row].about_the_table(kappa) - times[row] * drive);
+        if self.laws.resistance.is_none() {
+            let name = match driven {
+                true => "angular momentum about the table less the tug's",
+                false => "angular momentum about the table",
+            };
+            let first = mass * self.start.about_the_table(kappa);
+            let own = |m: &Moment| m.velocity.abs() + kappa * m.rim_speed.abs();
+            let size = scale(&own).max(mass * self.speed());
+            ledger.conserved(name, size, first, about)?;
+        }
+        let pull = |m: &Moment| (load.push * m.position).abs() + (load.twist * m.turned).abs();
+        let size = scale(&|m| m.energy(kappa) + m.heat + m.work.abs() + pull(m));
+        let name = "energy plus heat less work";
+        ledger.conserved(name, size, balance(&self.start), |row, _| {
+            balance(&moments[row])
+        })?;
+        if !driven && self.laws.sheet.is_none() {
+            let size = scale(&|m| m.energy(kappa));
+            let account = ("kinetic energy", Law::NonIncreasing, size);
+            let kinetic = |m: &Moment| mass * m.energy(kappa);
+            ledger.keep(account, kinetic(&self.start), |row, _| {
+                kinetic(&moments[row])
+            })?;
+        }
         ledger.closed(request)
     }
 
@@ -456,48 +490,6 @@ impl OnTable<'_> {
         let own = self.start.velocity.abs().max(self.start.rim_speed.abs());
         let pulled = (load.push.abs() + load.twist.abs()) * self.span;
         speeds.fold(own.max(pulled), f64::max)
-    }
-
-    /// Adds to the ledger what is conserved, or may only decrease.
-    fn keep<S>(&self, ledger: &mut OpenLedger<S>, times: &[f64], moments: &[Moment]) -> Result<()> {
-        let &Laws { kappa, load, .. } = self.laws;
-        let (mass, drive) = (self.body.mass, load.push + load.twist);
-        let scale = |size: &dyn Fn(&Moment) -> f64| {
-            let all = moments.iter().chain([&self.start]).map(size);
-            mass * all.fold(0.0, f64::max)
-        };
-        let kinetic = |m: &Moment| mass * m.energy(kappa);
-        let balance = |m: &Moment| mass * (m.energy(kappa) + m.heat - m.work);
-        // About the table only a tug has a moment, and it is constant.
-        let about =
-            |row: usize, _: &S| mass * (moments[row].about_the_table(kappa) - times[row] * drive);
-        if self.laws.resistance.is_none() {
-            let name = match self.driven() {
-                true => "angular momentum about the table less the tug's",
-                false => "angular momentum about the table",
-            };
-            let first = mass * self.start.about_the_table(kappa);
-            let own = |m: &Moment| m.velocity.abs() + kappa * m.rim_speed.abs();
-            let size = scale(&own).max(mass * self.speed());
-            ledger.conserved(name, size, first, about)?;
-        }
-        let pull = |m: &Moment| (load.push * m.position).abs() + (load.twist * m.turned).abs();
-        let size = scale(&|m| m.energy(kappa) + m.heat + m.work.abs() + pull(m));
-        let name = "energy plus heat less work";
-        let balances = |row: usize, _: &S| balance(&moments[row]);
-        ledger.conserved(name, size, balance(&self.start), balances)?;
-        if !self.driven() && self.laws.sheet.is_none() {
-            let size = scale(&|m| m.energy(kappa));
-            let account = ("kinetic energy", Law::NonIncreasing, size);
-            let energies = |row: usize, _: &S| kinetic(&moments[row]);
-            ledger.keep(account, kinetic(&self.start), energies)?;
-        }
-        Ok(())
-    }
-
-    /// Whether a tug acts on the body.
-    fn driven(&self) -> bool {
-        self.laws.load != Load::weight(self.laws.load.reaction)
     }
 }
 

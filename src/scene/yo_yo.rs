@@ -187,16 +187,6 @@ fn lasting(duration: f64, ahead: &Ahead<'_, 6>, at: impl Fn(f64) -> Result<Numbe
 }
 
 impl Playing {
-    fn new(play: Play, closed: bool) -> Result<Self> {
-        let gravity = play.gravity.unwrap_or(0.0);
-        Ok(Self {
-            play,
-            gravity,
-            energy: Unwinding::energy_at(&play.toy, gravity, 0.0, play.throw)?,
-            closed,
-        })
-    }
-
     /// I + m r² about the end of the string, with r the axle's radius, kg m².
     fn inertia(&self) -> f64 {
         let toy = &self.play.toy;
@@ -492,7 +482,13 @@ impl Scene for Play {
 
     fn simulate(&self, request: &Request) -> Result<Motion<YoYoState>> {
         let plan = self.plan(request)?;
-        let playing = Playing::new(*self, plan.solver == Solver::Events)?;
+        let gravity = self.gravity.unwrap_or(0.0);
+        let playing = Playing {
+            play: *self,
+            gravity,
+            energy: Unwinding::energy_at(&self.toy, gravity, 0.0, self.throw)?,
+            closed: plan.solver == Solver::Events,
+        };
         let start = playing.start()?.1;
         let mut trace = solved((&playing, &plan, request), 1, |_| Ok(start))?;
         let (scale, fastest) = playing.greatest();

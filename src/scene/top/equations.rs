@@ -179,7 +179,8 @@ impl<const N: usize> Flow<N> for Turning {
             torque[1] += up[2] * l1 - up[0] * l3;
             torque[2] += up[0] * l2 - up[1] * l1;
         }
-        let turned = quaternion_rate(phase.q, omega.into());
+        let [o1, o2, o3] = omega;
+        let turned = quaternion_rate(phase.q, BodyVector::new(o1, o2, o3));
         let mut power = 0.0;
         // With seven components nothing resists.
         if N > 7 {
@@ -231,6 +232,7 @@ pub(super) fn phase(y: &[f64]) -> Phase {
 }
 
 /// The components: L, the quaternion and, if there are eight, the energy lost; or the same of their rates or scales.
+#[inline]
 fn numbers<const N: usize>(l: [f64; 3], q: [f64; 4], lost: f64) -> [f64; N] {
     core::array::from_fn(|n| match n {
         0..3 => l[n],

@@ -30,7 +30,7 @@ pub struct AnyScene {
     simulation: Box<Simulation>,
     /// How it is drawn.
     #[cfg(feature = "scene-files")]
-    pub(super) look: Option<super::files::look::Look>,
+    pub(super) look: Option<super::sight::Look>,
 }
 
 impl core::fmt::Debug for AnyScene {
@@ -158,7 +158,7 @@ impl AnyScene {
     #[cfg(feature = "scene-files")]
     pub fn sight(&self, columns: &[Column], row: &[f64]) -> Option<super::Sight> {
         let look = self.look.as_ref()?;
-        Some(look(&super::files::look::Told { columns, row }))
+        Some(look(&super::sight::Told { columns, row }))
     }
 
     /// The motion at the requested times, as a table.

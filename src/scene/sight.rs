@@ -2,6 +2,9 @@
 
 use nalgebra::{Isometry3, Matrix3, Vector3};
 
+#[cfg(feature = "scene-files")]
+use super::columns::Column;
+
 /// A simple solid along axes of its own, lengths in m.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Solid {
@@ -48,3 +51,29 @@ pub struct Sight {
     /// Angular momentum L, if the scene gives it.
     pub angular_momentum: Option<Vector3<f64>>,
 }
+
+/// The numbers of a row, by the names of their columns.
+#[cfg(feature = "scene-files")]
+#[derive(Debug)]
+pub(super) struct Told<'a> {
+    pub columns: &'a [Column],
+    pub row: &'a [f64],
+}
+
+#[cfg(feature = "scene-files")]
+impl Told<'_> {
+    /// The number in the column with this name, if there is one.
+    pub fn number(&self, name: &str) -> Option<f64> {
+        let place = self.columns.iter().position(|column| column.name == name)?;
+        self.row.get(place).copied()
+    }
+
+    /// The numbers in the columns with these names; 0 for a missing column.
+    pub fn vector<const N: usize>(&self, names: [&str; N]) -> [f64; N] {
+        names.map(|name| self.number(name).unwrap_or(0.0))
+    }
+}
+
+/// The picture of a scene as a function of the numbers in a row.
+#[cfg(feature = "scene-files")]
+pub(super) type Look = Box<dyn Fn(&Told<'_>) -> Sight + Send + Sync>;

@@ -3,11 +3,12 @@
 use core::ops::Deref;
 
 pub(super) use super::keys::Bound::{From, NotNegative, Positive, UpTo};
-pub(super) use super::look::{Look, Outline, about, free, posed, rolling, still};
+pub(super) use super::look::{Outline, about, free, posed, rolling, still};
 pub(super) use super::reader::Reader;
 pub(super) use super::values::{Word, keys, section};
 pub(super) use crate::frame::{Attitude, BodyVector};
 pub(super) use crate::scene::effects::*;
+pub(super) use crate::scene::sight::Look;
 pub(super) use crate::scene::{Around, Sight, Solid};
 
 /// The optional effects of a scene, as an array of [`Effect`]s.

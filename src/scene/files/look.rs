@@ -5,31 +5,10 @@ use core::f64::consts::FRAC_PI_2;
 use nalgebra::{Isometry3, Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 use crate::inertia::principal_axes_of;
-use crate::scene::{Around, Column, Sight, Solid};
+use crate::scene::sight::{Look, Told};
+use crate::scene::{Around, Sight, Solid};
 
 type Vector = Vector3<f64>;
-
-/// The picture of a scene as a function of the numbers in a row.
-pub(in crate::scene) type Look = Box<dyn Fn(&Told<'_>) -> Sight + Send + Sync>;
-
-/// The numbers of a row, by the names of their columns.
-pub(in crate::scene) struct Told<'a> {
-    pub columns: &'a [Column],
-    pub row: &'a [f64],
-}
-
-impl Told<'_> {
-    /// The number in the column with this name, if there is one.
-    pub fn number(&self, name: &str) -> Option<f64> {
-        let place = self.columns.iter().position(|column| column.name == name)?;
-        self.row.get(place).copied()
-    }
-
-    /// The numbers in the columns with these names; 0 for a missing column.
-    pub fn vector<const N: usize>(&self, names: [&str; N]) -> [f64; N] {
-        names.map(|name| self.number(name).unwrap_or(0.0))
-    }
-}
 
 impl Solid {
     /// A ball of this radius, m.

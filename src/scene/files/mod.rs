@@ -32,7 +32,7 @@ mod changing;
 mod contact;
 mod file;
 mod keys;
-pub(super) mod look;
+mod look;
 mod reader;
 mod run;
 mod strip;

@@ -127,11 +127,22 @@ pub(super) fn symmetric_axes(matrix: &Matrix3<f64>) -> PrincipalAxes {
     // The deviator. Any number near the mean will do as the shift; the subtraction is exact where entries are close.
     let mean = (m00 + m11 + m22) * (1.0 / 3.0);
     let deviator = matrix - Matrix3::from_diagonal_element(mean);
-    let size = deviator.fold(0.0, |size, x: f64| quick::greater(x.abs(), size));
-    let (down, up) = powers_of_two(size);
+    let scales = |of: &Matrix3<f64>| {
+        powers_of_two(of.fold(0.0, |size, x: f64| quick::greater(x.abs(), size)))
+    };
+    let (down, up) = scales(&deviator);
     let b = deviator * down;
-    let (separated, side) = separated_root(&b);
-    let apart = axis_of(&b, separated);
+    // Where the moments agree to many bits, what rounding the mean has left in the trace is no longer small: root and axis are those without it. At
+    // the threshold it is the rounding of the deviator itself.
+    let rest = deviator.trace() * (1.0 / 3.0);
+    let scaled = if (rest * down).abs() > 2.0 * f64::EPSILON {
+        let traceless = deviator - Matrix3::from_diagonal_element(rest);
+        traceless * scales(&traceless).0
+    } else {
+        b
+    };
+    let (separated, side) = separated_root(&scaled);
+    let apart = axis_of(&scaled, separated);
     let [u, w] = across(&apart);
     let (bu, bw) = (b * u, b * w);
     let (cosine, sine, low, high) = plane_rotation(u.dot(&bu), u.dot(&bw), w.dot(&bw));

@@ -1,6 +1,6 @@
 //! Whether a small tilt grows: quasi-steady sliding states and the eigenvalues about them.
 
-use nalgebra::{Complex, SMatrix, SVector, Vector3, Vector4};
+use nalgebra::{Complex, SMatrix, SVector, Schur, Vector3, Vector4};
 
 use super::body::ConvexBody;
 use super::equations::{Pose, Table};
@@ -172,10 +172,34 @@ fn growth_rates(table: &Table, up: Vector3<f64>, [a, b]: [f64; 2], spin: f64) ->
     let turn = spin.abs();
     let scales = [1.0, 1.0, turn, turn, turn, swing, swing];
     let jacobian = jacobian(rate, x, [n, n, w, w, w, v, v], scales)?;
-    let mut values: [Complex<f64>; 7] = jacobian.complex_eigenvalues().into();
+    let schur = |matrix| Schur::try_new(matrix, f64::EPSILON, MOST_SWEEPS);
+    let mut values: [Complex<f64>; 7] = eigenvalues(&jacobian, |matrix| {
+        Some(schur(matrix)?.complex_eigenvalues().into())
+    })?;
     sort(&mut values, |value| value.norm());
     let [_, rest @ ..] = values;
     Ok(fastest_first(rest))
+}
+
+/// Most sweeps of the QR iteration; it needs some ten.
+const MOST_SWEEPS: usize = 1000;
+
+/// The eigenvalues of a matrix, by an iteration that may stall where several have the same modulus, ±a ± ib. Then the matrix is shifted, and they are
+/// shifted back; where that stalls as well, they are refused.
+fn eigenvalues<const N: usize>(
+    matrix: &SMatrix<f64, N, N>,
+    found: impl Fn(SMatrix<f64, N, N>) -> Option<[Complex<f64>; N]>,
+) -> Result<[Complex<f64>; N]> {
+    let size = matrix.amax();
+    for shift in [0.0, 0.7 * size] {
+        if let Some(values) = found(matrix + SMatrix::from_diagonal_element(shift)) {
+            return Ok(values.map(|value| value - shift));
+        }
+    }
+    refused(
+        "the eigenvalues of the linearised equations must be found, of size",
+        size,
+    )
 }
 
 /// Sorts eigenvalues by a number that belongs to each, ascending.
@@ -252,5 +276,9 @@ pub fn rolling_growth_rates(body: &ConvexBody, gravity: f64, spin: f64) -> Resul
     let turn = natural.max(spin.abs());
     let strides = [1e-3, 1e-3, 1e-3 * turn, 1e-3 * turn];
     let jacobian = jacobian(rate, Vector4::zeros(), strides, [1.0, 1.0, turn, turn])?;
-    Ok(fastest_first(jacobian.complex_eigenvalues().into()))
+    let schur = |matrix| Schur::try_new(matrix, f64::EPSILON, MOST_SWEEPS);
+    let values = eigenvalues(&jacobian, |matrix| {
+        Some(schur(matrix)?.complex_eigenvalues().into())
+    })?;
+    Ok(fastest_first(values))
 }

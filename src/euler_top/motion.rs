@@ -263,7 +263,7 @@ impl EulerTop {
             finite("the size of the angular momentum", angular_momentum.norm())?;
         }
         let motion = match constants {
-            None => steady(moments, exact),
+            None => steady(moments, exact)?,
             Some(constants) => {
                 let rate = constants.course.rate.value().abs();
                 let rate = rate.max(constants.turning_rate.value());
@@ -605,7 +605,7 @@ impl FreeBody {
     /// Ω, L and attitude at time t (s), along the body's own axes (6.6, 6.8).
     ///
     /// # Errors
-    /// As for [`EulerTop::at`].
+    /// As for [`EulerTop::at`]; [`Error::NotFinite`](crate::Error::NotFinite) for a component that leaves the range of doubles in these axes.
     ///
     /// ```
     /// use spinning_bodies::{euler_top::FreeBody, frame::{Attitude, BodyVector}, inertia::InertiaMatrix};
@@ -618,10 +618,13 @@ impl FreeBody {
     /// ```
     pub fn at(&self, t: f64) -> Result<State> {
         let state = self.principal.at(t)?;
-        let outward = |v: BodyVector| BodyVector::from_components(self.own * v.components());
+        let outward = |v: BodyVector| {
+            let outward = BodyVector::from_components(self.own * v.components());
+            finite_vector("a component along the body's own axes", outward)
+        };
         Ok(State {
-            omega: outward(state.omega),
-            angular_momentum: outward(state.angular_momentum),
+            omega: outward(state.omega)?,
+            angular_momentum: outward(state.angular_momentum)?,
             attitude: state.attitude * Attitude::from(self.own.inverse()),
         })
     }
@@ -639,7 +642,7 @@ fn omega_of(moments: [f64; 3], l: &[Extended; 3]) -> [f64; 3] {
 }
 
 /// Rotation with constant Ω about L: at the rate 2E/|L| = Σ L_i²/I_i / |L|.
-fn steady(moments: [f64; 3], l: &[Extended; 3]) -> Motion {
+fn steady(moments: [f64; 3], l: &[Extended; 3]) -> Result<Motion> {
     let (mut square, mut twice_energy) = (Extended::zero(), Extended::zero());
     for (moment, component) in moments.iter().zip(l) {
         if !component.is_zero() {
@@ -649,16 +652,18 @@ fn steady(moments: [f64; 3], l: &[Extended; 3]) -> Motion {
         }
     }
     if square.is_zero() {
-        return Motion::Steady {
+        return Ok(Motion::Steady {
             omega: [0.0; 3],
             rate: DoubleDouble::from(0.0),
             direction: [0.0, 0.0, 1.0],
-        };
+        });
     }
     let size = square.square_root();
-    Motion::Steady {
+    let rate = twice_energy.quotient(size);
+    finite("the rate of the motion", rate.value())?;
+    Ok(Motion::Steady {
         omega: omega_of(moments, l),
-        rate: twice_energy.quotient(size).narrow(),
+        rate: rate.narrow(),
         direction: core::array::from_fn(|k| l[k].quotient(size).value()),
-    }
+    })
 }

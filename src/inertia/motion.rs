@@ -1,8 +1,8 @@
 //! Momentum and energy of a body in motion, split as in tutorial 2.1 to 2.3.
 
 use super::body::MassProperties;
-use crate::error::Result;
-use crate::frame::BodyVector;
+use crate::error::{Result, each_finite};
+use crate::frame::{BodyVector, finite_vector};
 
 /// An instant of rigid motion: the base point O, its velocity U, and the angular velocity Ω (2.2).
 ///
@@ -83,7 +83,7 @@ impl RigidMotion {
     /// Angular momentum of the body about the base point, in its two parts (2.2).
     ///
     /// # Errors
-    /// As [`MassProperties::about`] for the base point.
+    /// As [`MassProperties::about`] for the base point; [`Error::NotFinite`](crate::Error::NotFinite) for a part.
     ///
     /// ```
     /// use spinning_bodies::{frame::BodyVector, inertia::{RigidMotion, shapes}};
@@ -93,16 +93,18 @@ impl RigidMotion {
     /// ```
     pub fn angular_momentum(&self, body: &MassProperties) -> Result<AngularMomentumSplit> {
         let arm = body.center() - self.base;
+        let of_motion = (body.mass() * arm).cross(&self.velocity);
+        let of_rotation = body.about(self.base)?.angular_momentum(self.omega);
         Ok(AngularMomentumSplit {
-            of_motion: (body.mass() * arm).cross(&self.velocity),
-            of_rotation: body.about(self.base)?.angular_momentum(self.omega),
+            of_motion: finite_vector("the angular momentum of the motion", of_motion)?,
+            of_rotation: finite_vector("the angular momentum of the rotation", of_rotation)?,
         })
     }
 
     /// Kinetic energy of the body, in its three parts (2.3).
     ///
     /// # Errors
-    /// As [`MassProperties::about`] for the base point.
+    /// As [`MassProperties::about`] for the base point; [`Error::NotFinite`](crate::Error::NotFinite) for a part.
     ///
     /// ```
     /// use spinning_bodies::{frame::BodyVector, inertia::{RigidMotion, shapes}};
@@ -112,10 +114,13 @@ impl RigidMotion {
     /// ```
     pub fn energy(&self, body: &MassProperties) -> Result<EnergySplit> {
         let arm = body.center() - self.base;
-        Ok(EnergySplit {
+        let split = EnergySplit {
             of_motion: 0.5 * body.mass() * self.velocity.dot(&self.velocity),
             cross: self.velocity.dot(&self.omega.cross(&(body.mass() * arm))),
             of_rotation: body.about(self.base)?.rotational_energy(self.omega),
-        })
+        };
+        let parts = [split.of_motion, split.cross, split.of_rotation];
+        each_finite("a part of the energy", parts)?;
+        Ok(split)
     }
 }

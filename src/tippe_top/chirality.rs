@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::body::ConvexBody;
 use super::friction::Regularised;
 use super::growth::{Rate, quasi_steady};
-use crate::error::{Result, finite, positive};
+use crate::error::{Result, each_finite, finite, positive};
 use crate::frame::{Attitude, BodyVector};
 use crate::inertia::InertiaMatrix;
 
@@ -68,7 +68,7 @@ pub fn swings_of_both_senses(
 /// (the identity puts the beads on the principal axes). Every such set of three pairs is of this form, up to a reflection.
 ///
 /// # Errors
-/// [`Error::NotPositive`](crate::Error::NotPositive) for the mass.
+/// [`Error::NotPositive`](crate::Error::NotPositive) for the mass, [`Error::NotFinite`](crate::Error::NotFinite) for a place.
 ///
 /// ```
 /// use spinning_bodies::{frame::Attitude, inertia::InertiaMatrix, tippe_top::beads};
@@ -88,5 +88,6 @@ pub fn beads(mass: f64, inertia: &InertiaMatrix, mixing: &Attitude) -> Result<[B
     let lengths = moments.map(|moment| (3.0 * (half - moment).max(0.0) / mass).sqrt());
     let mixing = mixing.quaternion().to_rotation_matrix();
     let places = axes.axes * Matrix3::from_diagonal(&lengths) * mixing.matrix();
+    each_finite("the place of a bead", places.iter().copied())?;
     Ok([0, 1, 2].map(|i| BodyVector::from_components(places.column(i).into_owned())))
 }

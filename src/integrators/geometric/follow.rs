@@ -29,6 +29,7 @@ pub fn follow(
 ) -> Result<Solution<Phase>> {
     each_finite("the time", times.iter().copied())?;
     let step = positive("the step", step)?;
+    start.check()?;
     let mut cost = Cost::default();
     let states = both_ways(times, |times| {
         let (mut phase, mut time, mut states) = (*start, 0.0, Vec::new());

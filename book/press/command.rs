@@ -120,7 +120,12 @@ fn figures(root: &Path, asked: usage::Figures) -> Result<Vec<Drawing>> {
         let drawings = draw(&entries, &values)?;
         drawings::check(&drawings, &folder)?;
         let (count, folder) = (drawings.len(), folder.display());
-        say(&format!("{count} figures agree with {folder}\n"))?;
+        let drawn = if count == 1 {
+            "figure agrees"
+        } else {
+            "figures agree"
+        };
+        say(&format!("{count} {drawn} with {folder}\n"))?;
         return Ok(drawings);
     }
     can_be_written_into(&folder)?;

@@ -17,7 +17,7 @@ use crate::style::*;
 /// It is the convex hull of ellipsoids, which may be flat or points, with lines on its surface; or a bar.
 #[derive(Default)]
 struct Body {
-    /// Centre and half axes of each ellipsoid.
+    /// Centre and semi-axes of each ellipsoid.
     rounds: Vec<(Vector, Matrix3<f64>)>,
     /// Points of lines with the outward normals of the two faces that meet there: a point is hidden if both faces look away from the eye.
     edges: Vec<Vec<[Vector; 3]>>,

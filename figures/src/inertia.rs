@@ -93,7 +93,7 @@ pub fn ellipsoid(values: &Values) -> Result<Figure> {
 
 /// The body that is the union of a box and an ellipsoid with the same axes.
 fn box_with_bulges(pen: &mut Pen, view: &View, half: &Vector, semi: &Vector) {
-    // The half axes of a body along the k-th axis and the two that follow it.
+    // The semi-axes of a body along the k-th axis and the two that follow it.
     let axes = |of: &Vector, k: usize| [k, (k + 1) % 3, (k + 2) % 3].map(|j| Vector::ith(j, of[j]));
     let cap = |pen: &mut Pen, k: usize, side: f64| {
         let [n, u, v] = axes(semi, k);

@@ -145,7 +145,7 @@ pub fn segment(a: Vector, b: Vector, steps: u32) -> Vec<Vector> {
     shares.map(|share| a + (b - a) * share).collect()
 }
 
-/// The closed ellipse with conjugate half axes `u` and `v`.
+/// The closed ellipse with conjugate semi-axes `u` and `v`.
 pub fn ellipse(center: Vector, u: Vector, v: Vector, steps: u32) -> Vec<Vector> {
     let round = spaced([0.0, core::f64::consts::TAU], steps).map(f64::sin_cos);
     round.map(|(s, c)| center + u * c + v * s).collect()
@@ -168,7 +168,7 @@ pub fn latitude(height: f64, radius: f64, steps: u32) -> Vec<Vector> {
     ellipse(z * height, x * radius, y * radius, steps)
 }
 
-/// The outline of an ellipsoid with these half axes, the curve on which it is seen edge on.
+/// The outline of an ellipsoid with these semi-axes, the curve on which it is seen edge on.
 pub fn rim(semi: &Vector, toward: &Vector, steps: u32) -> Vec<Vector> {
     let n = toward.component_div(semi).normalize();
     let u = n.cross(&Vector::z()).normalize();
@@ -187,7 +187,7 @@ pub fn box_hides(half: &Vector, point: &Vector, toward: &Vector) -> bool {
     leave > enter && leave > 1e-6
 }
 
-/// Whether the line of sight from `point` to the eye meets the ellipsoid with these half axes.
+/// Whether the line of sight from `point` to the eye meets the ellipsoid with these semi-axes.
 pub fn ellipsoid_hides(half: &Vector, point: &Vector, toward: &Vector) -> bool {
     let (p, d) = (point.component_div(half), toward.component_div(half));
     let (a, b, c) = (d.dot(&d), p.dot(&d), p.dot(&p) - 1.0);

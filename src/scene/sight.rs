@@ -8,7 +8,7 @@ use super::columns::Column;
 /// A simple solid along axes of its own, lengths in m.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Solid {
-    /// An ellipsoid about the origin whose half axes are the columns; one of them may be 0.
+    /// An ellipsoid about the origin whose semi-axes are the columns; one of them may be 0.
     Ellipsoid(Matrix3<f64>),
     /// A body of revolution about the third axis: heights in ascending order, each with its radius.
     Turned(Vec<[f64; 2]>),

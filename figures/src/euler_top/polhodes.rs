@@ -27,7 +27,7 @@ parameters! {
 /// The parameters; the handle stands on the thick polhode.
 pub const POLHODES: &[Parameter] = &[SMALLEST, MIDDLE, LARGEST, CROSSING];
 
-/// The half axes of the ellipsoid, how it is seen, and its axes.
+/// The semi-axes of the ellipsoid, how it is seen, and its axes.
 fn stage(values: &Values) -> (Vector, View, [Vector; 3]) {
     let semi = Vector::from(moments(values).map(f64::sqrt));
     let arms = [0, 1, 2].map(|k| Vector::ith(k, semi[k]));
@@ -155,7 +155,7 @@ pub fn polhodes(values: &Values) -> Result<Figure> {
         "Polhodes of $L$ in the body on the ellipsoid $\\sum L_i^2/2EI_i = 1$ for $I = {inertia}$. Dots at equal times, {STEP:.1} of a radian at the rate $\\sqrt{{2E/I_2}}$. \
          The separatrix, in ink, is two plane ellipses $\\Omega_3 = \\pm{steep}\\,\\Omega_1$. The thick polhode, from the ring at {thick}° between $x_1$ and $x_3$ (the \
          separatrix is at {crossing:.1}°), {about} turns at that rate.{beyond}",
-        "An ellipsoid with its longest axis upright, its half axes as the roots of {inertia}, covered by closed curves: flat rings round the upright third axis, upright \
+        "An ellipsoid with its longest axis upright, its semi-axes as the roots of {inertia}, covered by closed curves: flat rings round the upright third axis, upright \
          rings round the first axis on the left. Two crossing ellipses, the separatrix, part them and meet on the second \
          axis, which points at the reader's right. Dots at equal times are wide apart where a curve swings across and \
          crowd together next to the crossing: there the top dawdles, and from there it runs across to the far side. One curve, {thick} degrees from the \

@@ -65,7 +65,7 @@ pub fn two_pairs_of_axes(values: &Values) -> Result<Figure> {
     };
     let words = words!(
         "{claim}",
-        "Kane and Levinson's stone from above, half axes 20 and 3 cm, to scale; per unit of mass, moments of 2 and 16 cm² and a product of ${off}$ cm². Solid: the axes of \
+        "Kane and Levinson's stone from above, semi-axes 20 and 3 cm, to scale; per unit of mass, moments of 2 and 16 cm² and a product of ${off}$ cm². Solid: the axes of \
          inertia; in the lens the tip, {times} times as large. The rates are for a steady spin of {spun} rad/s in pure rolling.",
         "The outline of a long stone from above with two crosses of axes through its middle, one dashed along the outline and one solid, turned by {out} degrees. A lens enlarges the tip, \
          where the dashed axis meets the outline and the solid one {passes}. Two bent arrows tell what each sense of spin does: clockwise rattling {clockwise}, anticlockwise it {other}."

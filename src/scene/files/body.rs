@@ -243,7 +243,7 @@ section! {
 
     /// Sizes of an ellipsoid; the origin is the centre.
     Ellipsoid {
-        semi_axes: [f64; 3], "the half axes in m", Positive;
+        semi_axes: [f64; 3], "the semi-axes in m", Positive;
     }
 
     /// Sizes of an egg; the origin is the centre.

@@ -17,8 +17,8 @@ section! {
     /// The surface of a body given without a shape.
     StandsOn {
         radius: Option<f64>, "a radius in m", Positive;
-        semi_axes: Option<[f64; 3]>, "half axes in m", Positive;
-        surface_turn: f64 = 0.0, "the turn of the half axes about the third axis in rad";
+        semi_axes: Option<[f64; 3]>, "semi-axes in m", Positive;
+        surface_turn: f64 = 0.0, "the turn of the semi-axes about the third axis in rad";
         surface_center: Option<BodyVector>, "the place of the centre of the surface, from C, in m";
     }
 

@@ -173,14 +173,9 @@ fn principal_axes_of_degenerate_matrices() -> Result<()> {
     assert_eq!(graded.moments, [1e-40, 1.0, 1e40]);
     assert_eq!(graded.axes.determinant(), 1.0);
     // Almost diagonal: entries off the diagonal down to the smallest number. Once the mean is as far from the moments as they are apart.
-    let near = 3.2f64.next_up();
+    let near = [3.2f64.next_up(), 3.2, 3.2f64.next_up()];
     for off in [1e-17, 1e-160, 1e-300, 5e-324] {
-        for diagonal in [
-            [near, 3.2, near],
-            [1.0, 2.0, 3.0],
-            [3.0, 2.0, 1.0],
-            [0.0; 3],
-        ] {
+        for diagonal in [near, [1.0, 2.0, 3.0], [3.0, 2.0, 1.0], [0.0; 3]] {
             let mut a = Matrix3::from_diagonal(&Vector3::from(diagonal));
             for (i, j) in [(0, 1), (0, 2), (1, 2)] {
                 (a[(i, j)], a[(j, i)]) = (off, off);

@@ -8,7 +8,7 @@ use crate::prelude::*;
 
 parameters! {
     RATE_OF_SPIN: "spin", r"\Omega\sqrt{R/g}", "", "spin in units of the natural rate", [4.0, 12.0], 6.0;
-    SKEW: "skew", "s", "", "skewness of the inertia matrix, over that of the book's top", [0.0, 1.5], 1.0;
+    SKEW: "skew", "s", "", "skewness of the inertia matrix, over that of the book's top", [0.1, 1.5], 1.0;
 }
 /// The parameters.
 pub const GROWTH: [Parameter; 3] = [RATE_OF_SPIN, SKEW, ALPHA.between([0.15, 0.25], 0.19)];
@@ -50,7 +50,6 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
         [difference, mean] if near(difference, 2.0) && near(mean, 1.0) => {
             "What both spins share grows like the friction; what tells them apart, like its square.".to_owned()
         }
-        [None, _] if skew == 0.0 => "Without skewness in its inertia the top does not tell its two spins apart.".to_owned(),
         [None, _] => "With little friction this top rather turns over anticlockwise, if at all: the difference has changed its sign.".to_owned(),
         [Some(_), None] if points.first().is_some_and(|(_, [half, mean])| half.abs() > -mean) => {
             "With little friction the spins share a swing that dies, and what tells them apart is enough to make one of them grow.".to_owned()
@@ -64,12 +63,11 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
     };
     let told =
         slopes.map(|slope| slope.map_or("not to be had".to_owned(), |slope| number(slope, 2)));
-    let times = number(skew, 2);
     let [first, second] = &told;
     let words = words!(
         "{claim}",
         "Growth rates of the chiral top's slow swing about its quasi-steady state, in units of $\\sqrt{{g/R}}$, at ${spin:.1}\\sqrt{{g/R}}$, $\\alpha = {alpha:.2}$, the \
-         products of inertia {times} times the book's: half the difference of the two senses and their mean. Dotted: slopes 2 and 1. Where a curve falls off it changes sign.",
+         products of inertia {skew:.2} times the book's: half the difference of the two senses and their mean. Dotted: slopes 2 and 1. Where a curve falls off it changes sign.",
         "Two curves on doubly logarithmic axes, friction from 0.001 to 0.25. The half difference of the growth rates starts with slope {first}. The mean, \
          grey, starts with slope {second}. Dotted lines of slopes two and one for comparison."
     );

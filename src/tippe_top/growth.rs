@@ -184,22 +184,17 @@ fn growth_rates(table: &Table, up: Vector3<f64>, [a, b]: [f64; 2], spin: f64) ->
 /// Most sweeps of the QR iteration; it needs some ten.
 const MOST_SWEEPS: usize = 1000;
 
-/// The eigenvalues of a matrix, by an iteration that may stall where several have the same modulus, ±a ± ib. Then the matrix is shifted, and they are
-/// shifted back; where that stalls as well, they are refused.
+/// The eigenvalues of a matrix, by an iteration that may stall where several have the same modulus, ±a ± ib, as for an egg of revolution. Then the matrix
+/// is mirrored in an oblique plane, which leaves them as they are; where that stalls as well, they are refused.
 fn eigenvalues<const N: usize>(
     matrix: &SMatrix<f64, N, N>,
     found: impl Fn(SMatrix<f64, N, N>) -> Option<[Complex<f64>; N]>,
 ) -> Result<[Complex<f64>; N]> {
-    let size = matrix.amax();
-    for shift in [0.0, 0.7 * size] {
-        if let Some(values) = found(matrix + SMatrix::from_diagonal_element(shift)) {
-            return Ok(values.map(|value| value - shift));
-        }
-    }
-    refused(
-        "the eigenvalues of the linearised equations must be found, of size",
-        size,
-    )
+    let normal = SVector::<f64, N>::from_fn(|i, _| 1.0 / (1.0 + i as f64));
+    let mirror = SMatrix::identity() - normal * normal.transpose() * (2.0 / normal.norm_squared());
+    let values = found(*matrix).or_else(|| found(mirror * matrix * mirror));
+    let condition = "the eigenvalues of the linearised equations must be found, of size";
+    values.map_or_else(|| refused(condition, matrix.amax()), Ok)
 }
 
 /// Sorts eigenvalues by a number that belongs to each, ascending.

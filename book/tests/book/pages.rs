@@ -14,14 +14,12 @@ fn root() -> PathBuf {
     press::paths::workspace_root().unwrap()
 }
 
-fn build(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+/// The book, built once for all tests of this file.
+static BOOK: LazyLock<PathBuf> = LazyLock::new(|| {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("book");
     binding::bind(&root(), &folder, &DRAWINGS).unwrap();
     folder
-}
-
-/// The book, built once for all tests of this file.
-static BOOK: LazyLock<PathBuf> = LazyLock::new(|| build("book"));
+});
 
 /// All files of a folder and of those in it.
 fn files(base: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
@@ -241,12 +239,7 @@ fn nothing_is_left_unset(pages: &[Page]) {
     none(&faults);
 }
 
-#[test]
-fn two_builds_have_the_same_bytes() {
-    same_as_the_book(&build("book-again"));
-}
-
-/// `mdbook build book`, but for the compiler: its command for the press is the one that stands built.
+/// `mdbook build book`, but for the compiler: its command for the press is the one that stands built. So two builds are the same, too.
 #[test]
 fn mdbook_itself_comes_to_the_same_bytes() {
     let mut settings = Config::from_disk(root().join("book/book.toml")).unwrap();
@@ -257,11 +250,7 @@ fn mdbook_itself_comes_to_the_same_bytes() {
     settings.set(renderer, press).unwrap();
     let book = MDBook::load_with_config(root().join("book"), settings).unwrap();
     book.build().unwrap();
-    same_as_the_book(&folder);
-}
-
-fn same_as_the_book(folder: &Path) {
-    let (a, b) = (files(&BOOK), files(folder));
+    let (a, b) = (files(&BOOK), files(&folder));
     assert!(a.keys().eq(b.keys()));
     for (path, bytes) in &a {
         assert!(b[path] == *bytes, "{} differs", path.display());

@@ -174,7 +174,8 @@ function live(figure) {
         if (!Number.isFinite(wanted)) return;
         values[key] = Math.min(greatest, Math.max(least, scale === 'whole' ? Math.round(wanted) : wanted));
         input.value = place(values[key]);
-        const measured = (number) => `${number}${unit && !unit.startsWith('°') ? ' ' : ''}${unit}`;
+        const one = (number) => (number === '1' ? unit.replace(/^turns/, 'turn') : unit);
+        const measured = (number) => `${number}${unit && !unit.startsWith('°') ? ' ' : ''}${one(number)}`;
         output.textContent = measured(shown(values[key]));
         input.setAttribute('aria-valuetext', measured(shown(values[key], aloud).replace(TIMES, ' times ')));
     }

@@ -170,7 +170,7 @@ pub fn momentum_flow(values: &Values) -> Result<Figure> {
         _ => {
             let other = if is(small, Nature::Center) { small } else { large };
             let name = ["first", "second", "third"][other];
-            format!("With two equal moments the angular momentum runs round the {name} axis in circles, and rests where they have their middle.")
+            format!("With two equal moments the angular momentum runs round the {name} axis in circles, and rests at their two centres and half-way between them.")
         }
     };
     let named = |axis: usize| format!("x_{}", axis + 1);

@@ -62,7 +62,7 @@ pub fn prices(_: &Values) -> Result<Figure> {
     let words = words!(
         "An effect is paid for only where it is called for, and most of them never need an integrator.",
         "The time to follow one second to $10^{{-9}}$, reading the file included, without the effect (ring; none where the scene needs it) and with it (disc). At the margin the \
-         time with it, and how it is found: {stays} of {count} effects never call for an evaluation. Least of repeated runs: {measured}.",
+         time with it, and its evaluations, if any: {stays} of {count} effects never call for one. Least of repeated runs: {measured}.",
         "A table in {kinds} blocks, one a kind of scene, with a line for each of its effects. On each line a ring shows the time without \
          the effect and a disc the time with it. For {stays} of {count} lines the disc stays within some hundredths of a millisecond. For tops \
          gravity keeps it there, and every kind of friction moves it to the right by a decade and more."

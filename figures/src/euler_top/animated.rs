@@ -41,7 +41,7 @@ pub fn animated(_: &Values) -> Result<Figure> {
     let upright = Attitude::from_quaternion(0.0, 1.0, 0.0, 1.0)?;
     let words = words!(
         "The racket turns over twice in a period, and each time shows the other face.",
-        "The throw of the film strip, {slower:.1} times slower: two somersaults and two half twists in {period:.2} s, after which everything \
+        "The second throw of the film strip, {slower:.1} times slower: two somersaults and two half twists in {period:.2} s, after which everything \
          repeats. Left, its axes: $x_1$ of the least moment, $x_2$ of the middle one, $x_3$ of the greatest. Below, $\\Omega_2$ \
          goes from one value to its negative and back.",
         "A tennis racket turns head over handle about a horizontal angular momentum. In the middle of each somersault it \

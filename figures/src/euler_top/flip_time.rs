@@ -168,19 +168,23 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
     };
     let never = near == 0.0;
     let (inertia, beyond) = (triple(course.moments), remark(course.moments));
-    let (pace, thrown) = (brief(spin), distance(values.of(&DISTANCE)));
+    let pace = match spin {
+        1.0 => String::new(),
+        _ => format!("{}\\,", brief(spin)),
+    };
+    let thrown = distance(values.of(&DISTANCE));
     let [step, last, ring] = [decade, near, course.marked[1]].map(seconds);
     let rounds = number(near * spin / TAU, 1);
     let words = match never {
         true => words!(
             "Equal parts of spin about the first and the third axis put this body on its separatrix: it swings over once and never flips again.",
-            "For $I = {inertia}$ the throw $\\Omega(0) = {pace}\\,(\\varepsilon, 1, \\varepsilon)$ rad/s has $L^2 = 2EI_2$ for every $\\varepsilon$, {thrown} as well: \
+            "For $I = {inertia}$ the throw $\\Omega(0) = {pace}(\\varepsilon, 1, \\varepsilon)$ rad/s has $L^2 = 2EI_2$ for every $\\varepsilon$, {thrown} as well: \
              the time from flip to flip is infinite. Move a moment a little, and the line is there.{beyond}",
             "Empty axes for the time between two flips against the distance from the middle axis: for the moments {inertia} there is no second flip."
         ),
         false => words!(
             "Each decade closer to the middle axis buys the same {step} seconds before the flip{others_give_up}.",
-            "Half the period of $\\Omega$ for $I = {inertia}$ and $\\Omega(0) = {pace}\\,(\\varepsilon, 1, \\varepsilon)$ rad/s. A decade adds $2\\ln 10/\\sqrt{{\\lambda}} = \
+            "Half the period of $\\Omega$ for $I = {inertia}$ and $\\Omega(0) = {pace}(\\varepsilon, 1, \\varepsilon)$ rad/s. A decade adds $2\\ln 10/\\sqrt{{\\lambda}} = \
              {decade:.3}$ s: {ring} s at $\\varepsilon = {thrown}$ (ring), {last} s or {rounds} turns at $10^{{-{DECADES}}}$. {others_measured}{beyond}",
             "The time between two flips against the initial distance from the middle axis, on a logarithmic axis over {DECADES} decades: \
              a straight line, up by {step} seconds for every factor of ten, to {last} seconds at ten to the minus {DECADES}.{others_seen}"

@@ -41,7 +41,7 @@ pub fn paths(_: &Values) -> Result<Figure> {
     let words = words!(
         "One plate, six weights, six ways to fall.",
         "The equations of Andersen, Pesavento and Wang with their coefficients; the mass ratio $I^*$ is the plate's mass over that of the fluid cylinder around it. \
-         Plates to scale at equal times, after the beginnings are forgotten. Periods, in units $a/U$, up to a half turn: {a}, {b}, {c}, {d}, {e} and {f}.",
+         Plates to scale at equal times, after the beginnings are forgotten. Periods, in units $a/U$, the two sides of a plate being alike: {a}, {b}, {c}, {d}, {e} and {f}.",
         "Six panels with a falling plate drawn again and again as a short line. It swings from side to side; it turns over and over and sails down a straight slope; \
          it does so with long and short steps in turn; it changes between swinging and turning over; it does both without a rule; and it rocks a little \
          on its way nearly straight down."

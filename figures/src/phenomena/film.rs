@@ -29,7 +29,7 @@ pub fn cat_film(_: &Values) -> Result<Figure> {
     let (backward, whole) = (number(back_bend.to_degrees(), 2), short(turn, 4));
     let words = words!(
         "A cat turns over although its angular momentum is zero in every picture.",
-        "Two cylinders with $I/J = {RATIO:.0}$, the bend carried once round: {forward}° forward, {backward}° backward half-way. Eight moments of {DURATION:.1} s; the whole turn \
+        "Two cylinders with $I/J = {RATIO:.0}$, the bend carried once round: {forward}° forward, {backward}° backward half-way. Eight instants in {DURATION:.1} s; the whole turn \
          is {whole}°. Head, legs and tail are drawn on and weigh nothing.",
         "Eight pictures of a cat made of two round halves with a head, four legs and a tail. It lies on its back, bends its belly \
          together, lets the bend go round its spine, first to one side, then a little backward, then to the other side, \

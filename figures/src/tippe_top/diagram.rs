@@ -78,8 +78,8 @@ pub fn energies(values: &Values) -> Result<Figure> {
         .iter()
         .any(|(path, _)| path[28][1] < 0.97 * path[0][1]);
     let so = match falling {
-        true => "every top falls down a plumb line",
-        false => "a top can only fall down a plumb line: these three stay up for 14 seconds",
+        true => "every top falls straight down",
+        false => "a top can only fall straight down: these three stay up for 14 seconds",
     };
     let words = words!(
         "Friction takes energy and leaves Jellett's integral alone, so {so}.",

@@ -181,7 +181,7 @@ impl Scene for Superball {
             };
             "rotation", "J", "kinetic energy about the centre" => 0.5 * mass * kappa * state.ball.motion.rim_speed.powi(2);
             "potential", "J", "energy of the weight above the floor" => weight * state.ball.height;
-            "l_over_radius", "kg m/s", "angular momentum about the centre over the radius, which nobody has told" => mass * kappa * state.ball.motion.rim_speed;
+            "l_over_radius", "kg m/s", "angular momentum about the centre over the radius, which the file does not give" => mass * kappa * state.ball.motion.rim_speed;
         }
     }
 }

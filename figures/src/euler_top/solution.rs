@@ -86,7 +86,7 @@ pub fn solution(values: &Values) -> Result<Figure> {
     };
     let words = words!(
         "{claim}",
-        "Components of $\\Omega$ in the body for $I = {inertia}$, $\\Omega(0) = {begun}$: {course} {percent} % of the time $\\Omega_2$ is within a tenth of its \
+        "Components of $\\Omega$ in the body, rad/s, for $I = {inertia}$, $\\Omega(0) = {begun}$: {course} {percent} % of the time $\\Omega_2$ is within a tenth of its \
          greatest size, {size} rad/s.{beyond}",
         "Three curves over a little more than {over}. The second component of the angular velocity is {wave} between plus and minus {size}. The {about} component \
          keeps its sign and is greatest when the second one vanishes; the other changes its sign and is greatest at the same times, up and down in \

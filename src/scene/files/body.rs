@@ -321,7 +321,7 @@ section! {
     /// Masses and positions of beads; the origin is that of the positions.
     Beads {
         places: Vec<BodyVector>, "the places of the beads in m, a list of lists of 3 numbers";
-        parts: Option<Vec<f64>>, "the shares of the beads in the mass, in any unit (all the same if nothing is said)", Positive;
+        parts: Option<Vec<f64>>, "the shares of the beads in the mass, in any unit (all the same by default)", Positive;
     }
 }
 

@@ -15,10 +15,10 @@ section! {
     Run {
         times: Option<Vec<f64>>, "a list of times in s";
         until: Option<f64>, "the last time in s, in place of `times`";
-        samples: Option<usize>, "the number of times from 0 on (101 if nothing is said), a whole number", Bound::From(2.0, MOST as f64);
+        samples: Option<usize>, "the number of times from 0 on (101 by default), a whole number", Bound::From(2.0, MOST as f64);
         accuracy: f64 = 1e-10, "a relative accuracy", Bound::From(1e-15, 0.1);
         solver: Choice, "";
-        columns: Option<Vec<String>>, "a list of names of numbers to be told";
+        columns: Option<Vec<String>>, "a list of the names of columns";
     }
 }
 

@@ -9,7 +9,7 @@ section! {
     Body {
         matter: Matter, "";
         center_of_mass: Option<BodyVector>, "the place of the centre of mass, from the pivot, along the body's axes in m";
-        pivot: Option<BodyVector>, "the place where a shape is held, along its axes from its origin in m (its centre of mass if nothing is said)";
+        pivot: Option<BodyVector>, "the place where a shape is held, along its axes from its origin in m (its centre of mass by default)";
     }
 
     /// `[initial]`.

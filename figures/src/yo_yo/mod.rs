@@ -70,7 +70,7 @@ pub fn string(values: &Values) -> Result<Figure> {
     };
     let words = words!(
         "On the way down and on the way up the string pulls a little less than the weight; in the turn, for {milliseconds:.0} milliseconds, as hard as {weights} yo-yos.",
-        "A yo-yo of 55 g and radius 29 mm on {long} m of string round an axle of {thick} mm, let go. Pull while it winds: ${falling:.3}\\,Mg$. First turn: {milliseconds:.1} ms, mean \
+        "A yo-yo of 55 g and radius 29 mm on {long} m of string round an axle of radius {thick} mm, let go. Pull while it winds: ${falling:.3}\\,Mg$. First turn: {milliseconds:.1} ms, mean \
          pull ${mean}\\,Mg$, peak ${peak:.1}\\,Mg$. Every turn leaves {leaves} of the spin.",
         "Two diagrams over {SHOWN} seconds. Above, the depth: arcs of parabolas that meet in sharp points at {long} m, and rise {rise}. \
          Below, the pull of the string: flat just under one weight, with a needle at each of the sharp points, the first {peak:.0} \
@@ -122,7 +122,7 @@ pub fn speed(values: &Values) -> Result<Figure> {
     };
     let words = words!(
         "{claim}",
-        "Speed on the way down. Thin string: axle of {axle} mm, {end} m/s and {spin} rad/s after {long} m, in {after} s. Thick string, wound up to {wound} mm on an axle of {core} mm: \
+        "Speed on the way down. Thin string: axle of radius {axle} mm, {end} m/s and {spin} rad/s after {long} m, in {after} s. Thick string, wound up to {wound} mm on an axle of {core} mm: \
          fastest with {peak:.4} m/s at {fastest:.3} m, {last} m/s at the end with {whirl} rad/s, in {later} s.",
         "Speed against depth. The curve of the thin string is a parabola on its side that rises to the end. The curve of the thick string \
          starts steeper, and is highest at {fastest:.2} m{off}."

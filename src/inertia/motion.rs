@@ -110,12 +110,15 @@ impl RigidMotion {
     /// use spinning_bodies::{frame::BodyVector, inertia::{RigidMotion, shapes}};
     /// let motion = RigidMotion { base: BodyVector::zero(), velocity: BodyVector::zero(), omega: BodyVector::new(0.0, 0.0, 2.0) };
     /// assert_eq!(motion.energy(&shapes::ball(5.0, 2.0)?)?.of_rotation, 16.0);
+    /// // A heavy body that creeps: U² is below every double.
+    /// let creeping = RigidMotion { velocity: BodyVector::new(1e-200, 0.0, 0.0), ..motion };
+    /// assert!((creeping.energy(&shapes::ball(2e300, 1e-20)?)?.of_motion / 1e-100 - 1.0).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn energy(&self, body: &MassProperties) -> Result<EnergySplit> {
         let arm = body.center() - self.base;
         let split = EnergySplit {
-            of_motion: 0.5 * body.mass() * self.velocity.dot(&self.velocity),
+            of_motion: 0.5 * (body.mass() * self.velocity).dot(&self.velocity),
             cross: self.velocity.dot(&self.omega.cross(&(body.mass() * arm))),
             of_rotation: body.about(self.base)?.rotational_energy(self.omega),
         };

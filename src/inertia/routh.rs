@@ -69,13 +69,13 @@ impl Form {
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn moment(mass: f64, form: Form, semi_axes: [f64; 2]) -> Result<f64> {
-    let denominator = form.denominator()?;
+    let denominator = f64::from(form.denominator()?);
     positive("the mass", mass)?;
     let mut sum = 0.0;
     for a in semi_axes {
-        sum += (mass * not_negative("a semi-axis", a)?) * a;
+        sum += (mass * (not_negative("a semi-axis", a)? / denominator)) * a;
     }
-    finite("the moment of inertia", sum / f64::from(denominator))
+    finite("the moment of inertia", sum)
 }
 
 /// Mean of x² over a homogeneous ellipsoid of `dimension` dimensions, m²: a²/(d+2) (2.7).
@@ -93,5 +93,5 @@ pub fn moment(mass: f64, form: Form, semi_axes: [f64; 2]) -> Result<f64> {
 pub fn mean_square(semi_axis: f64, dimension: u32) -> Result<f64> {
     not_negative("the semi-axis", semi_axis)?;
     let dimension = within("the dimension", dimension.into(), 1.0, u32::MAX.into())?;
-    finite("the mean square", semi_axis * semi_axis / (dimension + 2.0))
+    finite("the mean square", semi_axis / (dimension + 2.0) * semi_axis)
 }

@@ -8,7 +8,8 @@ use crate::inertia::PrincipalMoments;
 /// ∂L/∂t = L∧Ω in N m: Euler's equations without torque, for the angular momentum seen from the body (5.1).
 ///
 /// Component 1 is (I₂ − I₃)/(I₂I₃) · L₂L₃, and cyclic. Domain: any vector. The result is at right angles to L and to Ω, so |L| and
-/// E are constant. Error: each component to 3 ulp, without cancellation for nearly equal moments. Cost: six divisions. No errors.
+/// E are constant. Error: each component to 3 ulp, without cancellation for nearly equal moments, as long as L₂L₃ and the product of the
+/// first two factors are in the range of doubles. Cost: six divisions. No errors.
 ///
 /// ```
 /// use spinning_bodies::{euler_equations::{AxisMoments, flow}, frame::BodyVector};
@@ -20,10 +21,15 @@ use crate::inertia::PrincipalMoments;
 pub fn flow(moments: &AxisMoments, l: BodyVector) -> BodyVector {
     let [i1, i2, i3] = moments.values();
     BodyVector::new(
-        (i2 - i3) / i2 / i3 * l.y() * l.z(),
-        (i3 - i1) / i3 / i1 * l.z() * l.x(),
-        (i1 - i2) / i1 / i2 * l.x() * l.y(),
+        slower(i2, i3) * l.y() * l.z(),
+        slower(i3, i1) * l.z() * l.x(),
+        slower(i1, i2) * l.x() * l.y(),
     )
+}
+
+/// 1/J − 1/I without overflow on the way.
+fn slower(i: f64, j: f64) -> f64 {
+    (i - j) / i.max(j) / i.min(j)
 }
 
 /// What the flow does near an equilibrium.
@@ -67,18 +73,17 @@ pub fn equilibria(moments: &AxisMoments) -> [Equilibrium; 6] {
         let axis = n / 2;
         let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
         let (up, down) = (i[j] - i[axis], i[axis] - i[k]);
-        let growth_squared = up / i[axis] / i[j] * (down / i[axis] / i[k]);
         let mut e = [0.0; 3];
         e[axis] = if n % 2 == 0 { 1.0 } else { -1.0 };
         Equilibrium {
             direction: BodyVector::new(e[0], e[1], e[2]),
-            // Decided by the signs of the differences: their product may underflow.
+            // Decided by the signs of the differences: a quotient may underflow.
             nature: match (up != 0.0 && down != 0.0, (up > 0.0) == (down > 0.0)) {
                 (false, _) => Nature::Degenerate,
                 (true, true) => Nature::Saddle,
                 (true, false) => Nature::Center,
             },
-            growth_squared,
+            growth_squared: slower(i[j], i[axis]) * slower(i[axis], i[k]),
         }
     })
 }
@@ -91,11 +96,14 @@ pub fn equilibria(moments: &AxisMoments) -> [Equilibrium; 6] {
 /// ```
 /// use spinning_bodies::{euler_equations::separatrix_slope, inertia::PrincipalMoments};
 /// assert!((separatrix_slope(&PrincipalMoments::new(1.0, 2.0, 3.0)?) - 3.0_f64.sqrt()).abs() < 1e-15);
+/// // A needle: √2⁵⁰·10¹⁵⁰.
+/// let slope = separatrix_slope(&PrincipalMoments::new(1e-300, 1.0 - 2f64.powi(-50), 1.0)?);
+/// assert!((slope / 2f64.powi(25) / 1e150 - 1.0).abs() < 1e-15);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn separatrix_slope(moments: &PrincipalMoments) -> f64 {
     let [i1, i2, i3] = moments.values();
-    (i3 / i1 * ((i2 - i1) / (i3 - i2))).sqrt()
+    i3.sqrt() / i1.sqrt() * ((i2 - i1) / (i3 - i2)).sqrt()
 }
 
 /// Greatest |∂L/∂t| on the sphere |L| = 1, in units 1/(kg m²): ½(1/I₁ − 1/I₃), halfway between axes 1 and 3 (5.1).
@@ -105,11 +113,13 @@ pub fn separatrix_slope(moments: &PrincipalMoments) -> f64 {
 /// ```
 /// use spinning_bodies::{euler_equations::fastest_flow, inertia::PrincipalMoments};
 /// assert!((fastest_flow(&PrincipalMoments::new(1.0, 2.0, 3.0)?) - 1.0 / 3.0).abs() < 1e-16);
+/// // A needle: ½/I₁.
+/// assert!((fastest_flow(&PrincipalMoments::new(1e-300, 1e10, 1e10)?) / 5e299 - 1.0).abs() < 1e-15);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn fastest_flow(moments: &PrincipalMoments) -> f64 {
     let [i1, _, i3] = moments.values();
-    0.5 * ((i3 - i1) / i1 / i3)
+    0.5 * slower(i3, i1)
 }
 
 /// The points that the flow of L passes at times 0, `step`, …, `count`·`step` seconds (5.1).

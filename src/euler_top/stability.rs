@@ -37,8 +37,8 @@ pub struct Saddle {
 pub fn lambda(moments: &PrincipalMoments, omega2: f64) -> Result<f64> {
     let [i1, i2, i3] = checked(moments)?;
     let omega2 = finite("the angular velocity", omega2)?;
-    // Divided by the smallest moment last: that quotient may overflow, and a difference of zero has made the product zero before.
-    Ok((i3 - i2) / i3 * (i2 - i1) / i1 * omega2 * omega2)
+    // Both quotients are at most 1, since I₁ + I₂ ≥ I₃.
+    Ok((i3 - i2) / i1 * ((i2 - i1) / i3) * omega2 * omega2)
 }
 
 /// Rate and directions of growth and decay next to the rotation Ω₂ about x₂ (6.7).
@@ -121,20 +121,28 @@ pub fn oscillations(moments: &PrincipalMoments, omega: f64) -> Result<[f64; 2]> 
 /// assert!((about_largest / 4e-20 - 1.0).abs() < 5e-16);
 /// let about_middle = |omega1| lyapunov(&moments, BodyVector::new(omega1, 1.0, 1.0))[1];
 /// assert!(about_middle(1.7) > 0.0 && about_middle(1.8) < 0.0);
+/// // The squares of these moments overflow, and no integral does.
+/// let [heavy, slow] = [PrincipalMoments::new(1e200, 2e200, 3e200)?, PrincipalMoments::new(1e-160, 2e-160, 3e-160)?];
+/// assert!((lyapunov(&heavy, BodyVector::new(1e-150, 0.0, 1e-150))[1] / 2e100 - 1.0).abs() < 1e-15);
+/// assert!((lyapunov(&slow, BodyVector::new(1e150, 0.0, 1e150))[1] / 2e-20 - 1.0).abs() < 1e-15);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn lyapunov(moments: &PrincipalMoments, omega: BodyVector) -> [f64; 3] {
     let [i1, i2, i3] = moments.values();
     let [x, y, z] = [omega.x(), omega.y(), omega.z()];
-    let unit = power_of_two_below(x.abs().max(z.abs()));
+    // Products of moments may leave the range of doubles where the integrals do not.
+    let (unit, size) = (
+        power_of_two_below(x.abs().max(z.abs())),
+        power_of_two_below(i3),
+    );
     let term = |i: f64, more: f64, less: f64, omega: f64| {
         DoubleDouble::product(omega / unit, omega / unit)
-            * DoubleDouble::difference(more, less)
-            * DoubleDouble::from(i)
+            * DoubleDouble::difference(more / size, less / size)
+            * DoubleDouble::from(i / size)
     };
     [
         (i2 * y) * ((i2 - i1) * y) + (i3 * z) * ((i3 - i1) * z),
-        (term(i3, i3, i2, z) - term(i1, i2, i1, x)).value() * unit * unit,
+        (term(i3, i3, i2, z) - term(i1, i2, i1, x)).value() * unit * size * unit * size,
         (i1 * x) * ((i3 - i1) * x) + (i2 * y) * ((i3 - i2) * y),
     ]
 }

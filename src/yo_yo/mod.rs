@@ -46,22 +46,25 @@ impl YoYo {
     /// use spinning_bodies::yo_yo::YoYo;
     /// let toy = YoYo::new(1.0, 3e-4, 1.0, 0.01)?; // I = 3mr²
     /// assert!((toy.acceleration(0.0, 0.0, 8.0) - 2.0).abs() < 1e-15); // g/(1 + 3)
-    /// // r² overflows, or is nothing.
+    /// // r² overflows, or is nothing; I/m overflows.
     /// assert!(YoYo::new(1.0, 3e-4, 1e250, 1e200).is_err() && YoYo::new(1.0, 3e-4, 1.0, 1e-200).is_err());
+    /// assert!(YoYo::new(1e-200, 1e200, 1.0, 0.01).is_err());
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(mass: f64, inertia: f64, length: f64, axle: f64) -> Result<Self> {
         let length = positive("the length of the string", length)?;
         let axle = positive("the radius of the axle", axle)?;
         within("the radius of the axle", axle, 0.0, 0.5 * length)?;
-        Ok(Self {
+        let toy = Self {
             mass: positive("the mass of the yo-yo", mass)?,
             inertia: positive("the moment of inertia of the yo-yo", inertia)?,
             length,
             axle,
             wound_squared: positive("the square of the radius of the axle", axle * axle)?,
             slope: 0.0,
-        })
+        };
+        finite("the inertia over the mass", toy.gyration_squared())?;
+        Ok(toy)
     }
 
     /// A solid disc of this mass (kg) and radius (m), I = mR²/2; the rest as for [`new`](Self::new).

@@ -100,7 +100,7 @@ impl Unwinding {
         (2.0 * fall.max(0.0) / (square + self.toy.gyration_squared())).sqrt()
     }
 
-    /// Time from the upper end to this depth, s. Observed error: 1e-14.
+    /// Time from the upper end to this depth, s. Observed error: 1e-14 times the depth over the way from the upper end.
     ///
     /// # Errors
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) for a depth outside the motion; [`Error::NotFinite`](crate::Error::NotFinite) where the time overflows.

@@ -13,6 +13,8 @@ pub struct Spool {
     /// The body that rolls on the table.
     pub(crate) body: RoundBody,
     ratio: f64,
+    /// 1 − r/R, of which the rounded ratio has lost the last digits.
+    gap: f64,
 }
 
 /// A constant tug on the string.
@@ -80,7 +82,8 @@ impl Spool {
     pub fn new(body: RoundBody, axle: f64) -> Result<Self> {
         let axle = positive("the radius of the axle", axle)?;
         let ratio = positive("the ratio of the radii", axle / body.radius)?;
-        Ok(Self { body, ratio })
+        let gap = (body.radius - axle) / body.radius;
+        Ok(Self { body, ratio, gap })
     }
 
     /// The tug's moment about the centre, −rT, N m, the same at every angle; positive in the sense of rolling forward (4.4).
@@ -109,16 +112,21 @@ impl Spool {
         self.body.radius * tug.tension * (tug.angle.cos() - self.ratio)
     }
 
-    /// The angle at which the line of force goes through the point of contact, cos θ = r/R, rad; `None` if r > R (4.4).
+    /// The angle at which the line of force goes through the point of contact, cos θ = r/R, rad; `None` if r > R (4.4). Formed as
+    /// 2 arctan √((R − r)/(R + r)), accurate down to θ = 0.
     ///
     /// ```
     /// use spinning_bodies::rolling::{RoundBody, Spool};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// assert!((spool.critical_angle().unwrap() - std::f64::consts::FRAC_PI_3).abs() < 1e-15);
+    /// // An axle 2·10⁻¹² m thinner than the discs of 3 m: √(2·⅔·10⁻¹²) rad, of which r/R alone tells four digits.
+    /// let axle = 3.0 - 2e-12;
+    /// let nearly = Spool::new(RoundBody::new(2.0, 3.0, 0.5)?, axle)?;
+    /// assert!((nearly.critical_angle().unwrap() / ((3.0 - axle) / 1.5).sqrt() - 1.0).abs() < 1e-12);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn critical_angle(&self) -> Option<f64> {
-        (self.ratio <= 1.0).then(|| self.ratio.acos())
+        (self.gap >= 0.0).then(|| 2.0 * (self.gap / (1.0 + self.ratio)).sqrt().atan())
     }
 
     /// The way it rolls when tugged gently at this angle (rad), decided by [`Self::critical_angle`] to the last bit (4.4).
@@ -211,7 +219,7 @@ impl Spool {
         if needed == 0.0 {
             return self.lift_off_tension(angle, gravity);
         }
-        Ok(friction * weight / (needed + friction * angle.sin()))
+        Ok(weight / (needed / friction + angle.sin()))
     }
 
     /// The tension (N) that lifts the spool off the table, Mg/sin θ; infinite for a level tug (4.4).
@@ -249,14 +257,23 @@ impl Spool {
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// // Straight up: the line of force touches the side of the axle.
     /// assert!((spool.foot_of_the_line(std::f64::consts::FRAC_PI_2)? - 0.5).abs() < 1e-15);
+    /// // An axle as thick as the discs: R tan θ/2.
+    /// let even = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 1.0)?;
+    /// assert!((even.foot_of_the_line(1e-9)? / 5e-10 - 1.0).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn foot_of_the_line(&self, angle: f64) -> Result<f64> {
         let (sin, cos) = tug_angle(angle)?.sin_cos();
-        if self.ratio == cos {
+        let half = (0.5 * angle).sin();
+        // r/R − cos θ; for small angles from 1 − cos θ, for the cosine is rounded to 1.
+        let ahead = match angle < 1.0 {
+            true => 2.0 * half * half - self.gap,
+            false => self.ratio - cos,
+        };
+        if ahead == 0.0 {
             return Ok(0.0);
         }
-        Ok(self.body.radius * (self.ratio - cos) / sin)
+        Ok(self.body.radius * ahead / sin)
     }
 
     /// The load that the tug puts on the spool, per mass.

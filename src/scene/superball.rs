@@ -16,7 +16,7 @@ use crate::superball::{Flight, InFlight, Surface};
 #[derive(Debug, Clone, Copy)]
 pub struct Superball {
     mass: f64,
-    /// The ball's flight with its bounces, checked when the scene runs.
+    /// The ball's flight with its bounces, checked again when the scene runs, for ceiling and gravity may have changed.
     pub(super) flight: Flight,
 }
 
@@ -24,7 +24,8 @@ impl Superball {
     /// A ball of this mass (kg) and inertia factor without a ceiling.
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite) for the mass; the rest is checked when the scene runs.
+    /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite) for the mass; those of [`Flight::new`]. Whether the ball fits under
+    /// a ceiling is checked when the scene runs.
     ///
     /// ```
     /// use spinning_bodies::superball::{InFlight, Motion};
@@ -38,6 +39,7 @@ impl Superball {
     /// ```
     pub fn new(mass: f64, kappa: f64, start: InFlight) -> Result<Self> {
         let (mass, flight) = (positive("the mass", mass)?, Flight::alone(kappa, start));
+        let flight = flight.checked()?;
         Ok(Self { mass, flight })
     }
 

@@ -337,7 +337,7 @@ impl Flight {
     /// after which the ball no longer reaches it; the bounces before are followed.
     ///
     /// # Errors
-    /// [`Error::Integration`](crate::Error::Integration) after ten million bounces below the ceiling.
+    /// [`Error::Integration`](crate::Error::Integration) after ten million bounces below the ceiling; [`Error::NotFinite`](crate::Error::NotFinite) for a time beyond the range of doubles.
     ///
     /// ```
     /// use spinning_bodies::superball::{Flight, InFlight, Motion, Restitution};
@@ -350,7 +350,9 @@ impl Flight {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn last_contact(&self) -> Result<Option<f64>> {
-        Ok(self.pile(&|_| Ok(()))?.map(|(_, _, last)| last))
+        let pile = self.pile(&|_| Ok(()))?;
+        pile.map(|(.., last)| finite("the time of the last contact", last))
+            .transpose()
     }
 
     /// The time from which the flights form a geometric series, the ball as it leaves the floor then, and the time at which the bounces end.

@@ -36,7 +36,7 @@ impl Restitution {
 
     /// Total path, up and down, of a ball in all its bounces after a drop from `height`, in the unit of the height: h(1+e_n²)/(1−e_n²), Zeno's sum.
     ///
-    /// Infinite for e_n = 1. Error: 2 ε, next to e_n = 1 as well, where 1 − e_n is exact. [`Flight::last_contact`](super::Flight::last_contact) gives the time at which the bounces end.
+    /// Infinite for e_n = 1, and beyond the range of doubles. Error: 2 ε, next to e_n = 1 as well, where 1 − e_n is exact. [`Flight::last_contact`](super::Flight::last_contact) gives the time at which the bounces end.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Negative`](crate::Error::Negative) for the height.

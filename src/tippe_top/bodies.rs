@@ -34,6 +34,12 @@ pub(super) fn offset(alpha: f64) -> Result<f64> {
     within("the offset of C over the radius", alpha, 0.0, most)
 }
 
+/// 1 − α cos θ, the height of C over R: a sum of positive terms, so that neither a small tilt nor a small 1 − α is lost.
+pub(super) fn height(alpha: f64, tilt: f64) -> f64 {
+    let half = (0.5 * tilt).sin();
+    (1.0 - alpha) + 2.0 * alpha * half * half
+}
+
 fn round_ended(
     mass: f64,
     radius: f64,

@@ -5,9 +5,9 @@ use nalgebra::{Matrix3, Vector3};
 use super::body::ConvexBody;
 use super::friction::Regularised;
 use super::growth::{Rate, quasi_steady};
-use crate::error::{Result, each_finite, finite, positive};
+use crate::error::{Result, each_finite, finite};
 use crate::frame::{Attitude, BodyVector};
-use crate::inertia::InertiaMatrix;
+use crate::inertia::{InertiaMatrix, ellipsoid_of_inertia};
 
 /// The chirality index χ = k·(Ik ∧ I²k), with k the unit vector along `axis` (tutorial 4.7, chiral tippe tops): in the third power of the unit of I.
 ///
@@ -77,15 +77,17 @@ pub fn swings_of_both_senses(
 /// let places = beads(6.0, &inertia, &Attitude::identity())?;
 /// let sum: f64 = places.iter().map(|place| 2.0 * place.dot(place)).sum();
 /// assert!((sum - 6.0).abs() < 1e-14);
+/// // Nearly flat: the pair across the plane keeps its digits.
+/// let thickness = 2.0 - (2.0 - 1e-10);
+/// let flat = beads(6.0, &InertiaMatrix::diagonal(1.0, 1.0, 2.0 - thickness)?, &Attitude::identity())?;
+/// assert!((flat[2].norm() / (0.25 * thickness).sqrt() - 1.0).abs() < 1e-15);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn beads(mass: f64, inertia: &InertiaMatrix, mixing: &Attitude) -> Result<[BodyVector; 3]> {
-    let mass = positive("the mass", mass)?;
     let axes = inertia.principal_axes();
-    let moments = Vector3::from(axes.moments);
-    let half = 0.5 * moments.sum();
-    // For a lamina, rounding may make it negative.
-    let lengths = moments.map(|moment| (3.0 * (half - moment).max(0.0) / mass).sqrt());
+    // The ellipsoid of inertia has the semi-axes √(5 Jⱼ/M).
+    let semi_axes = ellipsoid_of_inertia(mass, &axes.principal_moments())?;
+    let lengths = Vector3::from(semi_axes) * 0.6_f64.sqrt();
     let mixing = mixing.quaternion().to_rotation_matrix();
     let places = axes.axes * Matrix3::from_diagonal(&lengths) * mixing.matrix();
     each_finite("the place of a bead", places.iter().copied())?;

@@ -1,6 +1,6 @@
 //! The hoop with clay: the tutorial's estimate of how fast it tips over, and a refinement of it.
 
-use super::bodies::offset;
+use super::bodies::{height, offset};
 use crate::error::{Result, positive};
 use crate::frame::SpaceVector;
 use crate::precise::{Extended, Number};
@@ -66,9 +66,8 @@ impl HoopWithClay {
 
     /// CO, from C to the point of contact, in the picture's axes, m: r = ε e − R z.
     fn arm(&self, tilt: f64) -> SpaceVector {
-        let (sin, cos) = tilt.sin_cos();
-        let offset = self.alpha * self.radius;
-        SpaceVector::new(offset * sin, 0.0, offset * cos - self.radius)
+        let across = self.alpha * self.radius * tilt.sin();
+        SpaceVector::new(across, 0.0, -self.radius * height(self.alpha, tilt))
     }
 
     /// Velocity of the point of contact, Ω∧r (m/s), for upward spin Ω (rad/s): Ω ε sin θ, into the page. The motion of C is left out.
@@ -131,31 +130,34 @@ impl HoopWithClay {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn refined_rate(&self, spin: f64, start: f64, tilt: f64) -> f64 {
-        let arm = |tilt: f64| 1.0 - self.alpha * tilt.cos();
-        self.tip_rate(spin) * (arm(tilt) / arm(start)) * arm(tilt)
+        self.tip_rate(spin) * height(self.alpha, tilt) * self.spin_ratio(tilt, start)
     }
 
     /// Time from tilt θ₀, where the spin about the vertical is Ω, to tilt θ₁ with [`refined_rate`](Self::refined_rate): s.
     ///
-    /// In closed form, as a difference whose relative error grows like (1−α)^(−3/2) as α approaches 1; from 0 to π it is [`tip_over_time`](Self::tip_over_time) × (1+α)^(−3/2) (1−α)^(−1/2). Domain: 0 ≤ θ₀, θ₁ ≤ π.
+    /// In closed form, to rounding for a short way as well; but the relative error grows like (1−α)^(−3/2) as α approaches 1. From 0 to π it is [`tip_over_time`](Self::tip_over_time) × (1+α)^(−3/2) (1−α)^(−1/2). Domain: 0 ≤ θ₀, θ₁ ≤ π.
     ///
     /// ```
     /// use spinning_bodies::tippe_top::HoopWithClay;
     /// let hoop = HoopWithClay::new(1.0, 1.0, 0.5, 0.5, 0.125, 8.0)?; // I = ½ kg m², f = 1 N
     /// let time = hoop.refined_time(4.0, 0.0, std::f64::consts::PI);
     /// assert!((time / hoop.tip_over_time(4.0) - 1.5_f64.powf(-1.5) * 0.5_f64.powf(-0.5)).abs() < 1e-15);
+    /// // A short way, at the rate that it begins with.
+    /// let way = (1.0 + 1e-9) - 1.0;
+    /// let time = hoop.refined_time(4.0, 1.0, 1.0 + 1e-9);
+    /// assert!((time * hoop.refined_rate(4.0, 1.0, 1.0) / way - 1.0).abs() < 2e-9);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn refined_time(&self, spin: f64, start: f64, end: f64) -> f64 {
         let a = self.alpha;
-        let square = (1.0 - a) * (1.0 + a);
-        // A primitive of 1/(1 − α cos θ)² that vanishes at 0 and is continuous up to π.
-        let primitive = |tilt: f64| {
-            let (sin, cos) = (0.5 * tilt).sin_cos();
-            let turn = 2.0 * ((1.0 + a).sqrt() * sin).atan2((1.0 - a).sqrt() * cos);
-            (turn / square.sqrt() + a * tilt.sin() / (1.0 - a * tilt.cos())) / square
-        };
-        (primitive(end) - primitive(start)) * (1.0 - a * start.cos()) / self.tip_rate(spin)
+        let (low, high) = (1.0 - a, 1.0 + a);
+        let [(s, c), (sin, cos)] = [start, end].map(|tilt| (0.5 * tilt).sin_cos());
+        // With tan v/2 = √((1+α)/(1−α)) tan θ/2 the integral of 1/(1 − α cos θ)² is that of (1 + α cos v)/(1 − α²)^(3/2). Half the way in v, and its middle:
+        let root = (low * high).sqrt();
+        let half = (root * (0.5 * (end - start)).sin()).atan2(low * c * cos + high * s * sin);
+        let middle = 2.0 * (high.sqrt() * s).atan2(low.sqrt() * c) + half;
+        let integral = 2.0 * (half + a * half.sin() * middle.cos()) / (low * high * root);
+        integral * height(self.alpha, start) / self.tip_rate(spin)
     }
 
     /// |L| at tilt θ₁ over |L| at θ₀, by Jellett's integral: (1 − α cos θ₀)/(1 − α cos θ₁).
@@ -167,7 +169,7 @@ impl HoopWithClay {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn spin_ratio(&self, start: f64, end: f64) -> f64 {
-        (1.0 - self.alpha * start.cos()) / (1.0 - self.alpha * end.cos())
+        height(self.alpha, start) / height(self.alpha, end)
     }
 
     /// ε Ω²/(μ g), which must be large for the estimate, so that the slip keeps its direction.

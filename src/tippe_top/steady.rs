@@ -4,7 +4,7 @@ use core::f64::consts::PI;
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::bodies::{eccentric_ball, offset};
+use super::bodies::{eccentric_ball, height, offset};
 use super::body::ConvexBody;
 use crate::error::{Result, finite, positive};
 use crate::search::halved;
@@ -117,18 +117,29 @@ impl TippeTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn jellett_of_spin(&self, spin: f64, tilt: f64) -> f64 {
-        self.radius * self.axial * spin * (tilt.cos() - self.alpha)
+        self.radius * self.axial * spin * self.arm(tilt)
     }
 
-    /// D(θ) = I1 sin² θ + I3 (cos θ − α)², by cos θ: kg m².
-    fn effective_inertia(&self, cos: f64) -> f64 {
-        let across = (1.0 - cos) * (1.0 + cos);
-        self.transverse * across + self.axial * (cos - self.alpha) * (cos - self.alpha)
+    /// cos θ − α, for small tilts from 1 − cos θ, which the cosine would lose beside a small 1 − α.
+    fn arm(&self, tilt: f64) -> f64 {
+        let half = (0.5 * tilt).sin();
+        match tilt.abs() < 1.0 {
+            true => (1.0 - self.alpha) - 2.0 * half * half,
+            false => tilt.cos() - self.alpha,
+        }
     }
 
-    /// I3 α − (I3 − I1) cos θ, which must be positive for a steady precession at θ.
-    fn steadying(&self, cos: f64) -> f64 {
-        self.axial * self.alpha - (self.axial - self.transverse) * cos
+    /// D(θ) = I1 sin² θ + I3 (cos θ − α)², kg m².
+    fn effective_inertia(&self, tilt: f64) -> f64 {
+        let (sin, arm) = (tilt.sin(), self.arm(tilt));
+        self.transverse * sin * sin + self.axial * arm * arm
+    }
+
+    /// φ̇ of the steady state at tilt θ, if there is one.
+    fn precession(&self, tilt: f64) -> Option<f64> {
+        let steadying = self.axial * self.alpha - (self.axial - self.transverse) * tilt.cos();
+        let pull = self.mass * self.gravity * self.alpha * self.radius;
+        (steadying > 0.0).then(|| (pull / steadying).sqrt())
     }
 
     /// V(θ), the least energy at tilt θ and Jellett's integral λ: J.
@@ -143,10 +154,9 @@ impl TippeTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn effective_potential(&self, tilt: f64, jellett: f64) -> f64 {
-        let cos = tilt.cos();
         let spin = jellett / self.radius;
-        0.5 * spin * spin / self.effective_inertia(cos)
-            + self.mass * self.gravity * self.radius * (1.0 - self.alpha * cos)
+        0.5 * spin * (spin / self.effective_inertia(tilt))
+            + self.mass * self.gravity * self.radius * height(self.alpha, tilt)
     }
 
     /// Jellett's integral λ = R φ̇ D(θ) of the steady state at tilt θ, if there is one: no slip, C at rest, Ω = φ̇ (z − α e), φ̇² = M g α R/(I3 α − (I3 − I1) cos θ).
@@ -166,11 +176,8 @@ impl TippeTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn steady_jellett(&self, tilt: f64) -> Option<f64> {
-        let cos = tilt.cos();
-        let steadying = self.steadying(cos);
-        let pull = self.mass * self.gravity * self.alpha * self.radius;
-        let precession = || (pull / steadying).sqrt();
-        (steadying > 0.0).then(|| self.radius * precession() * self.effective_inertia(cos))
+        let precession = self.precession(tilt)?;
+        Some(self.radius * precession * self.effective_inertia(tilt))
     }
 
     /// Least spin (rad/s) about the upright axis at which the top rises, if any.
@@ -183,8 +190,8 @@ impl TippeTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn least_spin_to_rise(&self) -> Option<f64> {
-        let unit = self.jellett_of_spin(1.0, 0.0);
-        self.steady_jellett(0.0).map(|jellett| jellett / unit)
+        let precession = self.precession(0.0)?;
+        Some(precession * (1.0 - self.alpha))
     }
 
     /// Least spin (rad/s) about the upright axis at which the top turns over completely, if any: enough to rise, and enough to stand inverted.
@@ -205,14 +212,15 @@ impl TippeTop {
         if self.inversion() != Inversion::Complete {
             return None;
         }
-        let stand = self.steady_jellett(PI)? / self.jellett_of_spin(1.0, 0.0);
+        let (low, high) = (1.0 - self.alpha, 1.0 + self.alpha);
+        let stand = self.precession(PI)? * high * (high / low);
         Some(self.least_spin_to_rise()?.max(stand))
     }
 
     /// The final tilt (rad) of a top with Jellett's integral λ that starts at tilt `start` without excess energy: the first
     /// minimum of the effective potential downhill, or if there is none π for a rising top, 0 for a sinking one.
     ///
-    /// V′ as a function of cos θ is a quartic over a square; its sign is scanned in 4096 steps of θ and the change located to
+    /// The sign of V′ is that of the steady state's λ less this one; it is scanned in 4096 steps of θ and the change located to
     /// rounding. A start with much excess energy (a slow top spun about its own tilted axis) may leave that valley.
     ///
     /// # Errors
@@ -230,16 +238,13 @@ impl TippeTop {
     pub fn final_tilt(&self, jellett: f64, start: f64) -> Result<f64> {
         let lambda = finite("Jellett's integral", jellett)?;
         let start = finite("the tilt at the start", start)?.clamp(0.0, PI);
-        let weight = self.mass * self.gravity * self.radius * self.radius * self.radius;
-        let pull = weight * self.alpha;
-        // The sign of dV/d(cos θ), over positive factors: positive where the top rises.
-        let lift = |tilt: f64| {
-            let cos = tilt.cos();
-            let inertia = self.effective_inertia(cos);
-            lambda * lambda * self.steadying(cos) - pull * inertia * inertia
+        // V falls with θ where λ is greater than that of a steady state.
+        let rises = |tilt: f64| {
+            let steady = self.steady_jellett(tilt);
+            steady.is_some_and(|steady| lambda.abs() > steady)
         };
-        let rising = lift(start) > 0.0;
-        let still = |tilt: f64| (lift(tilt) > 0.0) == rising;
+        let rising = rises(start);
+        let still = |tilt: f64| rises(tilt) == rising;
         let goal = if rising { PI } else { 0.0 };
         let tilt = |step: u32| start + (goal - start) * f64::from(step) / f64::from(STEPS);
         let Some(step) = (1..=STEPS).find(|&step| !still(tilt(step))) else {

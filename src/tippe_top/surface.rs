@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::error::{Result, each, positive};
+use crate::error::{Result, each, positive, within};
 use crate::frame::Attitude;
 
 type Vector = Vector3<f64>;
@@ -36,15 +36,21 @@ impl Surface {
     /// The ellipsoid with these semi-axes (m) along the body's axes.
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite).
+    /// [`Error::NotPositive`](crate::Error::NotPositive), [`Error::NotFinite`](crate::Error::NotFinite); the latter or [`Error::OutOfRange`](crate::Error::OutOfRange) for
+    /// a semi-axis whose square no double holds to the last digits.
     ///
     /// ```
     /// use spinning_bodies::tippe_top::Surface;
     /// assert!(Surface::ellipsoid([0.2, 0.03, 0.02]).is_ok() && Surface::ellipsoid([0.2, 0.03, 0.0]).is_err());
+    /// assert!(Surface::ellipsoid([1e-200; 3]).is_err() && Surface::ellipsoid([1e200; 3]).is_err());
     /// ```
     pub fn ellipsoid(semi_axes: [f64; 3]) -> Result<Self> {
         each(positive, "a semi-axis of the surface", semi_axes)?;
         let squares = Vector3::from(semi_axes).map(|axis| axis * axis);
+        for &square in &squares {
+            let quantity = "the square of a semi-axis of the surface";
+            within(quantity, square, f64::MIN_POSITIVE, f64::MAX)?;
+        }
         let size = (squares.sum() / 3.0).sqrt();
         let squares = Some(Matrix3::from_diagonal(&squares));
         Ok(Self { size, squares })

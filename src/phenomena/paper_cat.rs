@@ -88,12 +88,15 @@ impl PaperCat {
     /// // Aimed ten times as well, it falls this much further upside down.
     /// let fall = PaperCat::POSTCARD.fall_per_decade(1.2, 9.81);
     /// assert!(fall > 0.0 && fall < 1.0);
+    /// // With its weight above the centre of pressure it stays upside down.
+    /// let heavy_back = PaperCat { lever: -6e-3, ..PaperCat::POSTCARD };
+    /// assert_eq!(heavy_back.fall_per_decade(1.2, 9.81), f64::INFINITY);
     /// ```
     pub fn fall_per_decade(&self, air: f64, g: f64) -> f64 {
         let speed = self.terminal_speed(air, g);
         let moment = self.mass * self.gyration.powi(2);
         let half = 0.5 * self.grip(air) * speed * self.damping / moment;
-        let stiffness = self.mass * g * self.lever / moment;
+        let stiffness = self.mass * g * self.lever.clamp(0.0, f64::INFINITY) / moment;
         // The positive root, formed without a difference.
         let rate = stiffness / (half + (half * half + stiffness).sqrt());
         speed * core::f64::consts::LN_10 / rate

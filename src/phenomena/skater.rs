@@ -43,13 +43,14 @@ impl Skater {
     /// let skater = Skater::new(1.0, 2.0)?;
     /// // 1 + 2·2·1² kg m².
     /// assert_eq!(skater.reach(5.0)?, 1.0);
+    /// assert!((Skater::new(1.0, 2e-320)?.reach(5.0)? / 1e160 - 1.0).abs() < 1e-4);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn reach(&self, moment: f64) -> Result<f64> {
         let hand = positive("the mass of a hand", self.hand)?;
         let rest = moment - self.core;
         let rest = not_negative("the moment of inertia left to the hands", rest)?;
-        Ok((rest / (2.0 * hand)).sqrt())
+        Ok((0.5 * rest).sqrt() / hand.sqrt())
     }
 
     /// Angular velocity, rad/s, at angular momentum `l` (kg m²/s) with the hands at this distance: Ω = L/I.

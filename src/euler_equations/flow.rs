@@ -128,7 +128,7 @@ pub fn fastest_flow(moments: &PrincipalMoments) -> f64 {
 /// start. Where accuracy matters, [`EulerTop`](crate::euler_top::EulerTop) has the closed form. Negative steps run backwards. Cost: 4·`count` evaluations of [`flow`].
 ///
 /// # Errors
-/// [`Error::NotFinite`](crate::Error::NotFinite) for the start or the step.
+/// [`Error::NotFinite`](crate::Error::NotFinite) for the start or the step, or where a step is so long that a point overflows.
 ///
 /// ```
 /// use spinning_bodies::{euler_equations::{AxisMoments, streamline}, frame::BodyVector};
@@ -136,6 +136,7 @@ pub fn fastest_flow(moments: &PrincipalMoments) -> f64 {
 /// let line = streamline(&moments, BodyVector::new(0.6, 0.0, 0.8), 0.1, 50)?;
 /// assert_eq!(line.len(), 51);
 /// assert!((line[50].norm() - 1.0).abs() < 1e-14);
+/// assert!(streamline(&moments, BodyVector::new(0.6, 0.0, 0.8), 1e200, 50).is_err());
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn streamline(
@@ -159,7 +160,7 @@ pub fn streamline(
         } else {
             now
         };
-        l = now.into();
+        l = finite_vector("the angular momentum", now)?.into();
         points.push(now);
     }
     Ok(points)

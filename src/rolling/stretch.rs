@@ -118,8 +118,13 @@ impl Laws {
             (Hold::Held, Some(m)) => (kappa * (ground - push) + twist + m) / (1.0 + kappa),
             (Hold::Held, None) => ground - push,
         };
+        let velocity = match (slipping, couple) {
+            // Not by way of the friction: where the loads nearly balance, their sum keeps its digits.
+            (Hold::Held, Some(m)) => ((push + twist) + m + kappa * ground) / (1.0 + kappa),
+            (Hold::Held, None) => ground,
+            _ => push + friction,
+        };
         let couple = couple.unwrap_or(friction - twist);
-        let velocity = push + friction;
         let rim_speed = match (turning, slipping) {
             (Hold::Held, _) => 0.0,
             // Computed from the acceleration of the centre, so that rolling stays rolling.

@@ -209,19 +209,22 @@ impl Fall {
     /// Cost: about 50 evaluations of the equations a unit of time.
     ///
     /// # Errors
-    /// [`Error::NotPositive`](crate::Error::NotPositive) and [`Error::NotFinite`](crate::Error::NotFinite) for the times;
-    /// [`Error::OutOfRange`](crate::Error::OutOfRange) beyond 200 000 units; as [`path`](Self::path).
+    /// [`Error::NotPositive`](crate::Error::NotPositive) and [`Error::NotFinite`](crate::Error::NotFinite) for the times, the former also for a window that is
+    /// nothing beside the run-up; [`Error::OutOfRange`](crate::Error::OutOfRange) beyond 200 000 units; as [`path`](Self::path).
     ///
     /// ```
     /// use spinning_bodies::falling_strip::{Coefficients, Fall, Regime, Start};
     /// let light = Fall::new(1.0, Coefficients::PUBLISHED)?;
     /// assert_eq!(light.long_run(Start::TILTED, 100.0, 100.0)?.regime, Regime::Flutter);
+    /// assert!(light.long_run(Start::TILTED, 100.0, 1e-15).is_err());
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn long_run(&self, start: Start, run_up: f64, window: f64) -> Result<LongRun> {
         let run_up = positive("the run-up", run_up)?;
         let window = positive("the window", window)?;
         within("the window of a long run", window.max(run_up), 0.0, LONGEST)?;
+        // Too short a window would have no time between its ends.
+        positive("the window beside the run-up", (run_up + window) - run_up)?;
         let count = (window / SAMPLE).ceil();
         let step = window / count;
         let times: Vec<f64> = (0..=count as usize)

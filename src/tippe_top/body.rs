@@ -19,6 +19,12 @@ pub struct ConvexBody {
     pub(super) center: Vector3<f64>,
 }
 
+/// The inverse, formed in units of the matrix's size: a product of three entries may leave the range of doubles.
+pub(super) fn inverse(matrix: &Matrix3<f64>) -> Option<Matrix3<f64>> {
+    let unit = power_of_two_below(matrix.amax()).recip();
+    (matrix * unit).try_inverse().map(|m| m * unit)
+}
+
 impl ConvexBody {
     /// The body of this mass (kg) and inertia matrix about C (kg m²), whose surface has its centre K at `center` (m, from C).
     ///
@@ -42,10 +48,7 @@ impl ConvexBody {
     ) -> Result<Self> {
         let mass = positive("the mass", mass)?;
         finite_vector("the centre of the surface", center)?;
-        // In units of its size: a determinant of three moments may leave the range of doubles.
-        let matrix = inertia.matrix();
-        let unit = power_of_two_below(matrix.amax());
-        let inverse = (matrix / unit).try_inverse().map(|m| m / unit);
+        let inverse = inverse(&inertia.matrix());
         let inverse = inverse.filter(|m| m.iter().all(|x| x.is_finite()));
         let inverse = inverse.ok_or(Error::Condition {
             condition: "a body on a table must have three positive moments of inertia",

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
-use super::body::{ConvexBody, Start};
+use super::body::{ConvexBody, Start, inverse};
 use super::friction::{Friction, Resistance};
 use crate::frame::Attitude;
 
@@ -264,7 +264,7 @@ impl Yielding {
     /// The force that holds the point at rest.
     pub(crate) fn holding(&self) -> Vector3<f64> {
         // The matrix is positive definite except for the couple; a result that is not finite makes the step fail.
-        let inverse = self.matrix.try_inverse();
+        let inverse = inverse(&self.matrix);
         inverse.map_or_else(|| Vector3::repeat(f64::NAN), |inverse| inverse * -self.free)
     }
 

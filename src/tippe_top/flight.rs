@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::body::ConvexBody;
+use super::body::{ConvexBody, inverse};
 use super::equations::{Numbers, Pose, Table, Yielding};
 use super::friction::Friction;
 use crate::error::{Result, stopped};
@@ -303,8 +303,8 @@ impl ConvexBody {
         let velocity = pose.level + pose.up * climb;
         let arm = self.arm(&pose.up);
         let change = contact - (velocity + pose.omega.cross(&arm));
-        let inverse = self.yielding(&arm).try_inverse();
-        let impulse = inverse.unwrap_or_else(Matrix3::zeros) * change;
+        let inverse = inverse(&self.yielding(&arm));
+        let impulse = inverse.unwrap_or(Matrix3::repeat(f64::NAN)) * change;
         let omega = pose.omega + self.inverse * arm.cross(&impulse);
         let after = velocity + impulse / self.mass;
         let level = pose.turn * after;

@@ -254,6 +254,9 @@ fn jacobian<const N: usize>(
 /// // An egg on its end falls, as e to the 2.84 t.
 /// let egg = rolling_growth_rates(&bodies::egg(1.0, 1.0, 0.1)?, 9.81, -1.0)?;
 /// assert!((egg[0].growth - 2.8425).abs() < 1e-4 && egg[3].growth < -2.8);
+/// // Its mass does not matter.
+/// let heavy = rolling_growth_rates(&bodies::egg(2f64.powi(900), 1.0, 0.1)?, 9.81, -1.0)?;
+/// assert_eq!(heavy[0].growth, egg[0].growth);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn rolling_growth_rates(body: &ConvexBody, gravity: f64, spin: f64) -> Result<[Rate; 4]> {

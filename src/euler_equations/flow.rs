@@ -21,14 +21,14 @@ use crate::inertia::PrincipalMoments;
 pub fn flow(moments: &AxisMoments, l: BodyVector) -> BodyVector {
     let [i1, i2, i3] = moments.values();
     BodyVector::new(
-        slower(i2, i3) * l.y() * l.z(),
-        slower(i3, i1) * l.z() * l.x(),
-        slower(i1, i2) * l.x() * l.y(),
+        inverse_difference(i2, i3) * l.y() * l.z(),
+        inverse_difference(i3, i1) * l.z() * l.x(),
+        inverse_difference(i1, i2) * l.x() * l.y(),
     )
 }
 
 /// 1/J − 1/I without overflow on the way.
-fn slower(i: f64, j: f64) -> f64 {
+fn inverse_difference(i: f64, j: f64) -> f64 {
     (i - j) / i.max(j) / i.min(j)
 }
 
@@ -83,7 +83,7 @@ pub fn equilibria(moments: &AxisMoments) -> [Equilibrium; 6] {
                 (true, true) => Nature::Saddle,
                 (true, false) => Nature::Center,
             },
-            growth_squared: slower(i[j], i[axis]) * slower(i[axis], i[k]),
+            growth_squared: inverse_difference(i[j], i[axis]) * inverse_difference(i[axis], i[k]),
         }
     })
 }
@@ -119,7 +119,7 @@ pub fn separatrix_slope(moments: &PrincipalMoments) -> f64 {
 /// ```
 pub fn fastest_flow(moments: &PrincipalMoments) -> f64 {
     let [i1, _, i3] = moments.values();
-    0.5 * slower(i3, i1)
+    0.5 * inverse_difference(i3, i1)
 }
 
 /// The points that the flow of L passes at times 0, `step`, …, `count`·`step` seconds (5.1).

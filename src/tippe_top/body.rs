@@ -20,8 +20,9 @@ pub struct ConvexBody {
 }
 
 /// The inverse, formed in units of the matrix's size: a product of three entries may leave the range of doubles.
+#[inline]
 pub(super) fn inverse(matrix: &Matrix3<f64>) -> Option<Matrix3<f64>> {
-    let unit = power_of_two_below(matrix.amax()).recip();
+    let unit = power_of_two_below(matrix.trace()).recip();
     (matrix * unit).try_inverse().map(|m| m * unit)
 }
 

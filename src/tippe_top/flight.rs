@@ -103,7 +103,8 @@ impl Flight {
         loop {
             looked(after)?;
             let gap = self.gap(after)?;
-            if gap <= 0.0 {
+            // Just after the start the gap is none but for rounding.
+            if gap < -16.0 * f64::EPSILON * reach {
                 let open = |t| {
                     looked(t)?;
                     Ok(self.gap(t)? > 0.0)

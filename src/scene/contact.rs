@@ -606,9 +606,11 @@ impl Flow<NUMBERS> for OnTheTable {
             (Mode::Leaving, Some(law)) if slip < 0.5 * self.left(law) => self.stopped(law, y),
             (Mode::Stopping, Some(law)) if slip <= 2.0 * self.still() => self.stopped(law, y),
             (Mode::Stopping, Some(law)) if slip < 0.5 * self.left(law) => {
-                // The slip has passed its rest, or has come as close to it as the steps resolve.
+                // The slip has passed its rest, or has come as close to it as the steps resolve. One that still goes another way than it would leave has yet to stop.
+                let leaving = self.contact(&Mode::Leaving, &Pose::of(y));
                 match self.holds(law, y) {
                     true => self.stopped(law, y),
+                    false if leaving.slip.dot(&leaving.traction) > 0.0 => Mode::Stopping,
                     false => Mode::Leaving,
                 }
             }

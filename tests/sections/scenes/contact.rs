@@ -169,8 +169,7 @@ fn rolling_becomes_sliding_where_the_cone_ends() {
     let scene = table.with(Coulomb::new(0.05).unwrap()).unwrap();
     let at = |accuracy: f64| scene.phases(&asking([1.0], accuracy)).unwrap();
     let (phases, again) = (at(1e-8), at(1e-6));
-    let begun = [phases[0].support, phases[1].support];
-    assert_eq!(begun, [Support::Rolling, Support::Sliding]);
+    assert!(phases[0].support == Support::Rolling && phases[1].support == Support::Sliding);
     assert!((phases[1].start - again[1].start).abs() < 1e-6);
     // Before that it rolls as if the table could hold anything, after that not.
     let before = 0.9 * phases[1].start;
@@ -218,6 +217,9 @@ fn a_body_hops_rather_than_be_pulled() -> Result<()> {
     for scene in [table.with(rough)?, table.with(dry)?, table] {
         check(scene.simulate(&request)?, scene.phases(&request)?.len());
     }
+    // A body thrown up at once is in the air from the start, and does not land there.
+    let thrown = "kind = \"table-top\"\n[body]\nmass = 0.2\nmoments = [4, 4, 8]\nsemi_axes = [5, 6, 5]\nsurface_turn = -2.2\n[initial]\ntilt = 1.5707963267948966\naxial_spin = 12\n[effects]\ngravity = 9.81\n[run]\ntimes = [0, 1e-20, 1e-12]\n";
+    assert_eq!(last(thrown, ["support"]), [2.0]);
     // All that the search for a landing looks at is counted, the fifty halvings in which each is located too: without them it is 2985.
     let progress = Progress::default();
     table.simulate(&request.watched(&progress))?;
@@ -229,9 +231,8 @@ fn a_body_hops_rather_than_be_pulled() -> Result<()> {
 #[test]
 fn pure_rolling_ends_where_nothing_presses_and_a_level_force_is_needed() -> Result<()> {
     let scene = rocking(90.0).with(NoSlip)?;
-    let refused = scene.simulate(&asking([0.4], 1e-8)).unwrap_err();
-    let Error::Integration { reason, time } = refused else {
-        panic!("{refused}");
+    let Err(Error::Integration { reason, time }) = scene.simulate(&asking([0.4], 1e-8)) else {
+        panic!("it rolls on");
     };
     // Within the first turn, and not after a hundred thousand changes.
     assert!(reason.contains("pure rolling") && time < TAU / 90.0);
@@ -290,12 +291,15 @@ fn a_contact_that_friction_jams_sticks() -> Result<()> {
 
 /// Friction jams the first of these contacts after a while of sliding; of the second it jams two, and lets go of one that rolls where slip would press the body on the table;
 /// of the third it jams one at a tilt at which it is all but jammed still when its slip has been slowed.
+/// In the last, friction so nearly jams the contact that the slip takes very long to stop.
 #[test]
 fn at_a_jam_too_a_smoothed_law_tends_to_coulombs() {
     let jams = "kind = \"table-top\"\n[body]\nmass = 0.115\nshape = \"ellipsoid\"\nsemi_axes = [0.0023, 0.0062, 0.0031]\n[initial]\nattitude = [0.58, -0.436, 0.664, -0.181]\nomega = [14, 60, 13]\n[run]\ntimes = [0.02]\naccuracy = 1e-8\n[effects]\ngravity = 9.81\nfriction = 1.9\nfriction_law = ";
     let lets_go = "kind = \"table-top\"\n[body]\nmass = 0.0197\ninertia = [1.02e-6, 1.02e-6, 1.03e-6, -7.28e-8, -5e-8, -7.78e-8]\nsemi_axes = [0.0661, 0.112, 0.106]\nsurface_turn = -2\nsurface_center = [0, 0, -0.0238]\n[initial]\nattitude = [-0.176, 0.601, -0.779, 0.0299]\nomega = [-14.9, 8.73, 17.2]\nvelocity = [-0.986, -0.507, 0]\n[run]\ntimes = [0.8]\naccuracy = 1e-8\n[effects]\ngravity = 9.81\nfriction = 0.891\nfriction_law = ";
     let slows = "kind = \"table-top\"\n[body]\nmass = 3.08\nmoments = [4.95e-5, 7.93e-5, 3.4e-5]\nsemi_axes = [0.0835, 0.205, 0.277]\nsurface_turn = -2.89\nsurface_center = [0, 0, -0.0573]\n[initial]\ntilt = 0.182\nazimuth = 0\naxial_spin = 0\nvelocity = [2.36, 0.505, 0]\n[run]\ntimes = [0.266]\naccuracy = 1e-8\n[effects]\ngravity = 9.81\nfriction = 0.741\nfriction_law = ";
-    for (file, column) in [(jams, "omega3"), (lets_go, "omega3"), (slows, "energy")] {
+    let creeps = "kind = \"table-top\"\n[body]\nmass = 0.00395\nmoments = [1.26e-5, 2.04e-6, 1.27e-5]\nsemi_axes = [0.0543, 0.0491, 0.0965]\nsurface_turn = -0.554\nsurface_center = [0, 0, 0.0056]\n[initial]\ntilt = 0.57\naxial_spin = -11.2\n[run]\ntimes = [0.25]\naccuracy = 1e-3\n[effects]\ngravity = 0.148\nfriction = 1\nfriction_law = ";
+    let turning = [jams, lets_go, creeps].map(|file| (file, "omega3"));
+    for (file, column) in turning.into_iter().chain([(slows, "energy")]) {
         let end = |law: &str| last(&[file, law].concat(), [column])[0];
         let dry = end("\"coulomb\"");
         let off = |slip: f64| (end(&format!("\"smoothed\"\nfriction_slip = {slip}")) - dry).abs();
@@ -381,8 +385,7 @@ fn rows_at_the_moment_of_an_event_are_told() {
     let scene = heavy(body, start).with(Coulomb::new(0.3).unwrap()).unwrap();
     let phases = |t: f64| scene.phases(&Request::at([t]).unwrap()).unwrap();
     let [landing, rolling] = *phases(0.2).last_chunk().unwrap();
-    let begun = [landing.support, rolling.support];
-    assert_eq!(begun, [Support::Sliding, Support::Rolling]);
+    assert!(landing.support == Support::Sliding && rolling.support == Support::Rolling);
     for Phase { start, .. } in [landing, rolling] {
         let times: Vec<f64> = (-15..16).map(|k| start + 4e-11 * f64::from(k)).collect();
         let motion = motion(&scene, &times, 1e-10);

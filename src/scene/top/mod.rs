@@ -30,8 +30,9 @@ use closed::ClosedForm;
 use equations::Turning;
 use ledger::Conserved;
 
-/// The reason for a plan that leaves a closed form.
+/// The reasons for a plan that leaves a closed form.
 const NEAR_A_DOUBLE_ROOT: &str = "near a double root, where the closed form refuses times as long";
+const SHORT: &str = "a motion so short that the closed form loses digits of its rates";
 
 /// The most requested times at which a closed form is compared with one from a displaced start.
 const OF_THE_TIMES: usize = 64;
@@ -77,14 +78,15 @@ impl Top {
         let Some(closed) = closed else {
             return self.stepped(plan, request, &conserved);
         };
+        let double = matches!(closed, ClosedForm::Kovalevskaya(..));
+        let short = self.pace()? * request.furthest.abs() < 1.0;
         match self.known(plan, &closed, request, &conserved) {
-            // Where the motion amplifies rounding too much, or the solution cannot be continued as far.
+            // Where the motion amplifies rounding too much, or the solution cannot be continued as far, or rates are still very small.
             Err(Error::Integration { .. } | Error::OutOfRange { .. } | Error::Amplified { .. })
-                if request.choice == Choice::Auto
-                    && matches!(closed, ClosedForm::Kovalevskaya(..)) =>
+                if request.choice == Choice::Auto && (double || short) =>
             {
-                let plan = Plan::stepped(NEAR_A_DOUBLE_ROOT);
-                self.stepped(plan, request, &conserved)
+                let reason = [NEAR_A_DOUBLE_ROOT, SHORT][usize::from(short)];
+                self.stepped(Plan::stepped(reason), request, &conserved)
             }
             done => done,
         }

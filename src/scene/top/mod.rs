@@ -78,17 +78,20 @@ impl Top {
         let Some(closed) = closed else {
             return self.stepped(plan, request, &conserved);
         };
-        let double = matches!(closed, ClosedForm::Kovalevskaya(..));
-        let short = self.pace()? * request.furthest.abs() < 1.0;
-        match self.known(plan, &closed, request, &conserved) {
+        let instead = match closed {
+            _ if self.pace()? * request.furthest.abs() < 1.0 => Some(SHORT),
+            ClosedForm::Kovalevskaya(..) => Some(NEAR_A_DOUBLE_ROOT),
+            _ => None,
+        };
+        match (self.known(plan, &closed, request, &conserved), instead) {
             // Where the motion amplifies rounding too much, or the solution cannot be continued as far, or rates are still very small.
-            Err(Error::Integration { .. } | Error::OutOfRange { .. } | Error::Amplified { .. })
-                if request.choice == Choice::Auto && (double || short) =>
-            {
-                let reason = [NEAR_A_DOUBLE_ROOT, SHORT][usize::from(short)];
+            (
+                Err(Error::Integration { .. } | Error::OutOfRange { .. } | Error::Amplified { .. }),
+                Some(reason),
+            ) if request.choice == Choice::Auto => {
                 self.stepped(Plan::stepped(reason), request, &conserved)
             }
-            done => done,
+            (done, _) => done,
         }
     }
 

@@ -7,7 +7,7 @@ use super::file::*;
 use crate::impacts::{Meteorite, Planet};
 use crate::rolling::{RoundBody, SheetSpeeds, Spool};
 use crate::scene::{Roller, StruckPlanet, Superball, TuggedSpool};
-use crate::superball::{Flight, InFlight, Motion};
+use crate::superball::{InFlight, Motion};
 
 section! {
     /// `[body]` of a roller.
@@ -212,9 +212,8 @@ pub fn superball(file: &File<'_, BallBody, BallInitial, BallEffects>) -> Made<Su
         bounces: 0,
     };
     let kappa = kappa(file, file.body.inertia_factor, file.body.shape)?;
-    let flight = Flight::new(kappa, f64::INFINITY, (None, None, None), start);
-    file.right("initial.height, initial.climb", flight)?;
-    let ball = file.right("body.mass", Superball::new(file.body.mass, kappa, start))?;
+    let ball = Superball::new(file.body.mass, kappa, start);
+    let ball = file.right("initial.height, initial.climb", ball)?;
     let ball = ball.under(effects.ceiling.unwrap_or(f64::INFINITY));
     file.right("effects.ceiling, initial.height", ball.flight.checked())?;
     let given = [effects.restitution, effects.tangential_restitution];

@@ -1,7 +1,6 @@
 //! `kind = "yo-yo"`: a yo-yo, let go or thrown (4.9).
 
 use super::file::*;
-use crate::error::finite;
 use crate::scene::Play;
 use crate::yo_yo::YoYo;
 
@@ -59,10 +58,8 @@ fn toy(file: &Reader<'_>, body: &YoYoBody) -> Option<YoYo> {
     let (mass, length, axle) = (body.mass, body.length, body.axle);
     let toy = match (body.inertia, body.radius) {
         (Some(inertia), None) => {
-            let ratio = finite("the inertia over the mass", inertia / mass);
-            file.right("body.inertia, body.mass", ratio)?;
-            let made = YoYo::new(mass, inertia, length, axle);
-            file.right("body.axle, body.length", made)
+            let keys = "body.axle, body.length, body.mass, body.inertia";
+            file.right(keys, YoYo::new(mass, inertia, length, axle))
         }
         (None, Some(radius)) if axle > radius => {
             let told = format!(" must not exceed `radius`, {radius:?}, got {axle:?}");

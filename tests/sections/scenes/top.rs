@@ -147,13 +147,14 @@ fn more_is_told_of_a_top_that_hardly_moves() {
         let start = Start::with_omega(BodyVector::zero(), attitude());
         let top = heavy(body(moments, center), start, G);
         let told = |t: f64| {
-            let motion = top.simulate(&asking([t], 1e-6)).unwrap();
-            assert_eq!(motion.plan.solver, Solver::Exact, "{moments:?}");
-            motion.error_estimate
+            let exact = using(&asking([t], 1e-6), Solver::Exact);
+            top.simulate(&exact).unwrap().error_estimate
         };
         assert!(told(1e-6) > 1e3 * told(1e-2), "{moments:?}");
-        // Steps keep the digits that the closed form loses.
-        top.simulate(&asking([0.0, 1e-6], 1e-10)).unwrap();
+        // Steps keep the digits that the closed form loses: at first Ω grows in proportion to the time.
+        let omega = |t| top.simulate(&asking([t], 1e-10)).unwrap().rows[0].1.omega;
+        let off = (omega(1e-6) - omega(5e-7) * 2.0).norm() / omega(1e-6).norm();
+        observed!(off, 1e-13..=5e-12);
     }
 }
 
@@ -254,8 +255,7 @@ fn leaving_an_effect_out_changes_the_answer_and_its_zero_does_not() {
         // The order of listing is none.
         others.reverse();
         let reversed = run(with(&others));
-        assert_eq!(reversed.rows, absent.rows);
-        assert_eq!(reversed.cost, absent.cost);
+        assert!(reversed.rows == absent.rows && reversed.cost == absent.cost);
     }
 }
 

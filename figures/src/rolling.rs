@@ -126,7 +126,7 @@ pub fn billiard(values: &Values) -> Result<Figure> {
         pen.dot([ZERO, level(sweet)], 5.5);
         pen.label([10.0, 30.0], Start, "*H*/*R*");
         pen.text([DIAL, 30.0], Middle, "spin", label(Omega));
-        pen.label([ZERO, 30.0], Middle, "slip / *V*\u{2032}");
+        pen.label([ZERO, 30.0], Middle, "slip / *V*\u{200a}\u{2032}");
         // Arrows go to the right below the height of rolling, to the left above it: words stand on the other side.
         pen.note([ZERO + 14.0, level(2.0) + 2.0], Start, "turns too fast");
         for (height, text) in [(0.5 * (1.0 + sweet), "too slowly"), (0.5, "backwards")] {

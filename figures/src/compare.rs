@@ -56,21 +56,21 @@ fn tokens(document: &str) -> Vec<Token<'_>> {
     let mut found = Vec::new();
     let mut rest = document;
     while let Some(start) = rest.find('<') {
-        found.extend(rest[..start].split_whitespace().map(Token::Other));
+        found.extend(rest[..start].split_ascii_whitespace().map(Token::Other));
         let end = rest[start..]
             .find('>')
             .map_or(rest.len(), |k| start + k + 1);
         tag_tokens(&rest[start..end], &mut found);
         rest = &rest[end..];
     }
-    found.extend(rest.split_whitespace().map(Token::Other));
+    found.extend(rest.split_ascii_whitespace().map(Token::Other));
     found
 }
 
 fn tag_tokens<'a>(tag: &'a str, found: &mut Vec<Token<'a>>) {
     let mut pieces = tag.split('"');
     while let Some(before) = pieces.next() {
-        found.extend(before.split_whitespace().map(Token::Other));
+        found.extend(before.split_ascii_whitespace().map(Token::Other));
         let name = before.trim().trim_end_matches('=');
         let name = name.rsplit(char::is_whitespace).next().unwrap_or(name);
         let Some(value) = pieces.next() else {
@@ -80,7 +80,7 @@ fn tag_tokens<'a>(tag: &'a str, found: &mut Vec<Token<'a>>) {
             let coordinates = value.split([' ', ',']).filter(|n| !n.is_empty());
             found.extend(coordinates.map(Token::Coordinate));
         } else {
-            found.extend(value.split_whitespace().map(Token::Other));
+            found.extend(value.split_ascii_whitespace().map(Token::Other));
         }
     }
 }

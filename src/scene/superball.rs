@@ -188,16 +188,15 @@ impl Scene for Superball {
     }
 }
 
-/// Relative change of a twin, which shows how the motion amplifies rounding. Each number is changed by a fraction of its own of it, so that the effects of
-/// two changes do not cancel.
-const MOVED: f64 = 1e-13;
-/// Rounding error of each bounce, and that of the start in units of its amplification: four times the observed ones.
+/// Rounding error of each bounce, four times the observed ones, and the relative change of a twin, which shows how the motion amplifies it. Each number is changed by
+/// a fraction of its own of it, so that the effects of two changes do not cancel.
 const ROUNDING: f64 = 1e-15;
 
 /// The balls by closed forms from bounce to bounce, their cost, and their error relative to the greatest lengths and speeds of the motion.
 ///
-/// Twins that differ by [`MOVED`] show how rounding is amplified. They are compared after the same number of bounces, because a bounce makes the speeds
-/// jump, a moment earlier or later. In one of the two twins the effects of the changes may cancel.
+/// Twins that differ by [`ROUNDING`] show how it is amplified: by no more than that, for next to a graze of the ceiling the effect grows as the root of the change.
+/// They are compared after the same number of bounces, because a bounce makes the speeds jump, a moment earlier or later. In one of the two twins the effects of the changes
+/// may cancel.
 fn followed(flight: &Flight, request: &Request) -> Result<(Vec<InFlight>, (Cost, f64))> {
     let mut times = request.times().to_vec();
     times.sort_by(f64::total_cmp);
@@ -218,11 +217,11 @@ fn followed(flight: &Flight, request: &Request) -> Result<(Vec<InFlight>, (Cost,
     for sense in [1.0, -1.0] {
         let mut twin = *flight;
         let start = &mut twin.start;
-        start.climb *= 1.0 + MOVED;
-        start.height *= 1.0 - 0.7 * MOVED;
-        start.motion.velocity *= 1.0 + 0.8 * sense * MOVED;
-        start.motion.rim_speed *= 1.0 - 0.9 * MOVED;
-        twin.gravity *= 1.0 - 0.6 * MOVED;
+        start.climb *= 1.0 + sense * ROUNDING;
+        start.height *= 1.0 - 0.7 * ROUNDING;
+        start.motion.velocity *= 1.0 + 0.8 * sense * ROUNDING;
+        start.motion.rim_speed *= 1.0 - 0.9 * ROUNDING;
+        twin.gravity *= 1.0 - 0.6 * ROUNDING;
         budget.begin(request.furthest);
         let twins = twin.checked()?.sampled(&counted, &bounced)?;
         let pairs = ordered.iter().zip(&twins);
@@ -239,7 +238,7 @@ fn followed(flight: &Flight, request: &Request) -> Result<(Vec<InFlight>, (Cost,
         evaluations: 0,
         steps: bounces(true),
     };
-    let error = ROUNDING * (1.0 + bounces(false) as f64 + off / MOVED);
+    let error = ROUNDING * (1.0 + bounces(false) as f64) + off;
     let asked = request.times().iter();
     let place = |t: &f64| times.partition_point(|earlier| earlier < t);
     let balls = asked.map(|t| ordered[place(t)]).collect();

@@ -71,18 +71,31 @@ fn each_effect_matters_and_fades() -> Result<()> {
     Ok(())
 }
 
-/// Bounce by bounce, against the closed form of all of them: the error that is told is not below the true one. Observed: a tenth of it.
+/// A ball under gravity, by this solver, and its distance from the closed form of all bounces in units of the error that is told.
+fn told(ball: Superball, g: f64, request: &Request, by: Solver) -> (Motion<Bouncing>, f64) {
+    let scene = ball.with(Gravity::new(g).unwrap()).unwrap();
+    let exact = scene.simulate(request).unwrap();
+    let motion = scene.simulate(&using(request, by)).unwrap();
+    let off = same(&exact, &motion) / motion.error_estimate;
+    (motion, off)
+}
+
+/// The error that is told is not below the true one. Observed: a tenth of it.
 #[test]
 fn what_is_told_of_many_bounces() {
     for gravity in [1e-3, 9.81] {
-        let scene = with([Gravity::new(gravity).unwrap().into()]);
         let request = asking([100.0, 1000.01, 9000.0], 1e-8);
-        let exact = scene.simulate(&request).unwrap();
-        let followed = scene.simulate(&using(&request, Solver::Events)).unwrap();
-        let told = followed.error_estimate;
-        assert!(same(&exact, &followed) < told && told < 1e-9);
-        let bounces = followed.rows[2].1.ball.bounces;
-        assert!(bounces > 70_000 && followed.cost.steps == bounces);
+        let (motion, off) = told(ball(), gravity, &request, Solver::Events);
+        assert!(off < 1.0 && motion.error_estimate < 1e-9);
+        let bounces = motion.rows[2].1.ball.bounces;
+        assert!(bounces > 70_000 && motion.cost.steps == bounces);
+    }
+    // Next to a graze of the ceiling what rounding does grows as its root. Observed: a seventh of what is told, and less.
+    for margin in [8e-15, 6e-15, 1e-13, 1e-9] {
+        let climb = (2.0 * 9.81 * 0.3_f64).sqrt() * (1.0 + margin);
+        let request = asking([7.01], 1e-2);
+        let (_, off) = told(thrown(0.3, climb), 9.81, &request, Solver::Events);
+        assert!(off < 0.2, "{margin}: {off}");
     }
 }
 
@@ -126,11 +139,7 @@ fn general_methods_come_with_the_request() {
 fn a_ball_may_start_with_a_bounce() {
     for (height, climb) in [(0.0, -1.0), (0.6, 1.0)] {
         for gravity in [0.0, 9.81] {
-            let gravity = Gravity::new(gravity).unwrap();
-            let scene = thrown(height, climb).with(gravity).unwrap();
-            let exact = scene.simulate(&times()).unwrap();
-            let stepped = scene.simulate(&using(&times(), OURS)).unwrap();
-            assert!(same(&exact, &stepped) < 1e-9);
+            assert!(told(thrown(height, climb), gravity, &times(), OURS).1 < 1.0);
         }
     }
 }
@@ -160,15 +169,9 @@ fn what_is_told_of_many_bounces_by_steps() {
     let general = [Method::Dop853, Method::Dopri5, Method::Rk4].map(Solver::General);
     let (little, much) = ([(1e-3, 30.01), (1e-3, 300.01)], [5.01, 30.01, 300.01]);
     for (gravity, t) in little.into_iter().chain(much.map(|t| (9.81, t))) {
-        let scene = with([Gravity::new(gravity).unwrap().into()]);
-        let request = asking([t], 1e-8);
-        let exact = scene.simulate(&request).unwrap().rows[0].1.row();
         for solver in general.into_iter().chain([OURS]) {
-            let motion = scene.simulate(&using(&request, solver)).unwrap();
-            let (row, told) = (motion.rows[0].1.row(), motion.error_estimate);
-            let sizes = [0.6, 0.6, 5.0, 5.0, 5.0, 1.0, 1.0];
-            let off = greatest((0..7).map(|n| (row[n] - exact[n]).abs() / sizes[n]));
-            assert!(off < told, "{gravity} {t} {solver}: {off:e} of {told:e}");
+            let (_, off) = told(ball(), gravity, &asking([t], 1e-8), solver);
+            assert!(off < 1.0, "{gravity} {t} {solver}: {off}");
         }
     }
 }

@@ -70,9 +70,9 @@ impl Figure {
             let _ = writeln!(
                 svg,
                 "<defs><radialGradient id=\"fig-{name}-shade\" cx=\"50%\" cy=\"50%\" r=\"50%\" fx=\"34%\" fy=\"28%\">\
-             <stop offset=\"0%\" stop-color=\"currentColor\" stop-opacity=\"0.02\"/>\
+             <stop offset=\"0%\" stop-color=\"currentColor\" stop-opacity=\"var(--lit, 0.02)\"/>\
              <stop offset=\"62%\" stop-color=\"currentColor\" stop-opacity=\"0.13\"/>\
-             <stop offset=\"100%\" stop-color=\"currentColor\" stop-opacity=\"0.3\"/>\
+             <stop offset=\"100%\" stop-color=\"currentColor\" stop-opacity=\"var(--rim, 0.3)\"/>\
              </radialGradient></defs>"
             );
         }
@@ -106,6 +106,13 @@ impl Figure {
         let svg = Role::ALL.iter().fold(self.svg(), |svg, &role| {
             svg.replace(role.paint(), look.theme.color(role))
         });
+        // In the dark a ball is light where the light falls.
+        let svg = match look.theme {
+            Theme::Light => svg,
+            Theme::Dark => svg
+                .replace("lit, 0.02", "lit, 0.3")
+                .replace("rim, 0.3", "rim, 0.04"),
+        };
         let mut parts = svg.split("var(--");
         let mut out = parts.next().unwrap_or_default().to_owned();
         for part in parts {

@@ -268,7 +268,7 @@ pub fn classes(values: &Values) -> Result<Figure> {
 
     let ends = diagram.cubic_double(greatest)?;
 
-    let (count, radius) = (motions.len(), number(size, 2));
+    let (count, radius) = (motions.len(), brief(size));
     let words = words!(
         "Where two roots meet, one kind of motion ends and another begins.",
         "A dot for each of {count} starts with $\\lvert K\\rvert={radius}$, $MgC_1=I_3=1$, at its energy and $L_{{\\text{{vert}}}}^2$. On the straight lines a root \
@@ -278,18 +278,17 @@ pub fn classes(values: &Values) -> Result<Figure> {
     );
 
     let inside = |[e, h]: &Point| (least..=greatest).contains(e) && (0.0..=highest).contains(h);
-    let x = |e: f64| 46.0 + 426.0 * (e - least) / (greatest - least);
-    let y = |h: f64| 262.0 - 236.0 * h / highest;
+    let places = [56.0, 478.0, 290.0, 36.0];
+    let frame = Frame::linear([least, greatest], [0.0, highest], places);
     motions.retain(inside);
-    let made = figure("appelrot-classes", 300.0, words, |pen| {
-        for &[e, h] in &motions {
-            pen.disc([x(e), y(h)], 1.5, Ink, 0.45);
+    let made = figure("appelrot-classes", 338.0, words, |pen| {
+        frame.draw_round(pen, ["energy *E*", "*L*_{vert}^{2}"]);
+        for start in frame.trace(motions.iter().copied()) {
+            pen.disc(start, 1.5, Ink, 0.45);
         }
         for curve in &curves {
             // A branch may leave the picture and come back.
-            for part in curve.split(|point| !inside(point)) {
-                pen.line(part.iter().map(|&[e, h]| [x(e), y(h)]), inked(DATA));
-            }
+            frame.curve(pen, curve.iter().copied(), inked(DATA));
         }
         // Each line has its name where it ends.
         let shared = [
@@ -299,14 +298,11 @@ pub fn classes(values: &Values) -> Result<Figure> {
         let own = ends.into_iter().flatten().map(|h| (h, "double root"));
         let named = shared.into_iter().chain(own);
         let named = named.filter(|(h, _)| (0.0..=highest).contains(h));
-        let (heights, names): (Vec<f64>, Vec<&str>) = named.map(|(h, name)| (y(h), name)).unzip();
-        for (text, y) in names.into_iter().zip(apart(&heights, 18.0, 258.0)) {
-            pen.label([x(greatest) + 8.0, y + 5.0], Start, text);
+        let (heights, names): (Vec<f64>, Vec<&str>) =
+            named.map(|(h, name)| (frame.y.at(h), name)).unzip();
+        for (text, y) in names.into_iter().zip(apart(&heights, 20.0, 284.0)) {
+            pen.label([486.0, y + 5.0], Start, text);
         }
-        pen.line([[46.0, 262.0], [580.0, 262.0]], inked(AXIS));
-        pen.line([[46.0, 262.0], [46.0, 16.0]], inked(AXIS));
-        pen.label([580.0, 284.0], End, "*E*");
-        pen.label([54.0, 28.0], Start, "*L*_{vert}^{2}");
     });
     Ok(made.data("starts", "energy (J) | L_vert² (J² s²)", motions))
 }

@@ -289,8 +289,8 @@ pub fn quiz(_: &Values) -> Result<Figure> {
             pen.lines(seen, inked(DATA));
             // Round the upper end, open towards the back.
             let level = through.cross(&view.toward).normalize();
-            let (u, v) = (level * 0.26, through.normalize().cross(&level) * 0.26);
-            let rings = ellipse(end - through.normalize() * 0.16, u, v, 60);
+            let (u, v) = (level * 0.19, through.normalize().cross(&level) * 0.19);
+            let rings = ellipse(end - through.normalize() * 0.12, u, v, 60);
             let rings = view.trace(&rings);
             pen.line(&rings[24..], inked(SECONDARY));
             pen.arrow(rings[56], rings[60], inked(SECONDARY));

@@ -98,10 +98,10 @@ pub fn two_axes(values: &Values) -> Result<Figure> {
         pen.lines(behind, inked(SECONDARY).alpha(0.3));
         pen.lines(&seen, muted(AXIS));
         pen.outline(&outline, inked(SECONDARY));
-        pen.lines(&ring, inked(DATA));
+        pen.lines(&ring, inked(SECONDARY));
         let days = long.iter().step_by(A_DAY as usize).take(DOTS);
         for day in days.filter(|p| view.faces(p)) {
-            pen.dot(view.project(day), 3.0);
+            pen.dot(view.project(day), 4.5);
         }
         let tip = view.project(&(Vector::z() * BEYOND));
         let style = stroke(AngularMomentum, 2.0);

@@ -26,7 +26,7 @@ const PANELS: [(f64, &str, Point, f64, f64); 6] = [
     (3.0, "broadside flutter", [500.0, 310.0], 400.0, 18.0),
 ];
 /// Design units to half a width of the plate.
-const UNIT: f64 = 9.5;
+const UNIT: f64 = 10.4;
 
 /// Six ways to fall: mass ratios and times are chosen by hand to fit each panel.
 pub fn paths(_: &Values) -> Result<Figure> {
@@ -58,11 +58,11 @@ pub fn paths(_: &Values) -> Result<Figure> {
                 planned(shifted(*corner, [0.0, 16.0]), UNIT, place)
             };
             let center = path.iter().map(|y| place(y[0], y[1]));
-            pen.line(center, muted(SECONDARY).alpha(0.9));
+            pen.line(center, muted(AXIS));
             for y in path.iter().step_by(10) {
                 let (sine, cosine) = y[2].sin_cos();
                 let ends = [1.0, -1.0].map(|s| place(y[0] + s * cosine, y[1] + s * sine));
-                pen.line(ends, inked(1.5).alpha(0.75));
+                pen.line(ends, inked(SECONDARY).alpha(0.7));
             }
             let text = format!("*I*^{{\u{2217}}} = {ratio}");
             pen.label(shifted(*corner, [0.0, -24.0]), Middle, &text);

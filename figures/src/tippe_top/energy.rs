@@ -93,9 +93,9 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
         }
         let ends = [1e3 * last.energy, height(&last)].map(|y| frame.y.at(y));
         let places = apart(&ends, 24.0, 308.0);
-        pen.label([490.0, places[0] + 5.0], Start, "energy");
-        pen.label([490.0, places[1] + 5.0], Start, "*Mg* × height");
-        pen.label([490.0, places[1] + 23.0], Start, "of *C*");
+        pen.label([494.0, places[0] + 5.0], Start, "energy");
+        pen.label([494.0, places[1] + 5.0], Start, "*Mg* × height");
+        pen.label([494.0, places[1] + 23.0], Start, "of *C*");
         // In the early gap, which is the wider one, or where no line is in the way.
         let gaps = [95, 60, 200, 280, 340].map(|k: usize| {
             let (upper, lower) = (1e3 * rows[k].1.energy, height(&rows[k].1));

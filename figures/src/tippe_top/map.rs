@@ -55,7 +55,10 @@ fn target(pen: &mut Pen, center: Point, rings: &[Vec<bool>], name: &str) {
             let at = polar(center, reach(k), angle);
             match over {
                 true => pen.dot(at, 5.6),
-                false => pen.ring(at, 5.0, inked(AXIS)),
+                false => {
+                    pen.disc(at, 5.0, Paper, 1.0);
+                    pen.ring(at, 5.0, inked(AXIS));
+                }
             }
         }
         // The innermost ring has no room for a name.

@@ -353,13 +353,13 @@ impl Pen {
     /// A tick below a place of an axis, and its text so far down.
     pub fn tick_below(&mut self, at: Point, down: f64, text: &str) {
         self.line([at, shifted(at, [0.0, 5.0])], inked(AXIS));
-        self.note(shifted(at, [0.0, down]), Anchor::Middle, text);
+        self.remark(shifted(at, [0.0, down]), Anchor::Middle, text);
     }
 
     /// A tick on the left of a place of an axis, and its text.
     pub fn tick_beside(&mut self, at: Point, text: &str) {
         self.line([shifted(at, [-5.0, 0.0]), at], inked(AXIS));
-        self.note(shifted(at, [-9.0, 5.0]), Anchor::End, text);
+        self.remark(shifted(at, [-9.0, 5.0]), Anchor::End, text);
     }
 
     /// A text whose base line starts, is centred or ends at the point. `*x*` is an italic letter,

@@ -17,7 +17,7 @@ const STEPS: usize = 480;
 /// Periods looked at: the curves end where Ω₂ vanishes in the last half of one.
 const LENGTH: f64 = 1.5;
 /// Left and right end of the time axis, height of zero, half the height of the picture.
-const FRAME: [f64; 4] = [52.0, 540.0, 114.0, 84.0];
+const FRAME: [f64; 4] = [52.0, 540.0, 132.0, 84.0];
 /// A rest is longer than a swing if Ω₂ is nearly at its greatest for more than half of the time.
 const NEARLY: f64 = 0.9;
 
@@ -100,10 +100,12 @@ pub fn solution(values: &Values) -> Result<Figure> {
         let states = states.iter().enumerate();
         states.map(move |(n, omega)| [x(step * n as f64), y(omega[k])])
     };
-    let made = figure("euler-solution", 256.0, words, |pen| {
+    let made = figure("euler-solution", 274.0, words, |pen| {
         let [over, bottom] = [zero - half - 12.0, zero + half + 14.0];
         pen.line([[left, zero], [right, zero]], inked(HAIR));
         pen.line([[left, over], [left, bottom], [right, bottom]], inked(AXIS));
+        let name = [left - 30.0, over - 12.0];
+        pen.text(name, Start, "*Ω*, rad/s", label(Omega));
         let upward = Axis::linear([-largest, largest], [zero + half, zero - half]);
         for (value, text) in upward.ticks(50.0) {
             pen.tick_beside([left, y(value)], &text);

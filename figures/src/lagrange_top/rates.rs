@@ -132,7 +132,18 @@ pub fn precession_rates(values: &Values) -> Result<Figure> {
          level, falls gently to the right, and a fast branch rises from the left to infinity at 90 degrees and comes back from minus infinity beyond. {branches}"
     );
     let made = figure("precession-rates", 384.0, words, |pen| {
-        axes(pen);
+        let tilts = [0.0, 30.0, 60.0, 90.0, 120.0, 150.0, 180.0];
+        let frame = Frame::linear([0.0, 180.0], SHOWN, FRAME);
+        let rates = marks(&[-2.0, 0.0, 2.0, 4.0, 6.0], "");
+        frame.draw(
+            pen,
+            &marks(&tilts, "°"),
+            &rates,
+            ["tilt *θ*", "*φ*\u{2032}"],
+        );
+        pen.line([place(0.0, 0.0), place(PI, 0.0)], inked(AXIS));
+        let rule = [place(0.5 * PI, SHOWN[0]), place(0.5 * PI, SHOWN[1])];
+        pen.line(rule, muted(HAIR));
         let meeting = spaced([0.0, 0.5 * PI], 300)
             .map(|tilt| (tilt, 1.0 / tilt.cos().sqrt()))
             .filter(|(_, rate)| *rate < SHOWN[1])
@@ -173,23 +184,4 @@ pub fn precession_rates(values: &Values) -> Result<Figure> {
         let rows = rows.map(|[tilt, rate]| [tilt.to_degrees(), rate]);
         made.data(name, columns, rows)
     }))
-}
-
-fn axes(pen: &mut Pen) {
-    let ink = inked(AXIS);
-    let [left, right, bottom, top] = FRAME;
-    pen.line([[left, top], [left, bottom]], ink);
-    pen.line([place(0.0, 0.0), place(PI, 0.0)], ink);
-    let rule = [place(0.5 * PI, SHOWN[0]), place(0.5 * PI, SHOWN[1])];
-    pen.line(rule, muted(HAIR));
-    for (rate, text) in marks(&[-2.0, 0.0, 2.0, 4.0, 6.0], "") {
-        pen.tick_beside(place(0.0, rate), &text);
-    }
-    for (degrees, text) in marks(&[0.0, 30.0, 60.0, 90.0, 120.0, 150.0, 180.0], "°") {
-        let [x, _] = place(degrees.to_radians(), 0.0);
-        pen.tick_below([x, bottom], 22.0, &text);
-    }
-    pen.line([[left, bottom], [right, bottom]], ink);
-    pen.label([left + 10.0, top + 6.0], Start, "*φ*\u{2032}");
-    pen.label([right + 18.0, bottom + 6.0], Start, "*θ*");
 }

@@ -74,8 +74,7 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
     }
     let least = curves[0].1[0][1];
     let low = (least / 30.0).floor() * 30.0;
-    let x = Axis::linear([0.0, 90.0], [LEFT, RIGHT]);
-    let y = Axis::linear([low, 240.0], [BOTTOM, TOP]);
+    let frame = Frame::linear([0.0, 90.0], [low, 240.0], [LEFT, RIGHT, BOTTOM, TOP]);
     let needed = |k: usize| curves[k].2.map(|back| number(back, 2));
     let name = |forward: f64| short(forward, 1);
     let told = |k: usize| {
@@ -98,28 +97,20 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
          turn cuts {cut} of them, further to the left the more the cat bends forward."
     );
     let made = figure("back-bend", 384.0, words, |pen| {
-        let place = |[back, turn]: Point| [x.at(back), y.at(turn)];
-        pen.line([[LEFT, TOP], [LEFT, BOTTOM], [RIGHT, BOTTOM]], inked(AXIS));
-        for (back, text) in marks(&[0.0, 30.0, 60.0, 90.0], "°") {
-            pen.tick_below([x.at(back), BOTTOM], 22.0, &text);
-        }
         let mut turns = marks(&[0.0, 60.0, 120.0, 180.0, 240.0], "°");
         turns.retain(|(turn, _)| *turn >= low);
-        for (turn, text) in turns {
-            pen.tick_beside([LEFT, y.at(turn)], &text);
-        }
-        let level = y.at(180.0);
+        let bends = marks(&[0.0, 30.0, 60.0, 90.0], "°");
+        frame.draw(pen, &bends, &turns, ["bend backward", "turn"]);
+        let level = frame.y.at(180.0);
         pen.line([[LEFT, level], [RIGHT, level]], inked(SECONDARY).dashed());
-        pen.label([RIGHT, BOTTOM + 46.0], End, "bend backward");
-        pen.label([LEFT - 40.0, TOP - 16.0], Start, "turn");
         let shown = |(_, points, _): &(f64, Vec<Point>, Option<f64>)| -> Vec<Point> {
             let inside = points.iter().filter(|point| point[1] <= 240.0);
-            inside.map(|point| place(*point)).collect()
+            frame.trace(inside.copied())
         };
         let shown: Vec<Vec<Point>> = curves.iter().map(shown).collect();
         pen.lines(&shown, inked(DATA));
         for needed in curves.iter().filter_map(|(_, _, needed)| *needed) {
-            let [x, y] = place([needed, 180.0]);
+            let [x, y] = frame.at(needed, 180.0);
             pen.dot([x, y], 3.6);
             pen.line([[x, y], [x, BOTTOM]], inked(HAIR).dotted());
         }
@@ -136,7 +127,8 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
                 turned.map(|(up, right)| shifted(end, [25.0 * far * right, -14.0 * far * up]))
             });
             let around = around.collect();
-            write(around, &format!("{}°", name(*forward)));
+            let gamma = if *forward == most { "*γ* = " } else { "" };
+            write(around, &format!("{gamma}{}°", name(*forward)));
         }
         let beside = (0..40).map(|k| RIGHT - 40.0 - 10.0 * f64::from(k));
         let beside = beside.flat_map(|x| [-12.0, 14.0].map(|dy| [x, level + dy]));

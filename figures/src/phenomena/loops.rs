@@ -59,9 +59,9 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
     );
     let made = figure("shape-loops", 344.0, words, |pen| {
         // Densities relative to the greatest shown.
-        const BANDS: u32 = 25;
+        const BANDS: u32 = 75;
         let ([left, right], [bottom, top]) = (PLANE.x.ends, PLANE.y.ends);
-        let (least, greatest) = (0.1, PLANE.y.shown[1]);
+        let (least, greatest) = (0.0, PLANE.y.shown[1]);
         let most = plane.curvature(least);
         for k in 0..BANDS {
             let band = |k: u32| least + (greatest - least) * f64::from(k) / f64::from(BANDS);

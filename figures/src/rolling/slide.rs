@@ -67,7 +67,7 @@ pub fn lines(values: &Values) -> Result<Figure> {
             let across = x.at(t);
             let rule = [[across, BOTTOM - 3.0], [across, BOTTOM + 3.0]];
             pen.line(rule, inked(AXIS));
-            pen.note([across, BOTTOM + 20.0], Middle, &text);
+            pen.remark([across, BOTTOM + 20.0], Middle, &text);
         }
         pen.note([590.0, BOTTOM + 20.0], End, "time, s");
         let mut name = BOTTOM;

@@ -15,7 +15,7 @@ mod wooden;
 
 /// The figures of the chapter, in its order.
 pub const FIGURES: &[Entry] = &[
-    of("wooden-top", wooden::WOODEN, wooden::wooden_top),
+    of("wooden-top", wooden::ASKED, wooden::wooden_top),
     of("wooden-top-let-go", wooden::WOODEN, wooden::let_go),
     of("nutations", nutations::NUTATIONS, nutations::nutations),
     of("top-animated", &[], animated::top_animated),

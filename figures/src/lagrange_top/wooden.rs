@@ -17,17 +17,25 @@ const NOSE: f64 = 0.085;
 const SHOWN: f64 = 1.0;
 
 parameters! {
-    TILT: "tilt", r"\theta_0", "°", "tilt of the top that is held", [10.0, 45.0], 30.0, dragged(|values| {
-        let (sin, cos) = values.of(&TILT).to_radians().sin_cos();
-        view().project(&(Vector::new(0.0, -sin, cos) * NOSE))
-    });
+    TILT: "tilt", r"\theta_0", "°", "tilt of the top that is held", [10.0, 45.0], 30.0, dragged(|values| tip(values, MIDDLE));
     TURNS: "turns", "n", "turns/s", "spin of the top", [20.0, 60.0], 30.0;
 }
 /// The parameters; the nose is the handle of the tilt.
 pub const WOODEN: &[Parameter] = &[TILT, TURNS];
+/// Those of the question.
+pub const ASKED: &[Parameter] = &[TILT.dragged(|values| tip(values, ASIDE)), TURNS];
 
-fn view() -> View {
-    View::new(0.0, 0.5, [292.0, 350.0], 3300.0)
+/// Where the tip of the axle stands, units: under the middle of the path, and so that the top alone is in the middle.
+const MIDDLE: f64 = 292.0;
+const ASIDE: f64 = 360.0;
+
+fn view(foot: f64) -> View {
+    View::new(0.0, 0.5, [foot, 350.0], 3300.0)
+}
+
+fn tip(values: &Values, foot: f64) -> Point {
+    let (sin, cos) = values.of(&TILT).to_radians().sin_cos();
+    view(foot).project(&(Vector::new(0.0, -sin, cos) * NOSE))
 }
 
 /// The top and its motion from rest of the axis.
@@ -75,7 +83,8 @@ pub fn let_go(values: &Values) -> Result<Figure> {
 }
 
 fn drawn(name: &'static str, values: &Values, words: Words, path: bool) -> Result<Figure> {
-    let (top, view) = (launched(values)?, view());
+    let view = view(if path { MIDDLE } else { ASIDE });
+    let top = launched(values)?;
     let times = spaced([0.0, SHOWN], 2000);
     let noses = tried(times.clone(), |t| nose(&top, t))?;
     let held = noses[0];

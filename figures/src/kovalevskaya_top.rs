@@ -196,7 +196,7 @@ pub fn bands(values: &Values) -> Result<Figure> {
     let (begun, count) = (spun(values), real.len());
     let words = words!(
         "{claim}",
-        "$P(s)=-4(s-e_1)\\cdots(s-e_5)$ for the motion from {begun}, heights on a logarithmic scale beyond 0.01. {told}",
+        "$P(s)=-4(s-e_1)\\cdots(s-e_5)$ for the motion from {begun}, heights on a logarithmic scale beyond 0.01; discs: its real roots. {told}",
         "The graph of a polynomial of degree five with {count} real roots. It is positive to the left of the smallest root, where \
          the second separation variable comes and goes, and between two further roots, where the first swings; both stretches \
          are marked on the axis."

@@ -18,7 +18,7 @@ pub const LINES: &[Parameter] = &[FRICTION, SPEED, TOP, KAPPA];
 const LEFT: f64 = 62.0;
 const RIGHT: f64 = 492.0;
 const ZERO: f64 = 190.0;
-const BOTTOM: f64 = 358.0;
+const BOTTOM: f64 = 344.0;
 
 /// V and RΩ for five heights of the cue; they meet where rolling begins.
 pub fn lines(values: &Values) -> Result<Figure> {
@@ -52,24 +52,13 @@ pub fn lines(values: &Values) -> Result<Figure> {
          Each pair meets at a dot, and both go on level, at {finals} metres a second."
     );
     let greatest = highest.max(-lowest).max(speed);
-    let x = Axis::linear([0.0, until], [LEFT, RIGHT]);
     let most = 1.04 * greatest;
-    let y = Axis::linear([-most, most], [BOTTOM, 2.0 * ZERO - BOTTOM]);
-    let at = |t: f64, v: f64| [x.at(t), y.at(v)];
-    let made = figure("slide-to-roll", 386.0, words, |pen| {
+    let places = [LEFT, RIGHT, BOTTOM, 2.0 * ZERO - BOTTOM];
+    let frame = Frame::linear([0.0, until], [-most, most], places);
+    let at = |t: f64, v: f64| frame.at(t, v);
+    let made = figure("slide-to-roll", 396.0, words, |pen| {
+        frame.draw_round(pen, ["time, s", "speed, m/s"]);
         pen.line([at(0.0, 0.0), at(until, 0.0)], inked(AXIS));
-        pen.line([[LEFT, y.ends[0]], [LEFT, y.ends[1]]], inked(AXIS));
-        for (v, text) in y.ticks(38.0) {
-            pen.tick_beside([LEFT, y.at(v)], &text);
-        }
-        pen.note([8.0, 14.0], Start, "speed, m/s");
-        for (t, text) in x.ticks(75.0) {
-            let across = x.at(t);
-            let rule = [[across, BOTTOM - 3.0], [across, BOTTOM + 3.0]];
-            pen.line(rule, inked(AXIS));
-            pen.remark([across, BOTTOM + 20.0], Middle, &text);
-        }
-        pen.note([590.0, BOTTOM + 20.0], End, "time, s");
         let mut name = BOTTOM;
         for (course, height) in courses.iter().zip(heights) {
             let start = course.at(0.0);
@@ -80,7 +69,7 @@ pub fn lines(values: &Values) -> Result<Figure> {
             pen.line([at(0.0, start.velocity), meeting], inked(DATA));
             pen.line([meeting, at(until, rolls)], inked(SECONDARY));
             pen.dot(meeting, 4.5);
-            name = (y.at(rolls) + 5.0).min(name - 16.0);
+            name = (frame.y.at(rolls) + 5.0).min(name - 16.0);
             let text = format!("*H* = {} *R*", short(height, 2));
             pen.note([RIGHT + 12.0, name], Start, &text);
         }

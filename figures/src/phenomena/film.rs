@@ -50,7 +50,7 @@ pub fn cat_film(_: &Values) -> Result<Figure> {
 }
 
 const LEFT: f64 = 70.0;
-const RIGHT: f64 = 560.0;
+const RIGHT: f64 = 552.0;
 const BOTTOM: f64 = 326.0;
 const TOP: f64 = 40.0;
 
@@ -119,7 +119,7 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
             let inside = within([LEFT + half, 596.0 - half], [12.0, 384.0]);
             pen.name(places.into_iter().filter(inside), text, small(Ink));
         };
-        for ((forward, _, _), points) in curves.iter().zip(&shown) {
+        for ((forward, _, _), points) in curves.iter().zip(&shown).rev() {
             let end = points.last().copied().unwrap_or([LEFT, BOTTOM]);
             let turns = [90.0_f64, 0.0, -40.0, 40.0, 145.0, 180.0, -90.0];
             let around = [1.0, 1.5, 2.2, 3.0].into_iter().flat_map(|far| {
@@ -127,7 +127,11 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
                 turned.map(|(up, right)| shifted(end, [25.0 * far * right, -14.0 * far * up]))
             });
             let around = around.collect();
-            let gamma = if *forward == most { "*γ* = " } else { "" };
+            let gamma = if *forward == forwards[0] {
+                "*γ* = "
+            } else {
+                ""
+            };
             write(around, &format!("{gamma}{}°", name(*forward)));
         }
         let beside = (0..40).map(|k| RIGHT - 40.0 - 10.0 * f64::from(k));

@@ -202,7 +202,7 @@ pub fn momentum_flow(values: &Values) -> Result<Figure> {
     let rest = if parted { saddles } else { rest };
     let words = words!(
         "{claim}",
-        "The sphere $\\lvert L\\rvert=1$ seen from a body with $I_1={i1}$, $I_2={i2}$, $I_3={i3}$; a dot every {tick} seconds. {rest}",
+        "The sphere $\\lvert L\\rvert=1$ seen from a body with $I_1={i1}$, $I_2={i2}$, $I_3={i3}$; a dot every {tick} s. {rest}",
         "A sphere with the three principal axes of a body sticking out, moments {i1}, {i2} and {i3}. {seen} Dots stand every {tick} seconds."
     );
 

@@ -38,7 +38,7 @@ pub fn film(values: &Values) -> Result<Figure> {
         true => "Spun about its middle axis, a racket makes half a twist with every somersault."
             .to_owned(),
         false => format!(
-            "Spun {off} degrees off its middle axis, this racket makes half a twist in {counted} somersaults."
+            "Spun {off}° off its middle axis, this racket makes half a twist in {counted} somersaults."
         ),
     };
     let brings = match whole {

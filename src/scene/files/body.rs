@@ -5,23 +5,19 @@ use core::f64::consts::{PI, TAU};
 use nalgebra::{Isometry3, Matrix3, Vector3};
 
 use super::file::*;
-use super::keys::Key;
-use super::reader::{Place, Section, Table, Toml, Value};
 use crate::error::Result;
 use crate::inertia::{
     InertiaMatrix, MassProperties, mesh_mass_properties, mesh_of_obj, mesh_of_stl, shapes,
 };
 use crate::tippe_top::Surface;
 
-section! {
-    /// The keys of a rigid body: one of `shape`, `moments` and `inertia`.
-    Matter {
-        mass: Option<f64>, "a mass in kg", Positive;
-        shape: Option<Shape>, "a shape, ";
-        density: Option<f64>, "the density of a shape, in place of its mass, in kg/m³ (of a shell or a disc in kg/m², of a hoop or a racket in kg/m)", Positive;
-        moments: Option<[f64; 3]>, "principal moments in kg m²";
-        inertia: Option<[f64; 6]>, "the inertia matrix I11 I22 I33 I12 I13 I23 in kg m²";
-    }
+// The keys of a rigid body: one of `shape`, `moments` and `inertia`.
+section! { Matter
+    mass: Option<f64>, "a mass in kg", Positive;
+    shape: Option<Shape>, "a shape, ";
+    density: Option<f64>, "the density of a shape, in place of its mass, in kg/m³ (of a shell or a disc in kg/m², of a hoop or a racket in kg/m)", Positive;
+    moments: Option<[f64; 3]>, "principal moments in kg m²";
+    inertia: Option<[f64; 6]>, "the inertia matrix I11 I22 I33 I12 I13 I23 in kg m²";
 }
 
 /// The message for a number that the shape already determines.
@@ -62,17 +58,17 @@ impl Matter {
 
     /// The drawing of the body, along its axes from their origin.
     pub fn outline(&self, body: &MassProperties) -> Outline {
-        match &self.shape {
-            Some(shape) if !shape.solids.is_empty() => Outline {
+        if let Some(shape) = &self.shape
+            && !shape.solids.is_empty()
+        {
+            return Outline {
                 drawn_as: "its shape",
                 solids: shape.solids.clone(),
-            },
-            _ => {
-                let about_origin = body.about(BodyVector::zero()).unwrap_or(body.inertia());
-                let center = body.center().components();
-                Outline::of_inertia(about_origin.second_moments(), body.mass(), center)
-            }
+            };
         }
+        let about_origin = body.about(BodyVector::zero()).unwrap_or(body.inertia());
+        let center = body.center().components();
+        Outline::of_inertia(about_origin.second_moments(), body.mass(), center)
     }
 
     fn shaped(&self, file: &Reader<'_>, shape: &Shape) -> Option<MassProperties> {
@@ -114,29 +110,28 @@ pub(super) struct Shape {
 }
 
 impl Shape {
-    fn new(measure: f64, made: impl Fn(f64) -> Result<MassProperties> + 'static) -> Self {
+    fn new(
+        measure: impl Into<Option<f64>>,
+        solids: Vec<(Solid, Isometry3<f64>)>,
+        made: impl Fn(f64) -> Result<MassProperties> + 'static,
+    ) -> Self {
         Self {
             made: Box::new(made),
-            measure: Some(measure),
+            measure: measure.into(),
             surface: None,
-            solids: Vec::new(),
+            solids,
         }
-    }
-
-    /// Adds a solid to the drawing, at this position.
-    fn drawn(mut self, solid: Solid, place: Vector3<f64>) -> Self {
-        self.solids.push((solid, place.into()));
-        self
-    }
-
-    fn centered(self, solid: Solid) -> Self {
-        self.drawn(solid, Vector3::zeros())
     }
 
     fn on(mut self, surface: Result<Surface>) -> Self {
         self.surface = Some(surface);
         self
     }
+}
+
+/// The drawing of one solid about the origin.
+fn centered(solid: Solid) -> Vec<(Solid, Isometry3<f64>)> {
+    vec![(solid, Isometry3::identity())]
 }
 
 /// Reads one kind of shape.
@@ -159,11 +154,11 @@ macro_rules! shapes {
 shapes! {
     "ball", Radius, |_, Radius { radius: r }| Some(round(r, 4.0 / 3.0 * PI * r * r * r, move |m| shapes::ball(m, r)));
     "shell", Radius, |_, Radius { radius: r }| Some(round(r, 4.0 * PI * r * r, move |m| shapes::spherical_shell(m, r)));
-    "hoop", Radius, |_, Radius { radius: r }| Some(Shape::new(TAU * r, move |m| shapes::hoop(m, r)).centered(Solid::wheel(r, 0.0)));
-    "disc", Radius, |_, Radius { radius: r }| Some(Shape::new(PI * r * r, move |m| shapes::disc(m, r)).centered(Solid::wheel(r, 0.0)));
-    "cylinder", Cylinder, |_, Cylinder { radius: r, height: h }| Some(Shape::new(PI * r * r * h, move |m| shapes::cylinder(m, r, h)).centered(Solid::wheel(r, h)));
+    "hoop", Radius, |_, Radius { radius: r }| Some(Shape::new(TAU * r, centered(Solid::wheel(r, 0.0)), move |m| shapes::hoop(m, r)));
+    "disc", Radius, |_, Radius { radius: r }| Some(Shape::new(PI * r * r, centered(Solid::wheel(r, 0.0)), move |m| shapes::disc(m, r)));
+    "cylinder", Cylinder, |_, Cylinder { radius: r, height: h }| Some(Shape::new(PI * r * r * h, centered(Solid::wheel(r, h)), move |m| shapes::cylinder(m, r, h)));
     "cone", Cone, |_, Cone { radius: r, height: h }| Some(cone(r, h));
-    "cuboid", Cuboid, |_, Cuboid { edges }| Some(Shape::new(edges.iter().product(), move |m| shapes::cuboid(m, edges)).centered(Solid::Cuboid(edges.into())));
+    "cuboid", Cuboid, |_, Cuboid { edges }| Some(Shape::new(edges.iter().product::<f64>(), centered(Solid::Cuboid(edges.into())), move |m| shapes::cuboid(m, edges)));
     "ellipsoid", Ellipsoid, |_, Ellipsoid { semi_axes }| Some(ellipsoid(semi_axes));
     "egg", Egg, |_, Egg { long, short }| Some(ellipsoid([short, short, long]));
     "racket", Racket, |_, Racket { head, handle }| Some(racket(head, handle));
@@ -178,11 +173,11 @@ impl Value for Shape {
         Known::expected(key)
     }
 
-    fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
-        let known = Known::read(place, value);
+    fn read(place: &Place<'_>) -> Option<Self> {
+        let known = Known::read(place);
         if known.is_none() {
             // Without a known shape no size can be called wrong.
-            place.table.takes_any();
+            place.table.takes_any.set(true);
         }
         known?.0(place.table)
     }
@@ -191,27 +186,25 @@ impl Value for Shape {
 /// Reads the sizes of every shape, each from a table with the shape's name.
 pub(super) fn read_all_shapes(reader: &Reader<'_>) {
     for (name, shape) in Known::words() {
-        shape.0(&Table::new(reader, name.to_owned(), None));
+        shape.0(&Table::new(reader, name.to_owned()));
     }
 }
 
-section! {
-    /// Sizes of balls, shells, hoops and discs; the axis of the last two is the third, the origin the centre.
-    Radius {
-        radius: f64, "the radius in m", Positive;
-    }
+// Sizes of balls, shells, hoops and discs; the axis of the last two is the third, the origin the centre.
+section! { Radius
+    radius: f64, "the radius in m", Positive;
+}
 
-    /// Sizes of a cylinder; its axis is the third, the origin the centre.
-    Cylinder {
-        radius: f64, "the radius in m", Positive;
-        height: f64, "the height along axis 3 in m, from the centre both ways", Positive;
-    }
+// Sizes of a cylinder; its axis is the third, the origin the centre.
+section! { Cylinder
+    radius: f64, "the radius in m", Positive;
+    height: f64, "the height along axis 3 in m, from the centre both ways", Positive;
+}
 
-    /// Sizes of a cone; its axis is the third, the origin the tip.
-    Cone {
-        radius: f64, "the radius of the base in m", Positive;
-        height: f64, "the height along axis 3 in m, from the tip, which is the origin, to the base", Positive;
-    }
+// Sizes of a cone; its axis is the third, the origin the tip.
+section! { Cone
+    radius: f64, "the radius of the base in m", Positive;
+    height: f64, "the height along axis 3 in m, from the tip, which is the origin, to the base", Positive;
 }
 
 fn cone(radius: f64, height: f64) -> Shape {
@@ -219,60 +212,54 @@ fn cone(radius: f64, height: f64) -> Shape {
     let center = BodyVector::new(0.0, 0.0, 0.75 * height);
     let made = move |mass| shapes::cone(mass, radius, height)?.moved(center);
     let tip_and_base = vec![[0.0, 0.0], [height, radius]];
-    Shape::new(volume, made).centered(Solid::Turned(tip_and_base))
+    Shape::new(volume, centered(Solid::Turned(tip_and_base)), made)
 }
 
 fn round(r: f64, measure: f64, made: impl Fn(f64) -> Result<MassProperties> + 'static) -> Shape {
-    let shape = Shape::new(measure, made).on(Surface::sphere(r));
-    shape.centered(Solid::ball(r))
+    Shape::new(measure, centered(Solid::ball(r)), made).on(Surface::sphere(r))
 }
 
 fn racket(head: f64, handle: f64) -> Shape {
     let made = move |mass| shapes::racket(mass, head, handle);
     let [rim, shaft] = [head, handle].map(|length| Vector3::x() * -length);
-    Shape::new(TAU * head + handle, made)
-        .centered(Solid::wheel(head, 0.0))
-        .drawn(Solid::Bar(shaft), rim)
+    let mut solids = centered(Solid::wheel(head, 0.0));
+    solids.push((Solid::Bar(shaft), rim.into()));
+    Shape::new(TAU * head + handle, solids, made)
 }
 
-section! {
-    /// Sizes of a cuboid; the origin is the centre.
-    Cuboid {
-        edges: [f64; 3], "the edges along the three axes in m", Positive;
-    }
+// Sizes of a cuboid; the origin is the centre.
+section! { Cuboid
+    edges: [f64; 3], "the edges along the three axes in m", Positive;
+}
 
-    /// Sizes of an ellipsoid; the origin is the centre.
-    Ellipsoid {
-        semi_axes: [f64; 3], "the semi-axes in m", Positive;
-    }
+// Sizes of an ellipsoid; the origin is the centre.
+section! { Ellipsoid
+    semi_axes: [f64; 3], "the semi-axes in m", Positive;
+}
 
-    /// Sizes of an egg; the origin is the centre.
-    Egg {
-        long: f64, "half its length, along axis 3, in m", Positive;
-        short: f64, "half its width in m", Positive;
-    }
+// Sizes of an egg; the origin is the centre.
+section! { Egg
+    long: f64, "half its length, along axis 3, in m", Positive;
+    short: f64, "half its width in m", Positive;
 }
 
 fn ellipsoid(semi_axes: [f64; 3]) -> Shape {
     let volume = 4.0 / 3.0 * PI * semi_axes.iter().product::<f64>();
     let made = move |mass| shapes::ellipsoid(mass, semi_axes);
     let half = Matrix3::from_diagonal(&semi_axes.into());
-    let shape = Shape::new(volume, made).on(Surface::ellipsoid(semi_axes));
-    shape.centered(Solid::Ellipsoid(half))
+    Shape::new(volume, centered(Solid::Ellipsoid(half)), made).on(Surface::ellipsoid(semi_axes))
 }
 
-section! {
-    /// Sizes of a racket; the origin is the centre of the ring.
-    Racket {
-        head: f64, "the radius of the ring in m, all of one wire", Positive;
-        handle: f64, "the length of the handle in m, along axis 1; axis 3 is normal to the ring", NotNegative;
-    }
+// Sizes of a racket; the origin is the centre of the ring.
+section! { Racket
+    head: f64, "the radius of the ring in m, all of one wire", Positive;
+    handle: f64, "the length of the handle in m, along axis 1; axis 3 is normal to the ring", NotNegative;
+}
 
-    /// Sizes of a ball without a cap; the origin is the centre of the ball.
-    WithoutCap {
-        radius: f64, "the radius in m", Positive;
-        cut: f64, "the place of the cut on axis 3 in m from the centre of the ball, which is the origin; what is above is missing";
-    }
+// Sizes of a ball without a cap; the origin is the centre of the ball.
+section! { WithoutCap
+    radius: f64, "the radius in m", Positive;
+    cut: f64, "the place of the cut on axis 3 in m from the centre of the ball, which is the origin; what is above is missing";
 }
 
 fn without_cap(file: &Reader<'_>, WithoutCap { radius, cut }: WithoutCap) -> Option<Shape> {
@@ -284,24 +271,22 @@ fn without_cap(file: &Reader<'_>, WithoutCap { radius, cut }: WithoutCap) -> Opt
         [z, (radius * radius - z * z).max(0.0).sqrt()]
     };
     let made = move |mass| shapes::ball_without_cap(mass, radius, cut);
-    let shape = Shape::new(volume, made).on(Surface::sphere(radius));
-    Some(shape.centered(Solid::Turned((0..=16).map(level).collect())))
+    let solids = centered(Solid::Turned((0..=16).map(level).collect()));
+    Some(Shape::new(volume, solids, made).on(Surface::sphere(radius)))
 }
 
-section! {
-    /// Sizes of a ball with a weight; the origin is the centre of the ball.
-    WithWeight {
-        radius: f64, "the radius in m", Positive;
-        weight: f64, "the part of the mass that is the weight, a point", From(0.0, 1.0);
-        weight_at: BodyVector, "the place of the weight in m from the centre of the ball, which is the origin";
-    }
+// Sizes of a ball with a weight; the origin is the centre of the ball.
+section! { WithWeight
+    radius: f64, "the radius in m", Positive;
+    weight: f64, "the part of the mass that is the weight, a point", From(0.0, 1.0);
+    weight_at: BodyVector, "the place of the weight in m from the centre of the ball, which is the origin";
 }
 
 fn with_weight(file: &Reader<'_>, sizes: WithWeight) -> Option<Shape> {
     let (radius, weight, weight_at) = (sizes.radius, sizes.weight, sizes.weight_at);
     if weight_at.norm() > radius {
         let told = format!(" must be within the ball, of radius {radius:?} m");
-        return file.wrong("body.weight_at", told);
+        return file.wrong("body.weight_at", &told);
     }
     let made = move |mass: f64| match weight {
         0.0 => shapes::ball(mass, radius),
@@ -313,16 +298,16 @@ fn with_weight(file: &Reader<'_>, sizes: WithWeight) -> Option<Shape> {
     };
     // The density is that of the ball.
     let whole = 4.0 / 3.0 * PI * radius * radius * radius / (1.0 - weight);
-    let to_weight = Solid::Bar(weight_at.components());
-    Some(round(radius, whole, made).centered(to_weight))
+    let mut ball = round(radius, whole, made);
+    ball.solids
+        .extend(centered(Solid::Bar(weight_at.components())));
+    Some(ball)
 }
 
-section! {
-    /// Masses and positions of beads; the origin is that of the positions.
-    Beads {
-        places: Vec<BodyVector>, "the places of the beads in m, a list of lists of 3 numbers";
-        parts: Option<Vec<f64>>, "the shares of the beads in the mass, in any unit (all the same by default)", Positive;
-    }
+// Masses and positions of beads; the origin is that of the positions.
+section! { Beads
+    places: Vec<BodyVector>, "the places of the beads in m, a list of lists of 3 numbers";
+    parts: Option<Vec<f64>>, "the shares of the beads in the mass, in any unit (all the same by default)", Positive;
 }
 
 fn beads(file: &Reader<'_>, Beads { places, parts }: Beads) -> Option<Shape> {
@@ -342,28 +327,24 @@ fn beads(file: &Reader<'_>, Beads { places, parts }: Beads) -> Option<Shape> {
         let beads = beads.map(|(at, part)| MassProperties::particle(mass * (part / all), *at));
         MassProperties::compose(&beads.collect::<Result<Vec<_>>>()?)
     };
-    Some(Shape {
-        measure: None,
-        solids,
-        ..Shape::new(0.0, made)
-    })
+    Some(Shape::new(None, solids, made))
 }
 
-section! {
-    /// A mesh; axes and origin are those of its file.
-    Mesh {
-        file: String, "the file of a closed mesh in m, STL or OBJ by its ending, beside the scene file; it has the origin and the axes";
-    }
+// A mesh; axes and origin are those of its file.
+section! { Mesh
+    file: String, "the file of a closed mesh in m, STL or OBJ by its ending, beside the scene file; it has the origin and the axes";
 }
 
 fn mesh(file: &Reader<'_>, Mesh { file: name }: Mesh) -> Option<Shape> {
     const KEY: &str = "body.file";
-    let bytes = (file.open)(&name).map_err(|told| format!("{name}: {told}"));
-    let bytes = file.right(KEY, bytes)?;
+    let bytes = match (file.open)(&name) {
+        Ok(bytes) => bytes,
+        Err(told) => return file.wrong(KEY, &format!(": {name}: {told}")),
+    };
     let mesh = match name.rsplit('.').next().map(str::to_lowercase).as_deref() {
         Some("stl") => mesh_of_stl(&bytes),
         Some("obj") => mesh_of_obj(&String::from_utf8_lossy(&bytes)),
-        _ => return file.wrong(KEY, format_args!(" must end in .stl or .obj, got {name}")),
+        _ => return file.wrong(KEY, &format!(" must end in .stl or .obj, got {name}")),
     };
     let solid = mesh.and_then(|(at, triangles)| mesh_mass_properties(&at, &triangles, 1.0));
     let solid = file.right(KEY, solid)?;
@@ -371,18 +352,14 @@ fn mesh(file: &Reader<'_>, Mesh { file: name }: Mesh) -> Option<Shape> {
         let inertia = solid.inertia().matrix() * (mass / solid.mass());
         MassProperties::new(mass, solid.center(), InertiaMatrix::from_matrix(inertia)?)
     };
-    Some(Shape::new(solid.mass(), made))
+    Some(Shape::new(solid.mass(), Vec::new(), made))
 }
 
 /// Keys that are absent where a `shape` determines them.
 pub(super) struct Shapeless<T>(pub Option<T>);
 
-impl<T: Section> Value for Shapeless<T> {
-    fn read(_: &Place<'_>, _: &Toml<'_>) -> Option<Self> {
-        None
-    }
-
-    fn take(table: &Table<'_>, _: &Key, _: Option<(Self, String)>) -> Option<Self> {
+impl<T: Section> Section for Shapeless<T> {
+    fn fields(table: &Table<'_>) -> Option<Self> {
         match table.entry("shape") {
             Some(_) => Some(Self(None)),
             None => T::fields(table).map(|keys| Self(Some(keys))),
@@ -390,11 +367,17 @@ impl<T: Section> Value for Shapeless<T> {
     }
 }
 
-/// The shape of a rolling body: I/MR², and the width of its drawing, in radii, unless it is a ball.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Round(f64, Option<f64>);
+// The shape of a rolling body, or what stands for it.
+section! { Round
+    shape: Option<RoundShape>, "";
+    inertia_factor: Option<f64>, "I/MR², a ratio (0.4 if there is no shape either)", UpTo(1.0);
+}
 
-impl Word for Round {
+/// I/MR², and the width of the drawing, in radii, unless it is a ball.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct RoundShape(f64, Option<f64>);
+
+impl Word for RoundShape {
     fn words() -> Vec<(&'static str, Self)> {
         vec![
             ("ball", Self(0.4, None)),
@@ -407,20 +390,29 @@ impl Word for Round {
 }
 
 impl Round {
+    /// The inertia factor: the given one, that of the shape, or that of a ball.
+    pub fn kappa(&self, file: &Reader<'_>) -> Option<f64> {
+        match (self.inertia_factor, self.shape) {
+            (Some(_), Some(_)) => file.wrong("body.inertia_factor", FOLLOWS),
+            (factor, None) => Some(factor.unwrap_or(0.4)),
+            (None, Some(RoundShape(factor, _))) => Some(factor),
+        }
+    }
+
     /// The drawing of a rolling body.
-    pub fn outline(shape: Option<Self>, radius: f64) -> Outline {
-        match shape.and_then(|Self(_, width)| width) {
+    pub fn outline(&self, radius: f64) -> Outline {
+        match self.shape.and_then(|RoundShape(_, width)| width) {
             None => Outline::new("a ball", Solid::ball(radius)),
             Some(width) => Outline::new("a wheel", Solid::wheel(radius, width * radius)),
         }
     }
 }
 
-/// The inertia factor of a rolling body: the given one, that of its shape, or that of a ball.
-pub(super) fn kappa(file: &Reader<'_>, factor: Option<f64>, shape: Option<Round>) -> Option<f64> {
-    match (factor, shape) {
-        (Some(_), Some(_)) => file.wrong("body.inertia_factor", FOLLOWS),
-        (factor, None) => Some(factor.unwrap_or(0.4)),
-        (None, Some(Round(factor, _))) => Some(factor),
+/// Records an axle that is thicker than its wheel.
+pub(super) fn not_beyond(file: &Reader<'_>, axle: f64, radius: f64) -> Option<()> {
+    if axle > radius {
+        let told = format!(" must not exceed `radius`, {radius:?}, got {axle:?}");
+        return file.wrong("body.axle", &told);
     }
+    Some(())
 }

@@ -2,99 +2,93 @@
 
 use nalgebra::Vector3;
 
-use super::body::{Matter, Round, kappa};
+use super::body::{Matter, Round, not_beyond};
 use super::file::*;
 use crate::impacts::{Meteorite, Planet};
 use crate::rolling::{RoundBody, SheetSpeeds, Spool};
 use crate::scene::{Roller, StruckPlanet, Superball, TuggedSpool};
 use crate::superball::{InFlight, Motion};
 
-section! {
-    /// `[body]` of a roller.
-    RoundKeys {
-        mass: f64, "a mass in kg", Positive;
-        radius: f64, "a radius in m", Positive;
-        shape: Option<Round>, "";
-        inertia_factor: Option<f64>, "I/MR², a ratio (0.4 if there is no shape either)", UpTo(1.0);
-    }
+section! { RoundKeys
+    mass: f64, "a mass in kg", Positive;
+    radius: f64, "a radius in m", Positive;
+    round: Round;
+}
 
-    /// `[initial]` of a roller.
-    RollerInitial {
-        velocity: Option<f64>, "the speed of the centre in m/s";
-        rim_speed: Option<f64>, "the speed RΩ of the rim in m/s";
-        cue_height: Option<f64>, "the height of the cue above the table in radii";
-    }
-
-    /// The friction of a table.
-    Friction {
-        friction: Option<f64>, "the coefficient of friction of what slides, a ratio", NotNegative;
-        static_friction: Option<f64>, "the coefficient of friction of what rolls, a ratio", NotNegative;
-        rolling_resistance: Option<RollingResistance>, "the coefficient of rolling resistance, a ratio";
-    }
-
-    /// `[effects]` of a roller.
-    RollerEffects {
-        gravity: f64, "an acceleration in m/s²", Positive;
-        friction: Friction, "";
-        sheet_friction: Option<Coulomb>, "the coefficient of friction on the sheet, a ratio", NotNegative;
-        sheet_times: Option<Vec<f64>>, "a list of times in s";
-        sheet_speeds: Option<Vec<f64>>, "a list of speeds in m/s";
-        sheet_margin: Option<f64>, "the way from the ball to the edge in m", Positive;
-    }
+section! { Friction
+    friction: Option<f64>, "the coefficient of friction of what slides, a ratio", NotNegative;
+    static_friction: Option<f64>, "the coefficient of friction of what rolls, a ratio", NotNegative;
+    rolling_resistance: Option<RollingResistance>, "the coefficient of rolling resistance, a ratio";
 }
 
 impl RoundKeys {
     fn made(&self, file: &Reader<'_>) -> Option<RoundBody> {
-        let kappa = kappa(file, self.inertia_factor, self.shape)?;
-        let body = RoundBody::new(self.mass, self.radius, kappa);
+        let body = RoundBody::new(self.mass, self.radius, self.round.kappa(file)?);
         file.right("body.inertia_factor", body)
     }
 }
 
 impl Friction {
-    fn listed(&self, file: &Reader<'_>) -> Option<[Option<Effect>; 2]> {
+    fn acting(&self, file: &Reader<'_>) -> Option<Vec<Acting>> {
         if self.friction.is_none() && self.static_friction.is_some() {
             return file.wrong("effects.static_friction", " needs `friction` beside it");
         }
-        let both = self.friction.zip(self.static_friction.or(self.friction));
-        let law = both.map(|(kinetic, grip)| Coulomb::with_grip(kinetic, grip));
-        let law = file.right("effects.static_friction, effects.friction", law.transpose())?;
-        Some(listed![law, self.rolling_resistance])
+        let grip = |kinetic| self.static_friction.unwrap_or(kinetic);
+        let law = (self.friction).map(|kinetic| Coulomb::with_grip(kinetic, grip(kinetic)));
+        let keys = "effects.static_friction, effects.friction";
+        let law = file.right(keys, law.transpose())?.map(Effect::from);
+        let resistance = self.rolling_resistance.map(Effect::from);
+        Some(vec![
+            (keys, law),
+            ("effects.rolling_resistance", resistance),
+        ])
     }
 }
 
-fn sheet(file: &Reader<'_>, effects: &RollerEffects) -> Option<Option<Sheet>> {
-    let (law, margin) = (effects.sheet_friction, effects.sheet_margin);
-    let (times, speeds) = (&effects.sheet_times, &effects.sheet_speeds);
-    let (law, times, speeds, margin) = match (law, times, speeds, margin) {
-        (Some(law), Some(times), Some(speeds), Some(margin)) => (law, times, speeds, margin),
-        (None, None, None, None) => return Some(None),
-        _ => {
-            let keys = "effects.sheet_friction, effects.sheet_times, effects.sheet_speeds, effects.sheet_margin";
-            return file.wrong(keys, " belong together");
+tables! { RollerKeys
+    [body]
+    ball: RoundKeys;
+    [initial]
+    velocity: Option<f64>, "the speed of the centre in m/s";
+    rim_speed: Option<f64>, "the speed RΩ of the rim in m/s";
+    cue_height: Option<f64>, "the height of the cue above the table in radii";
+    [effects]
+    gravity: f64, "an acceleration in m/s²", Positive;
+    friction: Friction;
+    sheet_friction: Option<Coulomb>, "the coefficient of friction on the sheet, a ratio", NotNegative;
+    sheet_times: Option<Vec<f64>>, "a list of times in s";
+    sheet_speeds: Option<Vec<f64>>, "a list of speeds in m/s";
+    sheet_margin: Option<f64>, "the way from the ball to the edge in m", Positive;
+}
+
+impl RollerKeys {
+    fn sheet(&self, file: &Reader<'_>) -> Option<Option<Sheet>> {
+        let keys = "effects.sheet_friction, effects.sheet_times, effects.sheet_speeds, effects.sheet_margin";
+        let course = self.sheet_times.as_ref().zip(self.sheet_speeds.as_ref());
+        let sheet = course.zip(self.sheet_friction.zip(self.sheet_margin));
+        let Some(((times, speeds), (law, margin))) = file.together(keys, sheet)? else {
+            return Some(None);
+        };
+        if times.len() != speeds.len() {
+            let (times, speeds) = (times.len(), speeds.len());
+            let told = format!(" must be as many as sheet_times, {times}, got {speeds}");
+            return file.wrong("effects.sheet_speeds", &told);
         }
-    };
-    if times.len() != speeds.len() {
-        let (times, speeds) = (times.len(), speeds.len());
-        let told = format!(" must be as many as sheet_times, {times}, got {speeds}");
-        return file.wrong("effects.sheet_speeds", told);
+        let points = times.iter().copied().zip(speeds.iter().copied());
+        let speeds = SheetSpeeds::through(points.collect::<Vec<_>>());
+        let speeds = file.right("effects.sheet_times", speeds)?;
+        let sheet = Sheet::new(law, speeds, margin);
+        file.right("effects.sheet_margin", sheet).map(Some)
     }
-    let points = times.iter().copied().zip(speeds.iter().copied());
-    let speeds = SheetSpeeds::through(points.collect::<Vec<_>>());
-    let speeds = file.right("effects.sheet_times", speeds);
-    let sheet = Sheet::new(law, speeds?, margin);
-    file.right("effects.sheet_margin", sheet).map(Some)
 }
 
-pub fn roller(file: &File<'_, RoundKeys, RollerInitial, RollerEffects>) -> Made<Roller> {
-    let RoundKeys { radius, shape, .. } = file.body;
-    let look = on_the_table(Round::outline(shape, radius), radius);
-    let body = file.body.made(file);
-    let friction = file.effects.friction.listed(file);
-    let sheet = sheet(file, &file.effects);
-    let (body, gravity) = (body?, file.effects.gravity);
-    let velocity = file.initial.velocity.unwrap_or(0.0);
-    let scene = match (file.initial.rim_speed, file.initial.cue_height) {
+pub fn roller(file: &Reader<'_>, given: RollerKeys) -> Option<AnyScene> {
+    let body = given.ball.made(file);
+    let friction = given.friction.acting(file);
+    let sheet = given.sheet(file);
+    let (body, gravity) = (body?, given.gravity);
+    let velocity = given.velocity.unwrap_or(0.0);
+    let scene = match (given.rim_speed, given.cue_height) {
         (Some(_), Some(_)) => file.exclude("initial.rim_speed", "cue_height"),
         (None, Some(height)) if velocity > 0.0 => {
             let shot = body.strike(height, velocity);
@@ -110,174 +104,154 @@ pub fn roller(file: &File<'_, RoundKeys, RollerInitial, RollerEffects>) -> Made<
             file.right("initial.velocity, initial.rim_speed", scene)
         }
     };
-    let scene = with(file, scene?, friction?, Roller::with)?;
-    Some((with(file, scene, listed![sheet?], Roller::with)?, look))
+    let mut acting = friction?;
+    acting.push(("effects.sheet_margin", sheet?.map(Effect::from)));
+    let scene = with(file, scene?, acting, Roller::with)?;
+    let radius = given.ball.radius;
+    let outline = given.ball.round.outline(radius);
+    drawn(scene, move |told| on_the_table(&outline, radius, told))
 }
 
-fn on_the_table(body: Outline, radius: f64) -> Look {
-    rolling(body, Around::Floor, move |told| {
-        let [x, turned] = told.vector(["x", "turned"]);
-        ([x, radius], Some(turned))
-    })
+fn on_the_table(body: &Outline, radius: f64, told: &Told<'_>) -> Sight {
+    let [x, turned] = told.vector(["x", "turned"]);
+    rolling(body, Around::Floor, [x, radius], Some(turned), told)
 }
 
-section! {
-    /// `[body]` of a spool.
-    SpoolBody {
-        round: RoundKeys, "";
-        axle: f64, "the radius of the axle in m", Positive;
-    }
-
-    /// `[initial]` of a spool.
-    SpoolInitial {
-        velocity: f64 = 0.0, "the speed of the centre in m/s";
-        rim_speed: f64 = 0.0, "the speed RΩ of the rim in m/s";
-    }
-
-    /// `[effects]` of a spool.
-    SpoolEffects {
-        gravity: f64, "an acceleration in m/s²", Positive;
-        friction: Friction, "";
-        tension: Option<f64>, "a force in N", NotNegative;
-        tug_angle: Option<f64>, "the angle of the string above the horizontal in rad";
-    }
+tables! { SpoolKeys
+    [body]
+    reel: RoundKeys;
+    axle: f64, "the radius of the axle in m", Positive;
+    [initial]
+    velocity: f64 = 0.0, "the speed of the centre in m/s";
+    rim_speed: f64 = 0.0, "the speed RΩ of the rim in m/s";
+    [effects]
+    gravity: f64, "an acceleration in m/s²", Positive;
+    friction: Friction;
+    tension: Option<f64>, "a force in N", NotNegative;
+    tug_angle: Option<f64>, "the angle of the string above the horizontal in rad";
 }
 
-pub fn spool(file: &File<'_, SpoolBody, SpoolInitial, SpoolEffects>) -> Made<TuggedSpool> {
-    let (radius, axle) = (file.body.round.radius, file.body.axle);
-    let body = file.body.round.made(file);
-    let friction = file.effects.friction.listed(file);
-    let tug = match (file.effects.tension, file.effects.tug_angle) {
-        (Some(tension), Some(angle)) => file
-            .right("effects.tug_angle", Tug::new(tension, angle))
-            .map(Some),
-        (None, None) => Some(None),
-        _ => file.wrong("effects.tension, effects.tug_angle", " belong together"),
-    };
-    if axle > radius {
-        let told = format!(" must not exceed `radius`, {radius:?}, got {axle:?}");
-        return file.wrong("body.axle", told);
-    }
+pub fn spool(file: &Reader<'_>, given: SpoolKeys) -> Option<AnyScene> {
+    let (radius, axle) = (given.reel.radius, given.axle);
+    let body = given.reel.made(file);
+    let friction = given.friction.acting(file);
+    let tug = given.tension.zip(given.tug_angle);
+    let tug = file.together("effects.tension, effects.tug_angle", tug);
+    let tug = tug.map(|tug| {
+        tug.map(|(tension, angle)| Tug::new(tension, angle))
+            .transpose()
+    });
+    let tug = tug.and_then(|tug| file.right("effects.tug_angle", tug));
+    not_beyond(file, axle, radius)?;
     let reel = file.right("body.axle", Spool::new(body?, axle))?;
-    let scene = TuggedSpool::new(reel, file.effects.gravity);
+    let scene = TuggedSpool::new(reel, given.gravity);
     let scene = file.right("effects.gravity", scene)?;
-    let scene = with(file, scene, listed![tug?], TuggedSpool::with)?;
+    let keys = "effects.tension, effects.tug_angle, effects.gravity, body.mass";
+    let tug = (keys, tug?.map(Effect::from));
+    let scene = with(file, scene, vec![tug], TuggedSpool::with)?;
     let scene = with(file, scene, friction?, TuggedSpool::with)?;
     let side = |at: f64| {
-        let rim = Solid::wheel(radius, 0.1 * radius);
-        (rim, (Vector3::z() * (at * radius)).into())
+        (
+            Solid::wheel(radius, 0.1 * radius),
+            Vector3::z() * (at * radius),
+        )
     };
-    let mut outline = Outline::new("a spool", Solid::wheel(axle, radius));
-    outline.solids.extend([side(-0.5), side(0.5)]);
-    let scene = scene.moving(file.initial.velocity, file.initial.rim_speed);
-    Some((scene, on_the_table(outline, radius)))
+    let [(left, at_left), (right, at_right)] = [side(-0.5), side(0.5)];
+    let outline = Outline::new("a spool", Solid::wheel(axle, radius))
+        .and(left, at_left)
+        .and(right, at_right);
+    let scene = scene.moving(given.velocity, given.rim_speed);
+    drawn(scene, move |told| on_the_table(&outline, radius, told))
 }
 
-section! {
-    /// `[body]` of a superball.
-    BallBody {
-        mass: f64, "a mass in kg", Positive;
-        shape: Option<Round>, "";
-        inertia_factor: Option<f64>, "I/MR², a ratio (0.4 if there is no shape either)", UpTo(1.0);
-    }
-
-    /// `[initial]` of a superball.
-    BallInitial {
-        height: f64, "a height in m", NotNegative;
-        climb: f64 = 0.0, "the speed upward in m/s";
-        velocity: f64 = 0.0, "the speed of the centre in m/s";
-        rim_speed: f64 = 0.0, "the speed RΩ of the rim in m/s";
-    }
-
-    /// `[effects]` of a superball.
-    BallEffects {
-        gravity: Option<Gravity>, "an acceleration in m/s²";
-        ceiling: Option<f64>, "the height of the ceiling, less the diameter, in m", Positive;
-        restitution: Option<f64>, "the coefficient of restitution upward, a ratio";
-        tangential_restitution: Option<f64>, "the coefficient of restitution along the floor, a ratio";
-        grip: Option<Coulomb>, "the coefficient of friction at a bounce, a ratio";
-    }
+tables! { BallKeys
+    [body]
+    mass: f64, "a mass in kg", Positive;
+    round: Round;
+    [initial]
+    height: f64, "a height in m", NotNegative;
+    climb: f64 = 0.0, "the speed upward in m/s";
+    velocity: f64 = 0.0, "the speed of the centre in m/s";
+    rim_speed: f64 = 0.0, "the speed RΩ of the rim in m/s";
+    [effects]
+    gravity: Option<Gravity>, "an acceleration in m/s²";
+    ceiling: Option<f64>, "the height of the ceiling, less the diameter, in m", Positive;
+    restitution: Option<f64>, "the coefficient of restitution upward, a ratio";
+    tangential_restitution: Option<f64>, "the coefficient of restitution along the floor, a ratio";
+    grip: Option<Coulomb>, "the coefficient of friction at a bounce, a ratio";
 }
 
-pub fn superball(file: &File<'_, BallBody, BallInitial, BallEffects>) -> Made<Superball> {
-    let (initial, effects) = (&file.initial, &file.effects);
+pub fn superball(file: &Reader<'_>, given: BallKeys) -> Option<AnyScene> {
+    let (height, climb, ceiling) = (given.height, given.climb, given.ceiling);
+    let (velocity, rim_speed) = (given.velocity, given.rim_speed);
     let start = InFlight {
         position: 0.0,
-        height: initial.height,
-        climb: initial.climb,
+        height,
+        climb,
         motion: Motion {
-            velocity: initial.velocity,
-            rim_speed: initial.rim_speed,
+            velocity,
+            rim_speed,
         },
         bounces: 0,
     };
-    let kappa = kappa(file, file.body.inertia_factor, file.body.shape)?;
-    let ball = Superball::new(file.body.mass, kappa, start);
+    let ball = Superball::new(given.mass, given.round.kappa(file)?, start);
     let ball = file.right("initial.height, initial.climb", ball)?;
-    let ball = ball.under(effects.ceiling.unwrap_or(f64::INFINITY));
+    let ball = ball.under(ceiling.unwrap_or(f64::INFINITY));
     file.right("effects.ceiling, initial.height", ball.flight.checked())?;
-    let given = [effects.restitution, effects.tangential_restitution];
-    let [normal, along] = given.map(|given| given.unwrap_or(1.0));
-    file.right("effects.restitution", Restitution::new(normal, 1.0))?;
-    let restitution = Restitution::new(normal, along);
-    let restitution = file.right("effects.tangential_restitution", restitution)?;
-    let restitution = given[0].or(given[1]).map(|_| restitution);
-    let acting = listed![effects.gravity, restitution, effects.grip];
+    let (normal, along) = (given.restitution, given.tangential_restitution);
+    let losses = Restitution::new(normal.unwrap_or(1.0), 1.0);
+    file.right("effects.restitution", losses)?;
+    let losses = Restitution::new(normal.unwrap_or(1.0), along.unwrap_or(1.0));
+    let losses = file.right("effects.tangential_restitution", losses)?;
+    let losses = normal.or(along).map(|_| losses.into());
+    let mut acting = acting![given: gravity, grip];
+    acting.push(("effects.restitution", losses));
     let ball = with(file, ball, acting, Superball::with)?;
     // The scene has a rim speed but no radius: the drawing takes one that fits the heights.
-    let gravity = effects.gravity.map(Gravity::value).filter(|&g| g > 0.0);
-    let climbed = gravity.map_or(0.0, |g| 0.5 * initial.climb.powi(2) / g);
-    let room = effects.ceiling.unwrap_or(initial.height + climbed);
+    let gravity = given.gravity.map(Gravity::value).filter(|&g| g > 0.0);
+    let climbed = gravity.map_or(0.0, |g| 0.5 * climb.powi(2) / g);
+    let room = ceiling.unwrap_or(height + climbed);
     let radius = if room > 0.0 { 0.06 * room } else { 0.05 };
     let under = |ceiling| Around::Under(ceiling + 2.0 * radius);
-    let around = effects.ceiling.map_or(Around::Floor, under);
-    let outline = Round::outline(file.body.shape, radius);
-    let flies = rolling(outline, around, move |told| {
-        let [x, height] = told.vector(["x", "height"]);
-        ([x, height + radius], None)
-    });
-    let look: Look = Box::new(move |told| {
-        let [rim, l] = told.vector(["rim_speed", "l_over_radius"]);
-        flies(told).turning(Vector3::y(), [rim / radius, l * radius])
-    });
-    Some((ball, look))
+    let around = ceiling.map_or(Around::Floor, under);
+    let outline = given.round.outline(radius);
+    drawn(ball, move |told| {
+        let [x, height, rim, l] = told.vector(["x", "height", "rim_speed", "l_over_radius"]);
+        let sight = rolling(&outline, around, [x, height + radius], None, told);
+        sight.turning(Vector3::y(), [rim / radius, l * radius])
+    })
 }
 
-section! {
-    /// `[initial]` of a planet.
-    PlanetInitial {
-        velocity: Option<BodyVector>, "a velocity in m/s";
-        omega: Option<BodyVector>, "an angular velocity in rad/s";
-    }
-
-    /// `[effects]` of a planet.
-    PlanetEffects {
-        impact_mass: Option<f64>, "the mass of the meteorite in kg", Positive;
-        impact_velocity: Option<BodyVector>, "a velocity in m/s";
-        impact_at: Option<BodyVector>, "a place in m";
-    }
+tables! { PlanetKeys
+    [body]
+    matter: Matter;
+    [initial]
+    velocity: Option<BodyVector>, "a velocity in m/s";
+    omega: Option<BodyVector>, "an angular velocity in rad/s";
+    [effects]
+    impact_mass: Option<f64>, "the mass of the meteorite in kg", Positive;
+    impact_velocity: Option<BodyVector>, "a velocity in m/s";
+    impact_at: Option<BodyVector>, "a place in m";
 }
 
-pub fn meteorite(file: &File<'_, Matter, PlanetInitial, PlanetEffects>) -> Made<StruckPlanet> {
-    let given = [file.initial.velocity, file.initial.omega];
-    let [velocity, omega] = given.map(|given| given.unwrap_or_else(BodyVector::zero));
-    let solid = file.body.about_center(file)?;
-    let outline = file.body.outline(&solid);
-    let look = free(outline.moved(-solid.center().components()), Around::Space);
+pub fn meteorite(file: &Reader<'_>, given: PlanetKeys) -> Option<AnyScene> {
+    let solid = given.matter.about_center(file)?;
+    let outline = given.matter.outline(&solid);
+    let outline = outline.moved(-solid.center().components());
+    let still = BodyVector::zero();
+    let (velocity, omega) = (
+        given.velocity.unwrap_or(still),
+        given.omega.unwrap_or(still),
+    );
     let planet = Planet::new(solid.mass(), solid.inertia(), velocity, omega);
-    let planet = StruckPlanet::new(file.right("body.moments", planet)?);
-    let given = &file.effects;
-    let planet = match (given.impact_mass, given.impact_velocity, given.impact_at) {
-        (Some(mass), Some(velocity), Some(at)) => {
-            let keys = "effects.impact_mass, effects.impact_velocity";
-            let meteorite = file.right(keys, Meteorite::new(mass, velocity))?;
-            file.right("effects.impact_at", planet.with(Impact { meteorite, at }))?
-        }
-        (None, None, None) => planet,
-        _ => {
-            let keys = "effects.impact_mass, effects.impact_velocity, effects.impact_at";
-            return file.wrong(keys, " belong together");
-        }
-    };
-    Some((planet, look))
+    let mut planet = StruckPlanet::new(file.right("body.moments", planet)?);
+    let keys = "effects.impact_mass, effects.impact_velocity, effects.impact_at";
+    let impact = given.impact_mass.zip(given.impact_velocity);
+    if let Some(((mass, velocity), at)) = file.together(keys, impact.zip(given.impact_at))? {
+        let keys = "effects.impact_mass, effects.impact_velocity";
+        let meteorite = file.right(keys, Meteorite::new(mass, velocity))?;
+        let struck = planet.with(Impact { meteorite, at });
+        planet = file.right("effects.impact_at", struck)?;
+    }
+    drawn(planet, move |told| posed(&outline, Around::Space, told))
 }

@@ -1,57 +1,49 @@
-//! The tables of one kind of scene, and the effects in them; and the tools with which a kind is read.
-
-use core::ops::Deref;
+//! The tools with which the tables of a kind are declared and its scene is made.
 
 pub(super) use super::keys::Bound::{From, NotNegative, Positive, UpTo};
-pub(super) use super::look::{Outline, about, free, posed, rolling, still};
-pub(super) use super::reader::Reader;
-pub(super) use super::values::{Word, keys, section};
+pub(super) use super::keys::Key;
+pub(super) use super::look::{Outline, about, posed, rolling, still};
+pub(super) use super::reader::{Place, Reader, Section, Table, Value};
+pub(super) use super::values::{Word, key, keys, section, tables};
 pub(super) use crate::frame::{Attitude, BodyVector};
 pub(super) use crate::scene::effects::*;
-pub(super) use crate::scene::sight::Look;
-pub(super) use crate::scene::{Around, Sight, Solid};
+pub(super) use crate::scene::sight::Told;
+pub(super) use crate::scene::{AnyScene, Around, Sight, Solid};
 
-/// The optional effects of a scene, as an array of [`Effect`]s.
-macro_rules! listed {
-    ($($effect:expr),* $(,)?) => {
-        [$($effect.map($crate::scene::effects::Effect::from)),*]
+use crate::scene::Scene;
+
+/// An effect that may be present, and its keys.
+pub(super) type Acting = (&'static str, Option<Effect>);
+
+/// The effects with these keys.
+macro_rules! acting {
+    ($given:ident: $($effect:ident),*) => {
+        vec![$((concat!("effects.", stringify!($effect)), $given.$effect.map(Effect::from))),*]
     };
 }
-pub(super) use listed;
+pub(super) use acting;
 
-/// The contents of a file: the three tables of its kind.
-pub(super) struct File<'a, B, I, E> {
-    pub reader: &'a Reader<'a>,
-    pub body: B,
-    pub initial: I,
-    pub effects: E,
-}
-
-impl<'a, B, I, E> Deref for File<'a, B, I, E> {
-    type Target = Reader<'a>;
-
-    fn deref(&self) -> &Reader<'a> {
-        self.reader
-    }
-}
-
-/// A scene made from a file, with its picture.
-pub(super) type Made<S> = Option<(S, Look)>;
-
-/// The scene with those of the listed effects that are present.
+/// The scene with those effects that are present.
 pub(super) fn with<S>(
     file: &Reader<'_>,
     mut scene: S,
-    listed: impl IntoIterator<Item = Option<Effect>>,
-    add: impl Fn(S, Effect) -> crate::Result<S>,
+    acting: Vec<Acting>,
+    add: fn(S, Effect) -> crate::Result<S>,
 ) -> Option<S> {
-    for effect in listed.into_iter().flatten() {
-        let keys = match effect {
-            Effect::TipFriction(_) => "effects.tip_friction, body.moments, body.center_of_mass",
-            Effect::Tug(_) => "effects.tension, effects.tug_angle, effects.gravity, body.mass",
-            _ => &format!("effects.{}", effect.name()),
-        };
-        scene = file.right(keys, add(scene, effect))?;
+    for (keys, effect) in acting {
+        if let Some(effect) = effect {
+            scene = file.right(keys, add(scene, effect))?;
+        }
     }
+    Some(scene)
+}
+
+/// The scene of a file, and how it is drawn.
+pub(super) fn drawn<S: Scene<State: Send + 'static> + 'static>(
+    scene: S,
+    look: impl Fn(&Told<'_>) -> Sight + Send + Sync + 'static,
+) -> Option<AnyScene> {
+    let mut scene = AnyScene::scene(Box::new(scene));
+    scene.look = Some(Box::new(look));
     Some(scene)
 }

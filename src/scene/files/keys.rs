@@ -1,7 +1,6 @@
 //! The declaration of a key: its name, the expected value, its bounds, and its row on the page of keys.
 
 use core::f64::consts::PI;
-use core::fmt::Display;
 
 use crate::error::Number;
 
@@ -32,22 +31,20 @@ pub(super) struct Key {
     pub name: &'static str,
     /// The expected value: "a mass in kg".
     pub what: &'static str,
-    pub bound: Option<Bound>,
+    /// One at most.
+    pub bounds: &'static [Bound],
+    /// One number at most: that which stands for an absent one, or for each of a list.
+    pub default: &'static [f64],
 }
 
 impl Key {
-    pub const fn new(name: &'static str, what: &'static str, bound: Option<Bound>) -> Self {
-        Self { name, what, bound }
-    }
-
     /// The expected value in words: its description, then `shape`, then the bounds.
-    pub fn expected(&self, shape: impl Display) -> String {
-        let bound = match self.bound {
-            None => String::new(),
-            Some(Bound::Positive) => ", positive".to_owned(),
-            Some(Bound::NotNegative) => ", not negative".to_owned(),
-            Some(Bound::UpTo(most)) => format!(", positive, at most {most}"),
-            Some(Bound::From(least, most)) => {
+    pub fn expected(&self, shape: &str) -> String {
+        let bound = match *self.bounds {
+            [Bound::Positive] => ", positive".to_owned(),
+            [Bound::NotNegative] => ", not negative".to_owned(),
+            [Bound::UpTo(most)] => format!(", positive, at most {most}"),
+            [Bound::From(least, most)] => {
                 let told = |bound: f64| match bound {
                     PI => "π".to_owned(),
                     // Counts are written without an exponent.
@@ -56,6 +53,7 @@ impl Key {
                 };
                 format!(" from {} to {}", told(least), told(most))
             }
+            _ => String::new(),
         };
         format!("{}{shape}{bound}", self.what)
     }

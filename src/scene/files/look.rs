@@ -5,7 +5,7 @@ use core::f64::consts::FRAC_PI_2;
 use nalgebra::{Isometry3, Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 use crate::inertia::principal_axes_of;
-use crate::scene::sight::{Look, Told};
+use crate::scene::sight::Told;
 use crate::scene::{Around, Sight, Solid};
 
 type Vector = Vector3<f64>;
@@ -46,12 +46,12 @@ impl Outline {
         let ellipsoid = Solid::Ellipsoid(half.unwrap_or_else(|_| Matrix3::identity()));
         Self::new("its ellipsoid of inertia", ellipsoid)
             .moved(center)
-            .and(Solid::Bar(center))
+            .and(Solid::Bar(center), Vector::zeros())
     }
 
-    /// Adds another solid about the origin.
-    pub fn and(mut self, solid: Solid) -> Self {
-        self.solids.push((solid, Isometry3::identity()));
+    /// Adds another solid, with its origin at this place.
+    pub fn and(mut self, solid: Solid, place: Vector) -> Self {
+        self.solids.push((solid, place.into()));
         self
     }
 
@@ -101,11 +101,6 @@ impl Sight {
     }
 }
 
-/// The picture of a body whose attitude is given.
-pub(super) fn free(body: Outline, around: Around) -> Look {
-    Box::new(move |told| posed(&body, around, told))
-}
-
 /// The picture of a body at the attitude of a row.
 pub(super) fn posed(body: &Outline, around: Around, told: &Told<'_>) -> Sight {
     let [w, x, y, z] = told.vector(["qw", "qx", "qy", "qz"]);
@@ -120,22 +115,21 @@ pub(super) fn posed(body: &Outline, around: Around, told: &Told<'_>) -> Sight {
     }
 }
 
-/// The picture of a body that turns in the plane of x and z, about the y axis, from its position and, if known, its angle (m, rad).
+/// The picture of a body that turns in the plane of x and z, about the y axis, at its position and, if known, its angle (m, rad).
 ///
 /// The third axis of a rolling body lies along y.
 pub(super) fn rolling(
-    body: Outline,
+    body: &Outline,
     around: Around,
-    at: impl Fn(&Told<'_>) -> ([f64; 2], Option<f64>) + Send + Sync + 'static,
-) -> Look {
-    Box::new(move |told| {
-        let ([x, z], angle) = at(told);
-        let turn = about(Vector::y(), angle.unwrap_or(0.0));
-        let attitude = turn * about(Vector::x(), -FRAC_PI_2);
-        let mut sight = body.sight(around, Vector::new(x, 0.0, z), attitude);
-        sight.turned = angle.is_some();
-        sight.turning(Vector::y(), told.vector(["omega", "l"]))
-    })
+    [x, z]: [f64; 2],
+    angle: Option<f64>,
+    told: &Told<'_>,
+) -> Sight {
+    let turn = about(Vector::y(), angle.unwrap_or(0.0));
+    let attitude = turn * about(Vector::x(), -FRAC_PI_2);
+    let mut sight = body.sight(around, Vector::new(x, 0.0, z), attitude);
+    sight.turned = angle.is_some();
+    sight.turning(Vector::y(), told.vector(["omega", "l"]))
 }
 
 /// The rotation about an axis by an angle, rad.

@@ -18,10 +18,10 @@
 //! |---|---|
 //! | `reader` | tables and keys of one text; mistakes, each in one line |
 //! | `keys` | a key: its name, the expected value, its row on the page of keys |
-//! | `values` | the values of keys, and the declaration of tables |
+//! | `values` | the values of keys, and the declarations of tables |
 //! | `run` | times, accuracy, solver, columns |
 //! | `body` | the tables of a rigid body |
-//! | `file` | the tables of one kind, how their effects are added, and all that the reader of a kind imports |
+//! | `file` | all that a kind imports, how effects are added to its scene, and how it gets its picture |
 //! | `look` | the drawing of a scene |
 //! | one for each kind or several | the tables of the kind, and the scene made from them |
 //!
@@ -48,31 +48,32 @@ pub use run::telling;
 
 use toml::de::{DeTable, DeValue};
 
-use super::{AnyScene, Request, Scene};
-use file::{File, Made};
-use keys::Key;
-use reader::{Reader, Section, Table, find, joined};
+use super::{AnyScene, Request};
+use file::*;
+use reader::{find, joined};
 use run::Run;
-use values::Word;
 
-/// Reads a kind of scene.
-type Kind = fn(&Reader<'_>) -> Option<(AnyScene, Request)>;
+/// Makes a scene from the tables that were read.
+type Maker = Box<dyn FnOnce(&Reader<'_>) -> Option<AnyScene>>;
+
+/// Reads the tables of a kind of scene.
+type Kind = fn(&Table<'_>) -> Option<Maker>;
 
 /// The kinds of scene; the first is that of a file without `kind`.
 const KINDS: [(&str, Kind); 13] = [
-    ("top", |file| read(file, top::top)),
-    ("meteorite", |file| read(file, contact::meteorite)),
-    ("roller", |file| read(file, contact::roller)),
-    ("spool", |file| read(file, contact::spool)),
-    ("superball", |file| read(file, contact::superball)),
-    ("yo-yo", |file| read(file, yo_yo::yo_yo)),
-    ("strip", |file| read(file, strip::strip)),
-    ("swivel", |file| read(file, changing::swivel)),
-    ("skater", |file| read(file, changing::skater)),
-    ("cat", |file| read(file, changing::cat)),
-    ("paper-cat", |file| read(file, changing::paper_cat)),
-    ("crawler", |file| read(file, changing::crawler)),
-    ("table-top", |file| read(file, table_top::table_top)),
+    ("top", |file| then(file, top::top)),
+    ("meteorite", |file| then(file, contact::meteorite)),
+    ("roller", |file| then(file, contact::roller)),
+    ("spool", |file| then(file, contact::spool)),
+    ("superball", |file| then(file, contact::superball)),
+    ("yo-yo", |file| then(file, yo_yo::yo_yo)),
+    ("strip", |file| then(file, strip::strip)),
+    ("swivel", |file| then(file, changing::swivel)),
+    ("skater", |file| then(file, changing::skater)),
+    ("cat", |file| then(file, changing::cat)),
+    ("paper-cat", |file| then(file, changing::paper_cat)),
+    ("crawler", |file| then(file, changing::crawler)),
+    ("table-top", |file| then(file, table_top::table_top)),
 ];
 
 impl Word for Kind {
@@ -81,33 +82,26 @@ impl Word for Kind {
     }
 }
 
-const TITLE: Key = Key::new("title", "a title in quotes", None);
-const KIND: Key = Key::new("kind", "", None);
+/// Reads the tables from which `made` makes a scene.
+fn then<K: Section + 'static>(
+    whole: &Table<'_>,
+    made: fn(&Reader<'_>, K) -> Option<AnyScene>,
+) -> Option<Maker> {
+    let keys = K::fields(whole)?;
+    Some(Box::new(move |file| made(file, keys)))
+}
 
-/// The scene made from the tables of a file, and the request. Every table is read before the first mistake ends the reading.
-fn read<B: Section, I: Section, E: Section, S: Scene<State: Send + 'static> + 'static>(
-    reader: &Reader<'_>,
-    made: fn(&File<'_, B, I, E>) -> Made<S>,
-) -> Option<(AnyScene, Request)> {
-    let whole = Table::whole(reader);
-    whole.value::<Option<String>>(&TITLE, None);
-    whole.value::<Kind>(&KIND, None);
-    let body = whole.part("body");
-    let initial = whole.part("initial");
-    let effects = whole.part("effects");
-    let run = whole.part::<Run>("run");
+/// The scene and the request in a file of the given kind, or of the kind that it names. Every table is read before the first mistake ends the reading.
+fn scene(file: &Reader<'_>, kind: Option<Kind>) -> Option<(AnyScene, Request)> {
+    let whole = Table::new(file, String::new());
+    key!(whole, title: Option<String>, "a title in quotes");
+    let named = key!(whole, kind: Kind, "");
+    let made = kind.or(named)?(&whole);
+    let run = whole.part("run", Run::fields);
     whole.done();
-    let request = run.as_ref().and_then(|run| run.request(reader));
-    let (scene, look) = made(&File {
-        reader,
-        body: body?,
-        initial: initial?,
-        effects: effects?,
-    })?;
-    let (run, request) = (run?, request?);
-    let mut scene = AnyScene::scene(Box::new(scene));
-    scene.look = Some(look);
-    Some((run.told(reader, scene)?, request))
+    let request = run.as_ref().and_then(|run| run.request(file));
+    let scene = made?(file)?;
+    Some((run?.told(file, scene)?, request?))
 }
 
 /// The scene and the request described by a file's text; `name` names the file in messages.
@@ -149,8 +143,7 @@ pub fn parse_with(
     open: &Open<'_>,
 ) -> Result<(AnyScene, Request), Mistakes> {
     let reader = Reader::new(name, text, open)?;
-    let kind: Option<Kind> = Table::whole(&reader).value(&KIND, None);
-    let made = kind.and_then(|read| read(&reader));
+    let made = scene(&reader, None);
     reader.finish(made)
 }
 
@@ -174,13 +167,12 @@ pub fn kinds() -> impl ExactSizeIterator<Item = &'static str> {
 /// assert!(count("run", "accuracy") == Some(1) && count("shapes", "radius") > Some(1));
 /// ```
 pub fn keys(kind: &str) -> Option<Vec<KeyRow>> {
-    let mut reader = Reader::new("", "", &out_of_reach).ok()?;
-    reader.lists = true;
+    let reader = Reader::new("", "", &out_of_reach).ok()?;
     // The common keys are read with the first kind.
     let known = KINDS.iter().find(|known| [known.0, "run"].contains(&kind));
     match kind {
         "shapes" => body::read_all_shapes(&reader),
-        _ => drop(known?.1(&reader)),
+        _ => drop(scene(&reader, Some(known?.1))),
     }
     let mut rows = reader.absent.into_inner();
     let is_shared = |row: &KeyRow| ["", "run"].contains(&row.section.as_str());
@@ -229,7 +221,7 @@ pub fn numbers(text: &str) -> Vec<String> {
 /// ```
 pub fn set(text: &str, path: &str, number: f64) -> Option<String> {
     let table = DeTable::parse(text).ok()?;
-    let (_, value) = find(table.get_ref(), path)?;
+    let value = find(table.get_ref(), path)?;
     values::number(value.get_ref())?;
     let whole = number.fract() == 0.0 && number.abs() < 1e15;
     let written = match value.get_ref() {

@@ -1,7 +1,6 @@
 //! Reads the tables and keys of one file and collects its mistakes, each in one line with file, line and key.
 
 use core::cell::{Cell, RefCell};
-use core::fmt::Display;
 use core::ops::Range;
 
 use toml::Spanned;
@@ -22,12 +21,10 @@ pub(super) struct Reader<'a> {
     name: &'a str,
     text: &'a str,
     entries: DeTable<'a>,
-    /// Line, counted from 1, and message; messages without a line come last.
+    /// Line, counted from 1, and message, in this order; messages without a line come last.
     mistakes: RefCell<Vec<(usize, String)>>,
     /// Reads another file, named in this one.
     pub open: &'a Open<'a>,
-    /// Whether the file serves only to list the keys; then optional tables are read as well.
-    pub lists: bool,
     /// The keys that were looked for and are absent.
     pub absent: RefCell<Vec<KeyRow>>,
 }
@@ -46,7 +43,6 @@ impl<'a> Reader<'a> {
             entries: entries.into_inner(),
             mistakes: RefCell::default(),
             open,
-            lists: false,
             absent: RefCell::default(),
         };
         let Some(error) = errors.first() else {
@@ -57,24 +53,21 @@ impl<'a> Reader<'a> {
             let key = error.span().and_then(|place| text.get(place));
             told = format!("key `{}` stands twice", key.unwrap_or_default());
         }
-        reader.add(error.span(), told);
+        reader.add(error.span(), &[&told]);
         reader.finish(None)
     }
 
     /// The value made from the file, if there were no mistakes.
     pub fn finish<T>(self, made: Option<T>) -> Result<T, Mistakes> {
-        let mut mistakes = self.mistakes.into_inner();
-        mistakes.sort_by_key(|mistake| mistake.0);
-        let is_right = mistakes.is_empty();
-        let told = mistakes.into_iter().map(|(_, told)| told);
-        made.filter(|_| is_right)
-            .ok_or_else(|| Mistakes(told.collect()))
+        let told = self.mistakes.into_inner().into_iter().map(|(_, told)| told);
+        let told: Vec<String> = told.collect();
+        made.filter(|_| told.is_empty()).ok_or(Mistakes(told))
     }
 
     /// Records a mistake at this place of the text.
-    fn add(&self, place: Option<Range<usize>>, told: String) {
+    fn add(&self, place: Option<Range<usize>>, told: &[&str]) {
         // A key in quotes may have anything in it.
-        let told = told.replace(char::is_control, " ");
+        let told = told.concat().replace(char::is_control, " ");
         let before = |place: Range<usize>| self.text.get(..place.start).unwrap_or_default();
         let line = place.map(|place| before(place).matches('\n').count() + 1);
         let mistake = match line {
@@ -84,67 +77,84 @@ impl<'a> Reader<'a> {
         let mut mistakes = self.mistakes.borrow_mut();
         // A key that is read for two purposes is reported once.
         if !mistakes.contains(&mistake) {
-            mistakes.push(mistake);
+            let after = mistakes.partition_point(|told| told.0 <= mistake.0);
+            mistakes.insert(after, mistake);
         }
     }
 
     /// Records a mistake in these keys, given by their paths, separated by commas: "body.mass, body.radius".
-    pub fn wrong<T>(&self, keys: &str, told: impl Display) -> Option<T> {
-        self.add(self.place(keys), format!("{}{told}", named(keys)));
+    pub fn wrong<T>(&self, keys: &str, told: &str) -> Option<T> {
+        self.tell(keys, told);
         None
+    }
+
+    fn tell(&self, keys: &str, told: &str) {
+        self.add(self.place(keys), &[&named(keys), told]);
     }
 
     /// The place of the first of these keys that is there, or of the table.
     fn place(&self, keys: &str) -> Option<Range<usize>> {
         let mut paths = keys.split(", ").chain(keys.split('.').take(1));
-        Some(paths.find_map(|path| find(&self.entries, path))?.0)
+        Some(paths.find_map(|path| find(&self.entries, path))?.span())
     }
 
     /// Records that a key is missing.
     pub fn missing<T>(&self, key: &str, expected: &str) -> Option<T> {
-        self.wrong(key, format_args!(" is missing: {expected} is expected"))
+        self.wrong(key, &format!(" is missing: {expected} is expected"))
     }
 
     /// Records that a key and another of its table exclude each other.
     pub fn exclude<T>(&self, key: &str, other: &str) -> Option<T> {
-        self.wrong(key, format_args!(" and `{other}` exclude each other"))
+        self.wrong(key, &format!(" and `{other}` exclude each other"))
+    }
+
+    /// The values of keys of which either all or none must be there.
+    pub fn together<T>(&self, keys: &str, all: Option<T>) -> Option<Option<T>> {
+        let is_there = |path| find(&self.entries, path).is_some();
+        if all.is_none() && keys.split(", ").any(is_there) {
+            return self.wrong(keys, " belong together");
+        }
+        Some(all)
     }
 
     /// The result of a constructor; its error is recorded for these keys.
-    pub fn right<T, E: Display>(&self, keys: &str, given: Result<T, E>) -> Option<T> {
-        given.map_or_else(|error| self.wrong(keys, format_args!(": {error}")), Some)
+    pub fn right<T>(&self, keys: &str, given: crate::Result<T>) -> Option<T> {
+        given.map_err(|error| self.refused(keys, &error)).ok()
     }
 
-    /// A value as written in the file, shortened.
-    pub fn shown(&self, value: &Toml<'_>) -> String {
+    fn refused(&self, keys: &str, error: &crate::Error) {
+        self.tell(keys, &format!(": {error}"));
+    }
+
+    /// The table with this path, which is empty if it is absent.
+    pub fn table(&self, path: String) -> Option<Table<'_>> {
+        match find(&self.entries, &path) {
+            Some(value) if !value.get_ref().is_table() => {
+                let (kind, shown) = (value.get_ref().type_str(), self.shown(value));
+                let told = format!(" must be a table, got the {kind} {shown}");
+                self.wrong(&path, &told)
+            }
+            _ => Some(Table::new(self, path)),
+        }
+    }
+
+    /// A value as it is written, shortened.
+    fn shown(&self, value: &Toml<'_>) -> String {
         let text = self.text.get(value.span()).unwrap_or_default();
         let words: Vec<&str> = text.split_whitespace().collect();
         words.join(" ").chars().take(40).collect()
     }
 }
 
-/// A key and its value, by the path: "body.moments", or "body.moments.2" with places in a list counted from 0.
-pub(super) fn find<'t, 'a>(
-    entries: &'t DeTable<'a>,
-    path: &str,
-) -> Option<(Range<usize>, &'t Toml<'a>)> {
+/// The value with this path: "body.moments", or "body.moments.2" with places in a list counted from 0.
+pub(super) fn find<'t, 'a>(entries: &'t DeTable<'a>, path: &str) -> Option<&'t Toml<'a>> {
     let mut steps = path.split('.');
-    let (key, value) = entries.get_key_value(steps.next()?)?;
-    let mut found = (key.span(), value);
-    for step in steps {
-        found = match found.1.get_ref() {
-            DeValue::Table(table) => {
-                let (key, value) = table.get_key_value(step)?;
-                (key.span(), value)
-            }
-            DeValue::Array(list) => {
-                let value = list.get(step.parse::<usize>().ok()?)?;
-                (value.span(), value)
-            }
-            _ => return None,
-        };
-    }
-    Some(found)
+    let first = entries.get(steps.next()?)?;
+    steps.try_fold(first, |value, step| match value.get_ref() {
+        DeValue::Table(table) => table.get(step),
+        DeValue::Array(list) => list.get(step.parse::<usize>().ok()?),
+        _ => None,
+    })
 }
 
 /// The path of a key or of a place in a list, from the path of its table or list; that of the file is empty.
@@ -174,30 +184,22 @@ pub(super) type Toml<'v> = Spanned<DeValue<'v>>;
 
 /// A type that can be the value of a key.
 pub(super) trait Value: Sized {
-    /// Whether the value is a table with keys of its own.
-    const IS_TABLE: bool = false;
-
-    /// The expected value in words.
+    /// The expected value in words; empty for a table, whose keys have words of their own.
     fn expected(key: &Key) -> String {
         key.expected("")
     }
 
-    /// The value from the TOML value written there.
-    fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self>;
+    /// The value as it is written in the file.
+    fn read(place: &Place<'_>) -> Option<Self>;
 
     /// The default and its text; `None` if the key must be given.
-    fn absent() -> Option<(Self, String)> {
+    fn absent(_: &Table<'_>, _: &Key) -> Option<(Self, String)> {
         None
-    }
-
-    /// The value from its table; one made from several keys takes them itself.
-    fn take(table: &Table<'_>, key: &Key, default: Option<(Self, String)>) -> Option<Self> {
-        table.value(key, default)
     }
 }
 
-/// A table with declared keys.
-pub(super) trait Section: Value {
+/// What is made from a table with declared keys.
+pub(super) trait Section: Sized {
     /// Reads all keys.
     fn fields(table: &Table<'_>) -> Option<Self>;
 }
@@ -209,32 +211,30 @@ pub(super) struct Table<'r> {
     entries: Option<&'r DeTable<'r>>,
     /// The keys that were looked for, which are those that the table may have.
     known: RefCell<Vec<&'static str>>,
-    /// Whether unknown keys are allowed.
-    takes_any: Cell<bool>,
+    /// Whether unknown keys are allowed: the key that decides which there may be is wrong.
+    pub takes_any: Cell<bool>,
+    /// The number of mistakes before the first of this table.
+    before: usize,
 }
 
 impl<'r> Table<'r> {
-    /// The file itself.
-    pub fn whole(reader: &'r Reader<'r>) -> Self {
-        Self::new(reader, String::new(), Some(&reader.entries))
-    }
-
-    pub fn new(reader: &'r Reader<'r>, path: String, entries: Option<&'r DeTable<'r>>) -> Self {
+    /// The table with this path; that of the file itself is empty.
+    pub fn new(reader: &'r Reader<'r>, path: String) -> Self {
+        let entries = match path.as_str() {
+            "" => Some(&reader.entries),
+            path => find(&reader.entries, path).and_then(|value| value.get_ref().as_table()),
+        };
         Self {
             reader,
             path,
             entries,
             known: RefCell::default(),
             takes_any: Cell::default(),
+            before: reader.mistakes.borrow().len(),
         }
     }
 
-    /// Allows unknown keys: the key that decides which there may be is wrong.
-    pub fn takes_any(&self) {
-        self.takes_any.set(true);
-    }
-
-    fn path_of(&self, key: &str) -> String {
+    pub fn path_of(&self, key: &str) -> String {
         joined(&self.path, key)
     }
 
@@ -249,42 +249,44 @@ impl<'r> Table<'r> {
     }
 
     /// The value of a key, or its default if it is absent.
-    pub fn value<T: Value>(&self, key: &Key, default: Option<(T, String)>) -> Option<T> {
-        let place = Place { table: self, key };
+    pub fn value<T: Value>(&self, key: &Key) -> Option<T> {
+        let (table, expected) = (self, &T::expected(key));
         if let Some(value) = self.entry(key.name) {
-            return T::read(&place, value);
+            return T::read(&Place {
+                table,
+                key,
+                value,
+                expected,
+            });
         }
-        if T::IS_TABLE && self.reader.lists {
-            let empty = DeValue::Table(DeTable::new());
-            return T::read(&place, &Spanned::new(0..0, empty));
-        }
-        let (value, absent) = default.or_else(T::absent).unzip();
-        self.reader.absent.borrow_mut().push(KeyRow {
-            section: self.path.clone(),
-            key: key.name,
-            expected: T::expected(key),
-            absent,
-        });
+        let (value, absent) = T::absent(self, key).unzip();
+        self.lacks(key.name, expected, absent);
         value
     }
 
-    /// One of the main tables, such as `[body]`: read as empty if it is absent, unless its name seems to be misspelt.
-    pub fn part<S: Section>(&self, name: &'static str) -> Option<S> {
-        let key = &Key::new(name, "a table", None);
-        match self.entry(name) {
-            Some(value) => S::read(&Place { table: self, key }, value),
-            None if self.slip(name).is_some() => None,
-            None => Self::new(self.reader, name.to_owned(), None).section(),
+    fn lacks(&self, key: &'static str, expected: &str, absent: Option<String>) {
+        if !expected.is_empty() {
+            self.reader.absent.borrow_mut().push(KeyRow {
+                section: self.path.clone(),
+                key,
+                expected: expected.to_owned(),
+                absent,
+            });
         }
     }
 
-    /// All keys of the table; each is read before the first mistake ends the reading.
-    pub fn section<S: Section>(self) -> Option<S> {
-        let before = self.reader.mistakes.borrow().len();
-        let section = S::fields(&self);
-        self.done();
-        let told = self.reader.mistakes.borrow().len();
-        section.filter(|_| told == before)
+    /// What is read from one of the main tables, such as `[body]`: empty if it is absent, unless its name seems to be misspelt.
+    pub fn part<T>(&self, name: &'static str, read: fn(&Table<'_>) -> Option<T>) -> Option<T> {
+        if self.entry(name).is_none() && self.slip(name).is_some() {
+            return None;
+        }
+        self.reader.table(name.to_owned())?.section(read)
+    }
+
+    /// What is read from this table, if all of it is right.
+    pub fn section<T>(self, read: fn(&Table<'_>) -> Option<T>) -> Option<T> {
+        let section = read(&self);
+        if self.done() { section } else { None }
     }
 
     fn strangers(&self) -> impl Iterator<Item = &'r str> {
@@ -296,35 +298,42 @@ impl<'r> Table<'r> {
 
     /// An unknown key that may be a misspelling of this one.
     fn slip(&self, key: &str) -> Option<&'r str> {
-        nearest(key, self.strangers())
+        nearest(key, &mut self.strangers())
     }
 
-    /// Records the unknown and the missing keys; a misspelt one is reported once.
-    pub fn done(&self) {
-        let absent = self.reader.absent.borrow();
+    /// Records the unknown and the missing keys; a misspelt one is reported once. Returns whether the table is without mistakes.
+    pub fn done(&self) -> bool {
+        let reader = self.reader;
+        let absent = reader.absent.borrow();
         let needed = |row: &&KeyRow| row.section == self.path && row.absent.is_none();
         for row in absent.iter().filter(needed) {
             if self.slip(row.key).is_none() {
-                (self.reader).missing::<()>(&self.path_of(row.key), &row.expected);
+                reader.missing::<()>(&self.path_of(row.key), &row.expected);
             }
         }
         let known = self.known.borrow();
         let strangers = self.strangers().filter(|_| !self.takes_any.get());
         for key in strangers.take(MOST) {
-            let meant = meant(key, known.iter().copied());
             let told = match known.join(", ") {
                 all if all.is_empty() => " is unknown: no key is allowed here".to_owned(),
-                all => format!(" is unknown; allowed are {all}{meant}"),
+                all => {
+                    let meant = meant(key, known.iter().copied());
+                    format!(" is unknown; allowed are {all}{meant}")
+                }
             };
-            self.reader.wrong::<()>(&self.path_of(key), told);
+            reader.wrong::<()>(&self.path_of(key), &told);
         }
+        reader.mistakes.borrow().len() == self.before
     }
 }
 
-/// A key of a table.
+/// A value in the file, and the key that it belongs to.
+#[derive(Clone, Copy)]
 pub(super) struct Place<'p> {
     pub table: &'p Table<'p>,
     pub key: &'p Key,
+    pub value: &'p Toml<'p>,
+    pub expected: &'p str,
 }
 
 impl<'p> Place<'p> {
@@ -333,17 +342,27 @@ impl<'p> Place<'p> {
         self.table.path_of(self.key.name)
     }
 
+    /// The value as it is written, shortened.
+    pub fn shown(&self) -> String {
+        self.table.reader.shown(self.value)
+    }
+
     /// Records that the value is of the wrong type.
-    pub fn unexpected<T>(&self, value: &Toml<'_>, expected: &str) -> Option<T> {
-        let (kind, shown) = (value.get_ref().type_str(), self.table.reader.shown(value));
-        self.wrong(value, format_args!("{expected}, got the {kind} {shown}"))
+    pub fn unexpected<T>(&self) -> Option<T> {
+        let kind = self.value.get_ref().type_str();
+        self.wrong(&format!(", got the {kind} {}", self.shown()))
     }
 
     /// Records that the value is not as it must be.
-    pub fn wrong<T>(&self, value: &Toml<'_>, must_be: impl Display) -> Option<T> {
-        let told = format!("{} must be {must_be}", named(&self.path()));
-        self.table.reader.add(Some(value.span()), told);
+    pub fn wrong<T>(&self, got: &str) -> Option<T> {
+        let told = [&named(&self.path()), " must be ", self.expected, got];
+        self.table.reader.add(Some(self.value.span()), &told);
         None
+    }
+
+    /// The result of a constructor; its error is recorded for this key.
+    pub fn right<T>(&self, given: crate::Result<T>) -> Option<T> {
+        self.table.reader.right(&self.path(), given)
     }
 }
 
@@ -354,12 +373,12 @@ impl<'p> Place<'p> {
 /// let known = ["gravity", "friction"].into_iter();
 /// assert_eq!(meant("gravty", known), "; did you mean `gravity`?");
 /// ```
-pub fn meant<'a>(word: &str, among: impl Iterator<Item = &'a str>) -> String {
-    nearest(word, among).map_or_else(String::new, |near| format!("; did you mean `{near}`?"))
+pub fn meant<'a>(word: &str, mut among: impl Iterator<Item = &'a str>) -> String {
+    nearest(word, &mut among).map_or_else(String::new, |near| format!("; did you mean `{near}`?"))
 }
 
 /// The word that shares at least half of its letters, in their order, with another; hyphens do not count.
-pub(super) fn nearest<'a>(word: &str, among: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+fn nearest<'a>(word: &str, among: &mut dyn Iterator<Item = &'a str>) -> Option<&'a str> {
     let bare = |word: &str| word.to_lowercase().replace(['-', '_'], "");
     let word = bare(word);
     let alike = |other| strsim::normalized_damerau_levenshtein(&word, &bare(other));

@@ -1,25 +1,19 @@
 //! `[run]`: times, accuracy, solver and columns.
 
-use std::collections::BTreeSet;
-
-use super::keys::Bound;
-use super::reader::{Reader, meant};
-use super::values::section;
-use crate::scene::{AnyScene, Choice, Request, UnknownColumn};
+use super::file::*;
+use super::reader::meant;
+use crate::scene::{Choice, Request, UnknownColumn};
 
 /// Most rows of a run: some gigabytes of output.
 const MOST: usize = 10_000_000;
 
-section! {
-    /// `[run]`.
-    Run {
-        times: Option<Vec<f64>>, "a list of times in s";
-        until: Option<f64>, "the last time in s, in place of `times`";
-        samples: Option<usize>, "the number of times from 0 on (101 by default), a whole number", Bound::From(2.0, MOST as f64);
-        accuracy: f64 = 1e-10, "a relative accuracy", Bound::From(1e-15, 0.1);
-        solver: Choice, "";
-        columns: Option<Vec<String>>, "a list of the names of columns";
-    }
+section! { Run
+    times: Option<Vec<f64>>, "a list of times in s";
+    until: Option<f64>, "the last time in s, in place of `times`";
+    samples: Option<usize>, "the number of times from 0 on (101 by default), a whole number", From(2.0, MOST as f64);
+    accuracy: f64 = 1e-10, "a relative accuracy", From(1e-15, 0.1);
+    solver: Choice, "";
+    columns: Option<Vec<String>>, "a list of the names of columns";
 }
 
 impl Run {
@@ -31,14 +25,12 @@ impl Run {
 
     /// The scene with the requested columns.
     pub fn told(&self, file: &Reader<'_>, scene: AnyScene) -> Option<AnyScene> {
-        match &self.columns {
+        match self.columns.as_deref() {
             None => Some(scene),
-            Some(names) if names.is_empty() => {
-                file.wrong("run.columns", " must name one number at least")
-            }
+            Some([]) => file.wrong("run.columns", " must name one number at least"),
             Some(names) => match telling(scene, names) {
                 Ok(scene) => Some(scene),
-                Err(told) => file.wrong("run.columns", format_args!(" {told}")),
+                Err(told) => file.wrong("run.columns", &format!(" {told}")),
             },
         }
     }
@@ -49,7 +41,7 @@ impl Run {
             (Some(times), None, None) => {
                 let got = times.len();
                 let told = format!(" must be a list of 1 to {MOST} times in s, got {got}");
-                file.wrong("run.times", told)
+                file.wrong("run.times", &told)
             }
             (None, Some(0.0), _) => {
                 let told = " must be the last time in s, not 0: all rows would be the same";
@@ -87,15 +79,15 @@ impl Run {
 /// # Ok::<(), spinning_bodies::scene::files::Mistakes>(())
 /// ```
 pub fn telling<N: AsRef<str>>(scene: AnyScene, names: &[N]) -> Result<AnyScene, String> {
-    let mut named = BTreeSet::new();
-    for name in names.iter().map(N::as_ref) {
-        if !named.insert(name) {
-            return Err(format!("is asked for column `{name}` twice"));
-        }
+    let scene = scene
+        .telling(names)
+        .map_err(|UnknownColumn { name, names }| {
+            let (meant, names) = (meant(&name, names.iter().copied()), names.join(", "));
+            format!("has no column `{name}` to tell; there are {names}{meant}")
+        })?;
+    let names: Vec<&str> = names.iter().map(N::as_ref).collect();
+    match (0..names.len()).find(|&k| names[..k].contains(&names[k])) {
+        None => Ok(scene),
+        Some(twice) => Err(format!("is asked for column `{}` twice", names[twice])),
     }
-    scene.telling(names).map_err(|unknown| {
-        let UnknownColumn { name, names } = unknown;
-        let (meant, names) = (meant(&name, names.iter().copied()), names.join(", "));
-        format!("has no column `{name}` to tell; there are {names}{meant}")
-    })
 }

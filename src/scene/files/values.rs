@@ -3,87 +3,99 @@
 use toml::de::DeValue;
 
 use super::keys::Key;
-use super::reader::{Place, Toml, Value, meant};
-
+use super::reader::{Place, Table, Value, meant};
 use crate::error::Number;
 use crate::frame::{Attitude, BodyVector};
 use crate::scene::effects::*;
 use crate::scene::{Choice, Solver};
 
-/// Declares tables: a struct each, with a line for each key, `name: type, "the expected value, with its unit", bound;`, without the bound where any number
-/// will do. An `Option` may be absent; `name: type = value` gives a default. The keys of a nested table are read from the outer one, those of an
-/// `Option` from a table of their own.
+/// Declares a table: a struct, with a line for each key, `name: type, "the expected value, with its unit", bound;`, without the bound where any number
+/// will do. An `Option` may be absent; `name: type = number` gives a default. The type of a line without a text is a table whose keys are read from this
+/// one; an `Option` of such a type is read from a table of its own.
 macro_rules! section {
-    ($($(#[$doc:meta])* $name:ident {
-        $($field:ident: $type:ty $(= $default:expr)?, $what:expr $(, $bound:expr)?;)*
-    })*) => {$(
-        $(#[$doc])*
+    ($name:ident $($field:ident: $type:ty $(= $default:expr)? $(, $what:expr $(, $bound:expr)?)?;)*) => {
         pub(super) struct $name {
             $(pub $field: $type,)*
         }
 
-        $crate::scene::files::values::keys! { $name {
-            $($field: $type $(= $default)?, $what $(, $bound)?;)*
-        }}
-    )*};
+        keys! { $name $($field: $type $(= $default)? $(, $what $(, $bound)?)?;)* }
+    };
 }
 pub(super) use section;
 
 /// Declares the keys of a struct that exists already, named like its fields.
 macro_rules! keys {
-    ($name:ty {
-        $($field:ident: $type:ty $(= $default:expr)?, $what:expr $(, $bound:expr)?;)*
-    }) => {
-        const _: () = {
-            use toml::de::DeValue;
-            use $crate::scene::files::keys::Key;
-            use $crate::scene::files::reader::{Place, Section, Table, Toml, Value};
+    ($name:ident $($field:ident: $type:ty $(= $default:expr)? $(, $what:expr $(, $bound:expr)?)?;)*) => {
+        impl Section for $name {
+            fn fields(table: &Table<'_>) -> Option<Self> {
+                $(let $field = key!(table, $field: $type $(= $default)? $(, $what $(, $bound)?)?);)*
+                Some(Self { $($field: $field?,)* })
+            }
+        }
 
-            impl Section for $name {
-                #[allow(unused_variables, reason = "a table may have no keys")]
-                fn fields(table: &Table<'_>) -> Option<Self> {
-                    $(
-                        let bound = None $(.or(Some($bound)))?;
-                        let key = Key::new(stringify!($field), $what, bound);
-                        let $field = <$type as Value>::take(table, &key, None $(.or(Some(($default, format!("{:?}", $default)))))?);
-                    )*
-                    Some(Self { $($field: $field?,)* })
-                }
+        impl Value for $name {
+            fn read(place: &Place<'_>) -> Option<Self> {
+                place.table.reader.table(place.path())?.section(Self::fields)
             }
 
-            impl Value for $name {
-                const IS_TABLE: bool = true;
-
-                fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
-                    match value.get_ref() {
-                        DeValue::Table(entries) => {
-                            Table::new(place.table.reader, place.path(), Some(entries)).section()
-                        }
-                        _ => place.unexpected(value, "a table"),
-                    }
-                }
-
-                fn take(table: &Table<'_>, _: &Key, _: Option<(Self, String)>) -> Option<Self> {
-                    Self::fields(table)
-                }
+            /// Lists its keys, without a mistake.
+            fn absent(table: &Table<'_>, key: &Key) -> Option<(Self, String)> {
+                Self::fields(&Table::new(table.reader, table.path_of(key.name)));
+                None
             }
-        };
+        }
     };
 }
 pub(super) use keys;
 
-impl<T: Value> Value for Option<T> {
-    const IS_TABLE: bool = T::IS_TABLE;
+/// Declares all keys of a kind of scene as one struct, those of each main table below its name.
+macro_rules! tables {
+    ($name:ident $([$part:ident] $($field:ident: $type:ty $(= $default:expr)? $(, $what:expr $(, $bound:expr)?)?;)*)*) => {
+        pub(super) struct $name {
+            $($(pub $field: $type,)*)*
+        }
 
+        impl Section for $name {
+            fn fields(whole: &Table<'_>) -> Option<Self> {
+                $(let $part = whole.part(stringify!($part), |_table| {
+                    $(let $field = key!(_table, $field: $type $(= $default)? $(, $what $(, $bound)?)?);)*
+                    Some(($($field?,)*))
+                });)*
+                $(let ($($field,)*) = $part?;)*
+                Some(Self { $($($field,)*)* })
+            }
+        }
+    };
+}
+pub(super) use tables;
+
+/// Reads one key of a table, or all keys of a table in it.
+macro_rules! key {
+    ($table:ident, $field:ident: $type:ty) => {
+        <$type as Section>::fields($table)
+    };
+    ($table:ident, $field:ident: $type:ty $(= $default:expr)?, $what:expr $(, $bound:expr)?) => {
+        $table.value::<$type>(&Key {
+            name: stringify!($field),
+            what: $what,
+            bounds: &[$($bound)?],
+            default: &[$($default)?],
+        })
+    };
+}
+pub(super) use key;
+
+impl<T: Value> Value for Option<T> {
     fn expected(key: &Key) -> String {
         T::expected(key)
     }
 
-    fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
-        T::read(place, value).map(Some)
+    fn read(place: &Place<'_>) -> Option<Self> {
+        T::read(place).map(Some)
     }
 
-    fn absent() -> Option<(Self, String)> {
+    fn absent(table: &Table<'_>, key: &Key) -> Option<(Self, String)> {
+        T::absent(table, key);
         Some((None, String::new()))
     }
 }
@@ -101,58 +113,57 @@ pub(super) fn number(value: &DeValue<'_>) -> Option<f64> {
 }
 
 impl Value for f64 {
-    fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
-        let expected = place.key.expected("");
-        match number(value.get_ref()) {
-            None => place.unexpected(value, &expected),
+    fn read(place: &Place<'_>) -> Option<Self> {
+        match number(place.value.get_ref()) {
+            None => place.unexpected(),
             Some(number) if !number.is_finite() => {
-                place.wrong(value, format_args!("{expected}, and finite, got {number}"))
+                place.wrong(&format!(", and finite, got {number}"))
             }
-            Some(number) if place.key.bound.is_some_and(|bound| !bound.holds(number)) => {
-                let shown = place.table.reader.shown(value);
-                place.wrong(value, format_args!("{expected}, got {shown}"))
+            Some(number) if !place.key.bounds.iter().all(|bound| bound.holds(number)) => {
+                place.wrong(&format!(", got {}", place.shown()))
             }
             number => number,
         }
     }
-}
 
-/// The members of a list; each is read before the first mistake ends the reading.
-fn members<T: Value>(place: &Place<'_>, value: &Toml<'_>, expected: &str) -> Option<Vec<T>> {
-    let DeValue::Array(values) = value.get_ref() else {
-        return place.unexpected(value, expected);
-    };
-    let read: Vec<Option<T>> = values.iter().map(|value| T::read(place, value)).collect();
-    read.into_iter().collect()
+    fn absent(_: &Table<'_>, key: &Key) -> Option<(Self, String)> {
+        let &default = key.default.first()?;
+        Some((default, format!("{default:?}")))
+    }
 }
 
 impl<T: Value> Value for Vec<T> {
-    fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
-        members(place, value, &Self::expected(place.key))
+    /// The members of a list; each is read before the first mistake ends the reading.
+    fn read(place: &Place<'_>) -> Option<Self> {
+        let DeValue::Array(values) = place.value.get_ref() else {
+            return place.unexpected();
+        };
+        let expected = &T::expected(place.key);
+        let place = |value| Place {
+            value,
+            expected,
+            ..*place
+        };
+        let read = values.iter().filter_map(|value| T::read(&place(value)));
+        let read: Vec<T> = read.collect();
+        (read.len() == values.len()).then_some(read)
     }
 }
 
-impl<T: Value, const N: usize> Value for [T; N] {
+impl<const N: usize> Value for [f64; N] {
     fn expected(key: &Key) -> String {
-        key.expected(format_args!(", a list of {N} numbers"))
+        key.expected(&format!(", a list of {N} numbers"))
     }
 
-    fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
-        let expected = Self::expected(place.key);
-        let list = members(place, value, &expected)?;
-        let told = format!("{expected}, got {}", list.len());
-        list.try_into().ok().or_else(|| place.wrong(value, told))
-    }
-}
-
-/// Components along the body's axes.
-impl Value for BodyVector {
-    fn expected(key: &Key) -> String {
-        <[f64; 3]>::expected(key)
+    fn read(place: &Place<'_>) -> Option<Self> {
+        let list = Vec::<f64>::read(place)?;
+        let got = format!(", got {}", list.len());
+        list.try_into().ok().or_else(|| place.wrong(&got))
     }
 
-    fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
-        <[f64; 3]>::read(place, value).map(Self::from)
+    fn absent(_: &Table<'_>, key: &Key) -> Option<(Self, String)> {
+        let default = [*key.default.first()?; N];
+        Some((default, format!("{default:?}")))
     }
 }
 
@@ -162,37 +173,36 @@ impl Value for Attitude {
         <[f64; 4]>::expected(key)
     }
 
-    fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
-        let [w, x, y, z] = <[f64; 4]>::read(place, value)?;
+    fn read(place: &Place<'_>) -> Option<Self> {
+        let [w, x, y, z] = <[f64; 4]>::read(place)?;
         let length = w.hypot(x).hypot(y.hypot(z));
         if (length - 1.0).abs() > 1e-3 {
-            let (what, length) = (place.key.what, Number(length));
-            return place.wrong(value, format_args!("{what}, got one of length {length}"));
+            let expected = place.key.what;
+            let got = format!(", got one of length {}", Number(length));
+            return Place { expected, ..*place }.wrong(&got);
         }
-        let attitude = Self::from_quaternion(w, x, y, z);
-        place.table.reader.right(&place.path(), attitude)
+        place.right(Self::from_quaternion(w, x, y, z))
     }
 
-    fn absent() -> Option<(Self, String)> {
+    fn absent(_: &Table<'_>, _: &Key) -> Option<(Self, String)> {
         Some((Self::identity(), "[1, 0, 0, 0]".to_owned()))
     }
 }
 
 impl Value for usize {
-    fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
-        let expected = place.key.expected("");
-        let DeValue::Integer(_) = value.get_ref() else {
-            return place.unexpected(value, &expected);
-        };
-        f64::read(place, value).map(|number| number as Self)
+    fn read(place: &Place<'_>) -> Option<Self> {
+        match place.value.get_ref() {
+            DeValue::Integer(_) => f64::read(place).map(|number| number as Self),
+            _ => place.unexpected(),
+        }
     }
 }
 
 impl Value for String {
-    fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
-        match value.get_ref() {
+    fn read(place: &Place<'_>) -> Option<Self> {
+        match place.value.get_ref() {
             DeValue::String(text) => Some(text.clone().into_owned()),
-            _ => place.unexpected(value, place.key.what),
+            _ => place.unexpected(),
         }
     }
 }
@@ -200,30 +210,34 @@ impl Value for String {
 /// A value that is one of several words; the first is the default.
 pub(super) trait Word: Sized {
     fn words() -> Vec<(&'static str, Self)>;
+
+    fn names() -> Vec<&'static str> {
+        Self::words().into_iter().map(|(name, _)| name).collect()
+    }
 }
 
 impl<T: Word> Value for T {
     fn expected(key: &Key) -> String {
-        let names: Vec<&str> = T::words().into_iter().map(|(name, _)| name).collect();
-        key.expected(format_args!("one of {}", names.join(", ")))
+        key.expected(&format!("one of {}", T::names().join(", ")))
     }
 
-    fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
-        let expected = Self::expected(place.key);
-        let DeValue::String(text) = value.get_ref() else {
-            return place.unexpected(value, &expected);
-        };
-        let words = T::words();
-        let near = meant(text, words.iter().map(|(name, _)| *name));
-        let found = words.into_iter().find(|(name, _)| name == text);
-        let told = format!("{expected}, got {text:?}{near}");
-        found.map_or_else(|| place.wrong(value, told), |(_, word)| Some(word))
+    fn read(place: &Place<'_>) -> Option<Self> {
+        let chosen = chosen(place, &T::names())?;
+        Some(T::words().swap_remove(chosen).1)
     }
 
-    fn absent() -> Option<(Self, String)> {
+    fn absent(_: &Table<'_>, _: &Key) -> Option<(Self, String)> {
         let (name, word) = T::words().into_iter().next()?;
         Some((word, name.to_owned()))
     }
+}
+
+/// The place of a word among these names.
+fn chosen(place: &Place<'_>, names: &[&str]) -> Option<usize> {
+    let text = String::read(place)?;
+    let near = meant(&text, names.iter().copied());
+    let found = names.iter().position(|name| *name == text);
+    found.or_else(|| place.wrong(&format!(", got {text:?}{near}")))
 }
 
 impl Word for Pace {
@@ -241,18 +255,27 @@ impl Word for Choice {
     }
 }
 
-/// Effects that are given by one number.
-macro_rules! numbers {
-    ($($effect:ident)*) => {$(
-        impl Value for $effect {
-            fn read(place: &Place<'_>, value: &Toml<'_>) -> Option<Self> {
-                let made = $effect::new(f64::read(place, value)?);
-                place.table.reader.right(&place.path(), made)
+/// Values that are made from numbers.
+macro_rules! made {
+    ($($from:ty => $($made:ident)+, $make:expr;)*) => {$($(
+        impl Value for $made {
+            fn expected(key: &Key) -> String {
+                <$from>::expected(key)
+            }
+
+            fn read(place: &Place<'_>) -> Option<Self> {
+                let make: fn($from) -> crate::Result<Self> = $make;
+                place.right(make(<$from>::read(place)?))
             }
         }
-    )*};
+    )+)*};
 }
 
-numbers! {
-    Air AirDrag AxleFriction BearingFriction Coulomb Gravity Hand PivotFriction RollingResistance Sleep TipFriction TurnLoss
+made! {
+    f64 => Air AirDrag AxleFriction BearingFriction Coulomb Gravity Hand PivotFriction RollingResistance Sleep TipFriction TurnLoss, Self::new;
+    f64 => AddedMass, |factor| Ok(Self { factor });
+    [f64; 2] => Lift, |[translational, rotational]| Ok(Self { translational, rotational });
+    [f64; 2] => Drag, |[mean, contrast]| Ok(Self { mean, contrast });
+    [f64; 2] => RotationalDamping, |[linear, quadratic]| Ok(Self { linear, quadratic });
+    [f64; 3] => BodyVector, |vector| Ok(vector.into());
 }

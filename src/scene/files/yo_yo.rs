@@ -1,71 +1,40 @@
 //! `kind = "yo-yo"`: a yo-yo, let go or thrown (4.9).
 
+use super::body::not_beyond;
 use super::file::*;
 use crate::scene::Play;
 use crate::yo_yo::YoYo;
 
-section! {
-    /// `[body]` of a yo-yo.
-    YoYoBody {
-        mass: f64, "a mass in kg", Positive;
-        inertia: Option<f64>, "a moment of inertia in kg m²", Positive;
-        radius: Option<f64>, "the radius of the disc in m", Positive;
-        length: f64, "the length of the string in m", Positive;
-        axle: f64, "the radius of the axle in m", Positive;
-        wound: Option<f64>, "the radius of the wound string in m", Positive;
-    }
-
-    /// `[initial]` of a yo-yo.
-    YoYoInitial {
-        throw: f64 = 0.0, "a speed in m/s", NotNegative;
-    }
-
-    /// `[effects]` of a yo-yo.
-    YoYoEffects {
-        gravity: Option<Gravity>, "an acceleration in m/s²", Positive;
-        turn_loss: Option<TurnLoss>, "the part of the spin that a turn leaves", NotNegative;
-        hand: Option<Hand>, "the work of the hand at a turn in J", NotNegative;
-        sleep: Option<Sleep>, "a time in s", NotNegative;
-        axle_friction: Option<AxleFriction>, "a torque in N m", NotNegative;
-        air_drag: Option<AirDrag>, "a coefficient in kg m²", NotNegative;
-    }
+tables! { YoYoKeys
+    [body]
+    mass: f64, "a mass in kg", Positive;
+    inertia: Option<f64>, "a moment of inertia in kg m²", Positive;
+    radius: Option<f64>, "the radius of the disc in m", Positive;
+    length: f64, "the length of the string in m", Positive;
+    axle: f64, "the radius of the axle in m", Positive;
+    wound: Option<f64>, "the radius of the wound string in m", Positive;
+    [initial]
+    throw: f64 = 0.0, "a speed in m/s", NotNegative;
+    [effects]
+    gravity: Option<Gravity>, "an acceleration in m/s²", Positive;
+    turn_loss: Option<TurnLoss>, "the part of the spin that a turn leaves", NotNegative;
+    hand: Option<Hand>, "the work of the hand at a turn in J", NotNegative;
+    sleep: Option<Sleep>, "a time in s", NotNegative;
+    axle_friction: Option<AxleFriction>, "a torque in N m", NotNegative;
+    air_drag: Option<AirDrag>, "a coefficient in kg m²", NotNegative;
 }
 
-pub fn yo_yo(file: &File<'_, YoYoBody, YoYoInitial, YoYoEffects>) -> Made<Play> {
-    let toy = toy(file, &file.body)?;
-    // Without another value, the radius of the disc with this mass and inertia.
-    let of_disc = (2.0 * toy.inertia / toy.mass).sqrt();
-    let radius = file.body.radius.unwrap_or(of_disc);
-    let outline = Outline::new("a yo-yo", Solid::wheel(radius, 0.8 * radius));
-    let look = rolling(outline, Around::String, |told| {
-        let [depth] = told.vector(["depth"]);
-        ([0.0, -depth], None)
-    });
-    let scene = file.right("initial.throw", Play::new(toy, file.initial.throw))?;
-    let effects = &file.effects;
-    let acting = listed![
-        effects.gravity,
-        effects.turn_loss,
-        effects.hand,
-        effects.sleep,
-        effects.axle_friction,
-        effects.air_drag,
-    ];
-    Some((with(file, scene, acting, Play::with)?, look))
-}
-
-fn toy(file: &Reader<'_>, body: &YoYoBody) -> Option<YoYo> {
-    let (mass, length, axle) = (body.mass, body.length, body.axle);
-    let toy = match (body.inertia, body.radius) {
+pub fn yo_yo(file: &Reader<'_>, given: YoYoKeys) -> Option<AnyScene> {
+    let YoYoKeys {
+        mass, length, axle, ..
+    } = given;
+    let toy = match (given.inertia, given.radius) {
         (Some(inertia), None) => {
             let keys = "body.axle, body.length, body.mass, body.inertia";
             file.right(keys, YoYo::new(mass, inertia, length, axle))
         }
-        (None, Some(radius)) if axle > radius => {
-            let told = format!(" must not exceed `radius`, {radius:?}, got {axle:?}");
-            file.wrong("body.axle", told)
-        }
         (None, Some(radius)) => {
+            not_beyond(file, axle, radius)?;
             let keys = "body.axle, body.length, body.mass, body.radius";
             file.right(keys, YoYo::disc(mass, radius, length, axle))
         }
@@ -75,6 +44,17 @@ fn toy(file: &Reader<'_>, body: &YoYoBody) -> Option<YoYo> {
             file.missing("body.inertia", expected)
         }
     }?;
-    let wound = body.wound.map_or(Ok(toy), |wound| toy.wound_to(wound));
-    file.right("body.wound", wound)
+    let toy = given.wound.map_or(Ok(toy), |wound| toy.wound_to(wound));
+    let toy = file.right("body.wound", toy)?;
+    let scene = file.right("initial.throw", Play::new(toy, given.throw))?;
+    let acting = acting![given: gravity, turn_loss, hand, sleep, axle_friction, air_drag];
+    let scene = with(file, scene, acting, Play::with)?;
+    // Without another value, the radius of the disc with this mass and inertia.
+    let of_disc = (2.0 * toy.inertia / toy.mass).sqrt();
+    let radius = given.radius.unwrap_or(of_disc);
+    let outline = Outline::new("a yo-yo", Solid::wheel(radius, 0.8 * radius));
+    drawn(scene, move |told| {
+        let [depth] = told.vector(["depth"]);
+        rolling(&outline, Around::String, [0.0, -depth], None, told)
+    })
 }

@@ -136,12 +136,9 @@ pub fn spool(file: &Reader<'_>, given: SpoolKeys) -> Option<AnyScene> {
     let body = given.reel.made(file);
     let friction = given.friction.acting(file);
     let tug = given.tension.zip(given.tug_angle);
+    let tug = tug.map(|(tension, angle)| Tug::new(tension, angle));
     let tug = file.together("effects.tension, effects.tug_angle", tug);
-    let tug = tug.map(|tug| {
-        tug.map(|(tension, angle)| Tug::new(tension, angle))
-            .transpose()
-    });
-    let tug = tug.and_then(|tug| file.right("effects.tug_angle", tug));
+    let tug = tug.and_then(|tug| file.right("effects.tug_angle", tug.transpose()));
     not_beyond(file, axle, radius)?;
     let reel = file.right("body.axle", Spool::new(body?, axle))?;
     let scene = TuggedSpool::new(reel, given.gravity);
@@ -150,16 +147,11 @@ pub fn spool(file: &Reader<'_>, given: SpoolKeys) -> Option<AnyScene> {
     let tug = (keys, tug?.map(Effect::from));
     let scene = with(file, scene, vec![tug], TuggedSpool::with)?;
     let scene = with(file, scene, friction?, TuggedSpool::with)?;
-    let side = |at: f64| {
-        (
-            Solid::wheel(radius, 0.1 * radius),
-            Vector3::z() * (at * radius),
-        )
-    };
-    let [(left, at_left), (right, at_right)] = [side(-0.5), side(0.5)];
+    let side = || Solid::wheel(radius, 0.1 * radius);
+    let to_side = Vector3::z() * (0.5 * radius);
     let outline = Outline::new("a spool", Solid::wheel(axle, radius))
-        .and(left, at_left)
-        .and(right, at_right);
+        .and(side(), -to_side)
+        .and(side(), to_side);
     let scene = scene.moving(given.velocity, given.rim_speed);
     drawn(scene, move |told| on_the_table(&outline, radius, told))
 }

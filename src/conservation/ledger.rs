@@ -128,7 +128,7 @@ impl Entry {
 
     /// Books `value`. One that is not finite makes the drift infinite before the error is returned, so that a caller
     /// who drops the error still cannot report a clean run.
-    fn book(&mut self, value: Value) -> Result<()> {
+    pub(crate) fn book(&mut self, value: Value) -> Result<()> {
         self.last = value;
         let checked = value.checked(self.name);
         let drift = match &checked {
@@ -273,21 +273,20 @@ impl Ledger {
         Ok(VectorAccount(self.push(name, Law::Conserved, value, scale)))
     }
 
-    /// Opens an account for a scalar or a conserved vector and records all its values. Its drift is measured against `scale`, or against 1 if that is 0.
+    /// Opens an account for a scalar or a conserved vector. Its drift is measured against `scale`, or against 1 if that is 0.
     ///
     /// # Errors
     /// [`Error::NotFinite`].
-    pub(crate) fn keep<V: Into<Value>>(
+    pub(crate) fn keep(
         &mut self,
         (name, law, scale): (&'static str, Law, f64),
-        first: V,
-        mut values: impl Iterator<Item = V>,
-    ) -> Result<()> {
-        let first = first.into().checked(name)?;
+        first: Value,
+    ) -> Result<&mut Entry> {
+        let first = first.checked(name)?;
         let scale = if scale > 0.0 { scale } else { 1.0 };
         let scale = finite("the scale of a ledger account", scale)?;
         let place = self.push(name, law, first, scale);
-        values.try_for_each(|value| self.entries[place].book(value.into()))
+        Ok(&mut self.entries[place])
     }
 
     /// Records a value of a scalar.

@@ -20,20 +20,27 @@ pub use problem::{
 use crate::error::Result;
 use crate::search::ascending;
 
+/// The times before 0, descending, and the others, ascending; and the place of each time in this order.
+fn ways(times: &[f64]) -> ([Vec<f64>; 2], Vec<usize>) {
+    let (mut ways, mut places) = ([const { Vec::new() }; 2], vec![0; times.len()]);
+    let mut order = ascending(Vec::from_iter(0..times.len()), times);
+    let before = order.partition_point(|&i| times[i] < 0.0);
+    order[..before].reverse();
+    for (place, i) in order.into_iter().enumerate() {
+        places[i] = place;
+        ways[usize::from(place >= before)].push(times[i]);
+    }
+    (ways, places)
+}
+
 /// States at times in any order, from `follow`, which takes ordered times: first those before 0, backward from 0, then the others, ascending.
 pub(crate) fn both_ways<Y: Clone>(
     times: &[f64],
-    mut follow: impl FnMut(&[f64]) -> Result<Vec<Y>>,
+    follow: &mut dyn FnMut(&[f64]) -> Result<Vec<Y>>,
 ) -> Result<Vec<Y>> {
-    let mut before = ascending(Vec::from_iter(0..times.len()), times);
-    let after = before.split_off(before.partition_point(|&i| times[i] < 0.0));
-    before.reverse();
-    let mut states = vec![None; times.len()];
-    for places in [before, after].iter().filter(|way| !way.is_empty()) {
-        let ordered: Vec<f64> = places.iter().map(|&place| times[place]).collect();
-        for (&place, state) in places.iter().zip(follow(&ordered)?) {
-            states[place] = Some(state);
-        }
+    let ((ways, places), mut states) = (ways(times), Vec::new());
+    for way in ways.iter().filter(|way| !way.is_empty()) {
+        states.append(&mut follow(way)?);
     }
-    Ok(states.into_iter().flatten().collect())
+    Ok(places.iter().map(|&place| states[place].clone()).collect())
 }

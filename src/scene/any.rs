@@ -75,21 +75,20 @@ impl AnyScene {
     /// ```
     pub fn scene<S: Tabulated + Send + 'static>(scene: Box<dyn Scene<State = S>>) -> Self {
         let tellers = S::columns().usual().and(scene.further());
-        let columns: Vec<Column> = tellers.columns().collect();
+        let columns = tellers.columns.clone();
         let usual = (0..columns.len()).filter(|&place| columns[place].usual);
         Self {
             told: usual.collect(),
             columns,
             simulation: Box::new(move |request, told| {
                 let motion = scene.simulate(request)?;
-                let columns: Vec<Column> = tellers.columns().collect();
                 let row = |state: &S| told.iter().map(|&k| tellers.number(k, state)).collect();
                 Ok(Table {
                     plan: motion.plan,
                     cost: motion.cost,
                     error_estimate: motion.error_estimate,
                     ledger: motion.ledger,
-                    columns: told.iter().map(|&place| columns[place]).collect(),
+                    columns: told.iter().map(|&k| tellers.columns[k]).collect(),
                     rows: motion.rows.iter().map(|(t, s)| (*t, row(s))).collect(),
                 })
             }),

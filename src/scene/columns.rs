@@ -1,13 +1,15 @@
 //! Columns: the numbers that a scene returns for each state, with name, unit and meaning.
 
+use std::sync::Arc;
+
 use crate::frame::{Attitude, BodyVector, FrameVector, SpaceVector};
 
 /// Columns of a state, one line each: name, unit, meaning, and the expression of the number.
 macro_rules! columns {
     (|$state:ident: &$type:ty| $($name:literal, $unit:literal, $meaning:literal => $number:expr;)*) => {
         $crate::scene::Columns::default().with(
-            [$([$name, $unit, $meaning]),*],
-            move |$state: &$type| [$($number),*],
+            &[$([$name, $unit, $meaning]),*],
+            std::sync::Arc::new(move |$state: &$type, place| [$($number),*][place]),
         )
     };
 }
@@ -29,41 +31,43 @@ pub struct Column {
     pub goes_round: bool,
 }
 
-/// Computes one number of a state.
-type Teller<S> = Box<dyn Fn(&S) -> f64 + Send + Sync>;
+/// Computes the number of a state at a place among several.
+type Teller<S> = Arc<dyn Fn(&S, usize) -> f64 + Send + Sync>;
 
 /// The columns of a state, in the order of a row.
-pub struct Columns<S>(Vec<(Column, Teller<S>)>);
+pub struct Columns<S> {
+    pub(crate) columns: Vec<Column>,
+    /// For each column the function that computes its number, and its place there.
+    tellers: Vec<(Teller<S>, usize)>,
+}
 
 impl<S: 'static> core::fmt::Debug for Columns<S> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_list().entries(self.columns()).finish()
+        self.columns.fmt(f)
     }
 }
 
 impl<S> Default for Columns<S> {
     fn default() -> Self {
-        Self(Vec::new())
+        Self {
+            columns: Vec::new(),
+            tellers: Vec::new(),
+        }
     }
 }
 
 impl<S: 'static> Columns<S> {
     /// With these columns added: name, unit and meaning of each.
-    pub(crate) fn with<const N: usize>(
-        mut self,
-        numbers: [[&'static str; 3]; N],
-        of: impl Fn(&S) -> [f64; N] + Clone + Send + Sync + 'static,
-    ) -> Self {
-        for (k, [name, unit, meaning]) in numbers.into_iter().enumerate() {
-            let column = Column {
+    pub(crate) fn with(mut self, numbers: &[[&'static str; 3]], of: Teller<S>) -> Self {
+        for (place, &[name, unit, meaning]) in numbers.iter().enumerate() {
+            self.tellers.push((of.clone(), place));
+            self.columns.push(Column {
                 name,
                 unit,
                 meaning,
                 usual: false,
                 goes_round: false,
-            };
-            let of = of.clone();
-            self.0.push((column, Box::new(move |state| of(state)[k])));
+            });
         }
         self
     }
@@ -71,19 +75,21 @@ impl<S: 'static> Columns<S> {
     /// With the three components of a vector added.
     pub(crate) fn vector<Axes>(
         self,
-        names: [&'static str; 3],
+        [x, y, z]: [&'static str; 3],
         [unit, meaning]: [&'static str; 2],
-        of: impl Fn(&S) -> FrameVector<Axes> + Clone + Send + Sync + 'static,
+        of: impl Fn(&S) -> FrameVector<Axes> + Send + Sync + 'static,
     ) -> Self {
-        let numbers = names.map(|name| [name, unit, meaning]);
-        self.with(numbers, move |state| of(state).into())
+        let numbers = [[x, unit, meaning], [y, unit, meaning], [z, unit, meaning]];
+        let of = move |state: &S, place| of(state).components()[place];
+        self.with(&numbers, Arc::new(of))
     }
 
     /// With the quaternion of an attitude added.
     pub(crate) fn attitude(self, of: fn(&S) -> Attitude) -> Self {
         let meaning = "attitude, a unit quaternion that turns body axes into space axes";
         let numbers = ["qw", "qx", "qy", "qz"].map(|name| [name, "1", meaning]);
-        self.with(numbers, move |state| of(state).into())
+        let of = move |state: &S, place| <[f64; 4]>::from(of(state))[place];
+        self.with(&numbers, Arc::new(of))
     }
 
     /// With an angular velocity along the body's axes added.
@@ -101,7 +107,7 @@ impl<S: 'static> Columns<S> {
             "precession", "rad", "Euler's angle about the vertical, from x to the line of nodes, −π … π" => of(state).euler_angles().phi;
             "spin", "rad", "Euler's angle about axis 3, from the line of nodes to axis 1, −π … π" => of(state).euler_angles().psi;
         });
-        for (column, _) in columns.0.iter_mut().rev().take(2) {
+        for column in columns.columns.iter_mut().rev().take(2) {
             column.goes_round = true;
         }
         columns
@@ -126,21 +132,17 @@ impl<S: 'static> Columns<S> {
 
     /// These columns followed by `further`.
     pub(crate) fn and(mut self, further: Self) -> Self {
-        self.0.extend(further.0);
+        self.columns.extend(further.columns);
+        self.tellers.extend(further.tellers);
         self
     }
 
     /// The same columns, all of them output by default.
     pub(crate) fn usual(mut self) -> Self {
-        for (column, _) in &mut self.0 {
+        for column in &mut self.columns {
             column.usual = true;
         }
         self
-    }
-
-    /// The descriptions of the columns.
-    pub(crate) fn columns(&self) -> impl Iterator<Item = Column> {
-        self.0.iter().map(|(column, _)| *column)
     }
 
     /// The number in the column at this place.
@@ -148,17 +150,13 @@ impl<S: 'static> Columns<S> {
     /// # Panics
     /// If there are not that many columns.
     pub(crate) fn number(&self, place: usize, state: &S) -> f64 {
-        (self.0[place].1)(state)
-    }
-
-    /// The numbers of a state in all columns.
-    pub(crate) fn row(&self, state: &S) -> Vec<f64> {
-        self.0.iter().map(|(_, of)| of(state)).collect()
+        let (of, place) = &self.tellers[place];
+        of(state, *place)
     }
 }
 
 /// Name, unit and meaning of a column, from its name and its doc comment.
-pub(crate) fn described([name, text]: [&'static str; 2]) -> [&'static str; 3] {
+pub(crate) fn described(name: &'static str, text: &'static str) -> [&'static str; 3] {
     let text = text.trim().trim_end_matches('.');
     let (meaning, unit) = text.rsplit_once(", ").unwrap_or((text, "1"));
     [name, unit, meaning]
@@ -191,9 +189,9 @@ macro_rules! state {
 
         impl $crate::scene::Tabulated for $name {
             fn columns() -> $crate::scene::Columns<Self> {
-                let told = [$([stringify!($number), $text]),*];
-                $crate::scene::Columns::default()
-                    .with(told.map($crate::scene::columns::described), |state: &Self| [$(state.$number),*])
+                let told = [$($crate::scene::columns::described(stringify!($number), $text)),*];
+                let number = |state: &Self, place| [$(state.$number),*][place];
+                $crate::scene::Columns::default().with(&told, std::sync::Arc::new(number))
             }
         }
     };

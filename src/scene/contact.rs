@@ -117,14 +117,14 @@ impl TableTop {
     }
 
     fn trace(&self, request: &Request, plan: &Plan) -> Result<Trace<Mode, NUMBERS>> {
-        let flow = |tolerance| self.on_the_table(tolerance);
+        let flow = &|tolerance| self.on_the_table(tolerance);
         if plan.solver != Solver::Exact {
             return to_accuracy(request, plan.solver, flow);
         }
         let flow = flow(request.accuracy)?;
         let takeoff = flow.takeoff(0.0, &flow.start);
         let flight = Flight::from(&flow.table, &flow.start, takeoff)?;
-        solved((&flow, plan, request), 1, |t| flight.at(t))
+        solved((&flow, plan, request), 1, &|t| flight.at(t))
     }
 
     fn on_the_table(&self, tolerance: f64) -> Result<OnTheTable> {
@@ -652,7 +652,7 @@ impl OnTheTable {
     fn flown(&self, takeoff: TakeOff, ahead: &Ahead<'_, NUMBERS>) -> Passed<NUMBERS> {
         let flight = Flight::from(&self.table, ahead.start.1, takeoff)?;
         let landing = flight.landing(ahead.end, |time| ahead.budget.spend(1, time))?;
-        let mut passage = ahead.in_closed_form(landing, |t| flight.at(t))?;
+        let mut passage = ahead.in_closed_form(landing, &|t| flight.at(t))?;
         if let Some(time) = landing {
             let (_, climb) = takeoff.at(time, self.table.gravity);
             let spent = |evaluations| ahead.budget.spend(evaluations, time);
@@ -757,20 +757,22 @@ impl Scene for TableTop {
         let first = start.energy;
         let mut ledger = trace.told(request, plan, |t, mode, y| flow.state(t, mode, y));
         let falling = ("energy", Law::NonIncreasing, first);
-        ledger.keep(falling, first, |_, s| s.energy)?;
+        ledger.keep(falling, first, &|_, s| s.energy)?;
         let both = "energy and what contact has taken";
         // A contact that jams at once has taken its part already.
         let whole = first + start.dissipated;
-        ledger.conserved(both, first, whole, |_, s| s.energy + s.dissipated)?;
+        ledger.conserved(both, first, whole, &|_, s| s.energy + s.dissipated)?;
         let no_couple = self.table.resistance.is_none();
         if self.table.gravity > 0.0 && no_couple && body.has_jellett_integral() {
             let scale = spin * body.surface.size;
-            ledger.conserved("Jellett's integral", scale, start.jellett, |_, s| s.jellett)?;
+            ledger.conserved("Jellett's integral", scale, start.jellett, &|_, s| {
+                s.jellett
+            })?;
         }
         if self.table.friction.is_none() && no_couple {
             let vertical = |s: &State| s.vertical_angular_momentum;
             let name = "vertical angular momentum";
-            ledger.conserved(name, spin, vertical(&start), |_, s| vertical(s))?;
+            ledger.conserved(name, spin, vertical(&start), &|_, s| vertical(s))?;
         }
         ledger.closed(request)
     }

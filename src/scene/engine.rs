@@ -73,9 +73,7 @@ pub(crate) trait Flow<const N: usize> {
     /// Distance of two states that should be equal: the greater of radians and differences relative to the scale of a rate. By default, each component's
     /// difference relative to its scale, or to its own size where that is greater.
     fn distance(&self, a: &At<Self::Phase, N>, b: &At<Self::Phase, N>) -> f64 {
-        let scales = self.scales();
-        let sizes = core::array::from_fn(|n| greater(scales[n], b.1[n].abs()));
-        apart(&a.1, &b.1, &sizes)
+        relative(&a.1, &b.1, &self.scales())
     }
 
     /// The greatest distance of the states of two runs that should agree; `seen` are all known states of the motion.
@@ -115,12 +113,14 @@ impl<const N: usize> Ahead<'_, N> {
     pub fn in_closed_form(
         &self,
         event: Option<f64>,
-        at: impl Fn(f64) -> Result<[f64; N]>,
+        at: &dyn Fn(f64) -> Result<[f64; N]>,
     ) -> Passed<N> {
-        let time = event.unwrap_or(self.end);
-        let times = self.times.iter().take_while(|&&t| t <= time);
+        let (mut states, time) = (Vec::new(), event.unwrap_or(self.end));
+        for &t in self.times.iter().take_while(|&&t| t <= time) {
+            states.push(at(t)?);
+        }
         Ok(Passage {
-            states: times.map(|&t| at(t)).collect::<Result<_>>()?,
+            states,
             time,
             end: at(time)?,
             stopped: event.map_or(Stop::AtTheEnd, |_| Stop::AtTheEvent),
@@ -167,7 +167,7 @@ impl<P, const N: usize> Trace<P, N> {
     ) -> OpenLedger<S> {
         let samples = request.times().iter().zip(&self.samples);
         let states = samples.map(|(&t, (phase, y))| state(t, phase, y));
-        OpenLedger::of(request, plan, (self.cost, self.error), states)
+        OpenLedger::of(request, plan, (self.cost, self.error), states.collect())
     }
 }
 
@@ -290,17 +290,19 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         let (flow, budget) = (self.flow, self.budget);
         let rate = |t: f64, y: &[f64; N]| {
             budget.count(1);
-            let rates = flow.rate(phase, t, y);
-            match &self.drift {
-                None => rates,
-                Some(drift) => core::array::from_fn(|n| rates[n] + drift[n]),
+            let mut rates = flow.rate(phase, t, y);
+            if let Some(drift) = &self.drift {
+                add(&mut rates, 1.0, drift);
             }
+            rates
         };
         let reached = |time: f64| budget.reached(time);
         let margin = |t: f64, y: &[f64; N]| flow.margin(phase, t, y).unwrap_or(f64::INFINITY);
         // A component that nothing moves has no scale, and 1 will do: a scale of zero would leave the tolerance without an inverse.
-        let sized_or_one = |size: f64| if size > NOTHING { size } else { 1.0 };
-        let scales = flow.scales().map(sized_or_one);
+        let mut scales = flow.scales();
+        for scale in scales.iter_mut().filter(|scale| **scale <= NOTHING) {
+            *scale = 1.0;
+        }
         let ((now, y), times, end) = (ahead.start, ahead.times, ahead.end);
         let ends = flow.margin(phase, now, y).is_some();
         let stroke = STROKE / (flow.lasts_until(phase, now) - now);
@@ -346,7 +348,7 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         halves: &[Half<F::Phase>],
     ) -> Result<Trace<F::Phase, N>> {
         let mut whole = Trace::of(Vec::new());
-        whole.samples = both_ways(times, |times| {
+        whole.samples = both_ways(times, &mut |times| {
             let done = whole.halves.len().min(halves.len());
             let trace = self.follow(start, times, &halves[done..])?;
             whole.halves.extend(trace.halves);
@@ -360,7 +362,9 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
 
 /// The components of a slice of length N.
 fn sized<const N: usize>(slice: &[f64]) -> [f64; N] {
-    core::array::from_fn(|n| slice[n])
+    let mut all = [0.0; N];
+    all.copy_from_slice(slice);
+    all
 }
 
 /// Ratio of the tolerances of two compared runs; by order 8 the tighter run costs half as much again as the looser.
@@ -407,7 +411,7 @@ pub(crate) const ROUNDING: f64 = 4e-16;
 pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
     request: &Request,
     solver: Solver,
-    flow: impl Fn(f64) -> Result<F>,
+    flow: &dyn Fn(f64) -> Result<F>,
 ) -> Result<Trace<F::Phase, N>> {
     match solver {
         Solver::General(method) => {
@@ -427,7 +431,7 @@ pub(crate) fn to_accuracy<const N: usize, F: Flow<N>>(
 pub(crate) fn vouched<const N: usize, F: Flow<N>>(
     request: &Request,
     stepper: Stepper<'_>,
-    flow: impl Fn(f64) -> Result<F>,
+    flow: &dyn Fn(f64) -> Result<F>,
 ) -> Result<Trace<F::Phase, N>> {
     let budget = &request.budget();
     if let Some(effort) = request.effort {
@@ -446,8 +450,11 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
     let mut run = |effort, off, halves: &[Half<F::Phase>]| -> Result<(F, Trace<F::Phase, N>)> {
         let flow = flow(tolerance_of(effort, accuracy))?;
         let mut run = Run::new(&flow, stepper, effort, budget);
-        run.drift =
-            (off != 0.0 && drifts).then(|| flow.doubt().map(|doubt| off * DRIFT * doubt / span));
+        if off != 0.0 && drifts {
+            let mut drift = flow.doubt();
+            drift.iter_mut().for_each(|d| *d = off * DRIFT * *d / span);
+            run.drift = Some(drift);
+        }
         let trace = run.at(beside(&flow, off * BESIDE)?, &times, halves)?;
         cost += trace.cost;
         Ok((flow, trace))
@@ -528,24 +535,24 @@ pub(crate) const OF_CLOSED_FORMS: f64 = 2e-15;
 pub(crate) fn solved<const N: usize, F: Flow<N> + Copy>(
     (flow, plan, request): (&F, &Plan, &Request),
     evaluations: u64,
-    known: impl Fn(f64) -> Result<[f64; N]>,
+    known: &dyn Fn(f64) -> Result<[f64; N]>,
 ) -> Result<Trace<F::Phase, N>> {
     let (times, budget) = (request.times(), &request.budget());
     let mut trace = match plan.solver {
         Solver::Exact => {
-            let phase = flow.start()?.0;
-            let state = |&t: &f64| {
+            let (phase, mut samples) = (flow.start()?.0, Vec::with_capacity(times.len()));
+            for &t in times {
                 budget.spend(evaluations, t)?;
-                Ok((phase, known(t)?))
-            };
-            Trace::of(times.iter().map(state).collect::<Result<_>>()?)
+                samples.push((phase, known(t)?));
+            }
+            Trace::of(samples)
         }
         Solver::Events => {
             let (stepper, effort) = (Stepper::Events, Effort::Tolerance(OF_CLOSED_FORMS));
             let run = Run::new(flow, stepper, effort, budget);
             run.at(flow.start()?, times, &[])?
         }
-        _ => return to_accuracy(request, plan.solver, |_| Ok(*flow)),
+        _ => return to_accuracy(request, plan.solver, &|_| Ok(*flow)),
     };
     let angle = flow.pace() * request.furthest.abs();
     trace.error = flow.rounding(angle, &trace.phases);
@@ -559,23 +566,30 @@ const OF_STEPS: f64 = 1e-14;
 fn beside<const N: usize, F: Flow<N>>(flow: &F, times: f64) -> Result<At<F::Phase, N>> {
     let (phase, mut start) = flow.start()?;
     if times != 0.0 {
-        for (number, doubt) in start.iter_mut().zip(flow.doubt()) {
-            *number += times * doubt;
-        }
+        add(&mut start, times, &flow.doubt());
     }
     Ok((phase, start))
+}
+
+/// Adds `times` others to these numbers.
+#[inline]
+fn add(numbers: &mut [f64], times: f64, others: &[f64]) {
+    for (number, other) in numbers.iter_mut().zip(others) {
+        *number += times * other;
+    }
 }
 
 /// The error of a step in the flow's distance: the tolerance in all components with one sign, or with alternating signs.
 fn of_a_step<const N: usize, F: Flow<N>>(flow: &F, allowed: f64, seen: &[At<F::Phase, N>]) -> f64 {
     let scales = flow.scales();
     let off = |other: f64| {
-        let moved = |y: &[f64; N], n: usize| {
-            let sense = if n.is_multiple_of(2) { 1.0 } else { other };
-            y[n] + sense * allowed * (y[n].abs() + scales[n])
-        };
-        let there = |(phase, y): &At<F::Phase, N>| (*phase, core::array::from_fn(|n| moved(y, n)));
-        let there: Vec<_> = seen.iter().map(there).collect();
+        let mut there = seen.to_vec();
+        for (_, y) in &mut there {
+            for (n, number) in y.iter_mut().enumerate() {
+                let sense = if n.is_multiple_of(2) { 1.0 } else { other };
+                *number += sense * allowed * (number.abs() + scales[n]);
+            }
+        }
         flow.furthest_apart(&there, seen, seen)
     };
     greater(off(1.0), off(-1.0))
@@ -587,8 +601,14 @@ pub(crate) fn greater(a: f64, b: f64) -> f64 {
 }
 
 /// The greatest difference of components, each relative to its size.
-pub(crate) fn apart<const N: usize>(a: &[f64; N], b: &[f64; N], sizes: &[f64; N]) -> f64 {
-    let parts = (0..N).map(|n| (a[n] - b[n]).abs() / sizes[n]);
+pub(crate) fn apart(a: &[f64], b: &[f64], sizes: &[f64]) -> f64 {
+    let parts = (0..a.len()).map(|n| (a[n] - b[n]).abs() / sizes[n]);
+    parts.fold(0.0, greater)
+}
+
+/// The same, each relative to its scale, or to its own size where that is greater.
+pub(crate) fn relative(a: &[f64], b: &[f64], scales: &[f64]) -> f64 {
+    let parts = (0..a.len()).map(|n| (a[n] - b[n]).abs() / greater(scales[n], b[n].abs()));
     parts.fold(0.0, greater)
 }
 
@@ -713,13 +733,13 @@ fn growth<const N: usize, F: Flow<N>>(
     budget: &Budget,
 ) -> Result<f64> {
     let (phase, start) = flow.start()?;
-    let scales = flow.scales();
-    let moved = if flow.doubt() == [0.0; N] {
+    let mut moved = beside(flow, DOUBTS)?.1;
+    if flow.doubt() == [0.0; N] {
         // An arbitrary direction.
-        core::array::from_fn(|n| start[n] + MOVED * scales[n] * (2.0 + n as f64).sin())
-    } else {
-        beside(flow, DOUBTS)?.1
-    };
+        for (n, scale) in flow.scales().iter().enumerate() {
+            moved[n] += MOVED * scale * (2.0 + n as f64).sin();
+        }
+    }
     let run = Run::new(flow, stepper, effort, budget);
     let here = run.at((phase, start), times, &[])?;
     let there = run.at((phase, moved), times, &[])?;
@@ -802,7 +822,7 @@ mod tests {
     #[test]
     fn bounces_that_pile_up_are_refused() {
         let request = Request::at([20.0]).unwrap();
-        let refused = to_accuracy(&request, Solver::ORDER_EIGHT, |_| Ok(Ball));
+        let refused = to_accuracy(&request, Solver::ORDER_EIGHT, &|_| Ok(Ball));
         let piled = matches!(refused, Err(Error::Integration { .. }));
         assert!(piled, "{refused:?}");
     }

@@ -56,8 +56,9 @@ pub(crate) use budget::Budget;
 mod prelude {
     pub(crate) use super::columns::{Columns, columns, state};
     pub(crate) use super::effects::Effect;
+    pub(crate) use super::engine::to_accuracy;
     pub(crate) use super::engine::{AN_INTEGRAL, Ahead, At, Flow, OF_CLOSED_FORMS, Passed, Trace};
-    pub(crate) use super::engine::{apart, greater, planned, planned_forward, solved, to_accuracy};
+    pub(crate) use super::engine::{apart, greater, planned, planned_forward, relative, solved};
     pub(crate) use super::motion::OpenLedger;
     pub(crate) use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
     pub(crate) use crate::conservation::Law;
@@ -136,6 +137,8 @@ pub trait Tabulated: Sized + 'static {
     /// assert_eq!(state.row(), [1.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0]);
     /// ```
     fn row(&self) -> Vec<f64> {
-        Self::columns().row(self)
+        let columns = Self::columns();
+        let places = 0..columns.columns.len();
+        places.map(|place| columns.number(place, self)).collect()
     }
 }

@@ -258,7 +258,7 @@ impl<S> OpenLedger<S> {
         request: &Request,
         plan: Plan,
         (cost, error_estimate): (Cost, f64),
-        states: impl IntoIterator<Item = S>,
+        states: Vec<S>,
     ) -> Self {
         let times = &request.times;
         let motion = Motion {
@@ -295,11 +295,13 @@ impl<S> OpenLedger<S> {
         &mut self,
         account: (&'static str, Law, f64),
         start: V,
-        of: impl Fn(usize, &S) -> V,
+        of: &dyn Fn(usize, &S) -> V,
     ) -> Result<()> {
-        let Motion { rows, ledger, .. } = &mut self.motion;
-        let read = self.order.iter().map(|&place| of(place, &rows[place].1));
-        ledger.keep(account, start, read)
+        let entry = self.motion.ledger.keep(account, start.into())?;
+        for &place in &self.order {
+            entry.book(of(place, &self.motion.rows[place].1).into())?;
+        }
+        Ok(())
     }
 
     /// Adds a quantity that is conserved.
@@ -308,7 +310,7 @@ impl<S> OpenLedger<S> {
         name: &'static str,
         scale: f64,
         start: V,
-        of: impl Fn(usize, &S) -> V,
+        of: &dyn Fn(usize, &S) -> V,
     ) -> Result<()> {
         self.keep((name, Law::Conserved, scale), start, of)
     }

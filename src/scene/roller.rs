@@ -382,7 +382,10 @@ impl OnTable<'_> {
         state: impl Fn(Moment) -> S,
     ) -> Result<Motion<S>> {
         let (moments, done) = self.followed(&plan, request)?;
-        let (times, states) = (request.times(), moments.iter().copied().map(state));
+        let (times, states) = (
+            request.times(),
+            moments.iter().copied().map(state).collect(),
+        );
         let mut ledger = OpenLedger::of(request, plan, done, states);
         let &Laws { kappa, load, .. } = self.laws;
         let (mass, drive) = (self.body.mass, load.push + load.twist);
@@ -403,19 +406,19 @@ impl OnTable<'_> {
             let first = mass * self.start.about_the_table(kappa);
             let own = |m: &Moment| m.velocity.abs() + kappa * m.rim_speed.abs();
             let size = scale(&own).max(mass * self.speed());
-            ledger.conserved(name, size, first, about)?;
+            ledger.conserved(name, size, first, &about)?;
         }
         let pull = |m: &Moment| (load.push * m.position).abs() + (load.twist * m.turned).abs();
         let size = scale(&|m| m.energy(kappa) + m.heat + m.work.abs() + pull(m));
         let name = "energy plus heat less work";
-        ledger.conserved(name, size, balance(&self.start), |row, _| {
+        ledger.conserved(name, size, balance(&self.start), &|row, _| {
             balance(&moments[row])
         })?;
         if !driven && self.laws.sheet.is_none() {
             let size = scale(&|m| m.energy(kappa));
             let account = ("kinetic energy", Law::NonIncreasing, size);
             let kinetic = |m: &Moment| mass * m.energy(kappa);
-            ledger.keep(account, kinetic(&self.start), |row, _| {
+            ledger.keep(account, kinetic(&self.start), &|row, _| {
                 kinetic(&moments[row])
             })?;
         }
@@ -427,7 +430,7 @@ impl OnTable<'_> {
     fn followed(&self, plan: &Plan, request: &Request) -> Result<(Vec<Moment>, (Cost, f64))> {
         let times = request.times();
         if !matches!(plan.solver, Solver::Exact | Solver::Events) {
-            let trace = to_accuracy(request, plan.solver, |_| Ok(*self))?;
+            let trace = to_accuracy(request, plan.solver, &|_| Ok(*self))?;
             let moments = trace.samples.iter().map(|(_, y)| Moment::of(y));
             return Ok((moments.collect(), (trace.cost, trace.error)));
         }

@@ -250,7 +250,7 @@ impl Scene for Strip {
     fn simulate(&self, request: &Request) -> Result<Motion<StripState>> {
         let plan = self.plan(request)?;
         let known = |t| Ok(self.in_free_fall(t));
-        let trace = solved((self, &plan, request), 1, known)?;
+        let trace = solved((self, &plan, request), 1, &known)?;
         let rows: Vec<[f64; 7]> = trace.samples.iter().map(|(_, y)| *y).collect();
         let (equations, times) = (&self.equations, request.times());
         let [.., speed, _, _, scale] = self.scales();
@@ -265,15 +265,17 @@ impl Scene for Strip {
         let across = |k: usize, _: &_| equations.impulse(&rows[k])[0];
         let up = |k: usize, _: &_| equations.impulse(&rows[k])[1] + weight * times[k];
         let mut ledger = trace.told(request, plan, |_, _, y| self.state(y));
-        ledger.conserved("energy and heat", energy, opening, |_, s| s.energy + s.heat)?;
+        ledger.conserved("energy and heat", energy, opening, &|_, s| {
+            s.energy + s.heat
+        })?;
         if self.brakes() {
-            ledger.keep(("heat", Law::NonDecreasing, energy), 0.0, |_, s| s.heat)?;
+            ledger.keep(("heat", Law::NonDecreasing, energy), 0.0, &|_, s| s.heat)?;
         }
         // Without lift and drag only the weight changes the momentum of plate and fluid.
         if equations.lift.is_none() && equations.drag.is_none() {
             let vertical = "vertical impulse and that of the weight";
-            ledger.conserved("horizontal impulse", impulse, px, across)?;
-            ledger.conserved(vertical, impulse, py, up)?;
+            ledger.conserved("horizontal impulse", impulse, px, &across)?;
+            ledger.conserved(vertical, impulse, py, &up)?;
         }
         ledger.closed(request)
     }

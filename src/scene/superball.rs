@@ -147,7 +147,7 @@ impl Scene for Superball {
             _ => {
                 let span = request.furthest;
                 let thrown = Thrown { flight, span };
-                let trace = to_accuracy(request, plan.solver, |_| Ok(thrown))?;
+                let trace = to_accuracy(request, plan.solver, &|_| Ok(thrown))?;
                 let balls = trace.samples.iter().map(|(ball, y)| flying(ball, y));
                 (balls.collect(), (trace.cost, trace.error))
             }
@@ -166,10 +166,10 @@ impl Scene for Superball {
             ball: *ball,
             energy: energy(ball),
         });
-        let mut ledger = OpenLedger::of(request, plan, done, states);
-        ledger.keep(("energy", law, first), first, |_, s| s.energy)?;
+        let mut ledger = OpenLedger::of(request, plan, done, states.collect());
+        ledger.keep(("energy", law, first), first, &|_, s| s.energy)?;
         let name = "depth in floor or ceiling";
-        ledger.conserved(name, highest, inside, |_, s| depth(&s.ball))?;
+        ledger.conserved(name, highest, inside, &|_, s| depth(&s.ball))?;
         ledger.closed(request)
     }
 
@@ -366,9 +366,7 @@ impl Flow<3> for Thrown {
             b = self.bounced(&b);
         }
         let [length, _, speed] = self.scales();
-        let (a, b) = (numbers(&a), numbers(&b));
         let scales = [length, length, speed, speed, speed];
-        let sizes = core::array::from_fn(|n| greater(scales[n], b[n].abs()));
-        apart(&a, &b, &sizes)
+        relative(&numbers(&a), &numbers(&b), &scales)
     }
 }

@@ -171,13 +171,13 @@ fn lose(y: &mut Numbers, lost: f64) {
 }
 
 /// The passage of a phase of this duration, s; `at` gives the state a time after its beginning.
-fn lasting(duration: f64, ahead: &Ahead<'_, 6>, at: impl Fn(f64) -> Result<Numbers>) -> Passed<6> {
+fn lasting(duration: f64, ahead: &Ahead<'_, 6>, at: &dyn Fn(f64) -> Result<Numbers>) -> Passed<6> {
     let (from, y) = ahead.start;
     let since = |t: f64| ((t - from) - y[LATER]).clamp(0.0, duration);
     let rest = y[LATER] + duration;
     let time = from + rest;
     let ends = (time < ahead.end).then_some(time);
-    let mut passage = ahead.in_closed_form(ends, |t| at(since(t)))?;
+    let mut passage = ahead.in_closed_form(ends, &|t| at(since(t)))?;
     if ends.is_some() {
         passage.end = at(duration)?;
         // The rounding error of adding the duration to the time.
@@ -253,7 +253,7 @@ impl Playing {
             Phase::Down | Phase::Up => {
                 let way = Unwinding::new(toy, g, y[ENERGY])?;
                 let duration = way.duration()?;
-                lasting(duration, ahead, |t| {
+                lasting(duration, ahead, &|t| {
                     let t = if phase == Phase::Up { duration - t } else { t };
                     let [depth, omega] = way.at(t)?;
                     Ok(now(depth / toy.length, omega))
@@ -268,7 +268,7 @@ impl Playing {
                 let turn = Turn::new(toy, g, level)?;
                 let done = if end < PI { 0.5 } else { 1.0 };
                 let [from, to] = [begun, done].map(|part| part * turn.duration);
-                lasting(to - from, ahead, |t| {
+                lasting(to - from, ahead, &|t| {
                     let state = turn.at(from + t)?;
                     Ok(now(state.angle, state.omega))
                 })
@@ -277,7 +277,7 @@ impl Playing {
                 let torque = self.play.axle_friction;
                 let stops = torque.map_or(f64::INFINITY, |torque| toy.inertia * omega / torque);
                 let duration = self.play.sleep.unwrap_or(0.0).min(stops);
-                lasting(duration, ahead, |t| {
+                lasting(duration, ahead, &|t| {
                     let left = torque.map(|torque| sleeping_spin(&toy, omega, t, torque));
                     let left = left.unwrap_or(omega);
                     let lost = 0.5 * toy.inertia * ((omega - left) * (omega + left));
@@ -286,7 +286,7 @@ impl Playing {
                     Ok(now)
                 })
             }
-            Phase::Hanging | Phase::Caught => lasting(f64::INFINITY, ahead, |_| Ok(now(0.0, 0.0))),
+            Phase::Hanging | Phase::Caught => lasting(f64::INFINITY, ahead, &|_| Ok(now(0.0, 0.0))),
         }
     }
 
@@ -490,7 +490,7 @@ impl Scene for Play {
             closed: plan.solver == Solver::Events,
         };
         let start = playing.start()?.1;
-        let mut trace = solved((&playing, &plan, request), 1, |_| Ok(start))?;
+        let mut trace = solved((&playing, &plan, request), 1, &|_| Ok(start))?;
         let (scale, fastest) = playing.greatest();
         let mut stages = trace.samples.iter().map(|(stage, _)| stage);
         if playing.closed && stages.any(|stage| stage.0 == Phase::Turn) {
@@ -501,8 +501,8 @@ impl Scene for Play {
         let mut ledger = trace.told(request, plan, state);
         let balance = |_: usize, s: &YoYoState| s.energy + s.heat - s.work;
         let name = "energy and heat less the work of the hand";
-        ledger.conserved(name, scale, playing.energy, balance)?;
-        ledger.keep(("heat", Law::NonDecreasing, scale), 0.0, |_, s| s.heat)?;
+        ledger.conserved(name, scale, playing.energy, &balance)?;
+        ledger.keep(("heat", Law::NonDecreasing, scale), 0.0, &|_, s| s.heat)?;
         ledger.closed(request)
     }
 

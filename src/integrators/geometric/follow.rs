@@ -31,7 +31,7 @@ pub fn follow(
     let step = positive("the step", step)?;
     start.check()?;
     let mut cost = Cost::default();
-    let states = both_ways(times, |times| {
+    let states = both_ways(times, &mut |times| {
         let (mut phase, mut time, mut states) = (*start, 0.0, Vec::new());
         for &next in times {
             let leg = next - time;

@@ -1,6 +1,6 @@
 //! Where within a step the quantity of an event falls through zero.
 
-use super::tableau::{Between, Step};
+use super::tableau::{Between, Step, sum};
 use super::walk::Walk;
 use crate::integrators::{Event, System};
 
@@ -24,7 +24,7 @@ impl<'a, const N: usize> Watch<'a, N> {
         let (time, state) = walk.leg.start;
         let value = event(time, state);
         let probe = PROBE * walk.length * walk.sense;
-        let soon = core::array::from_fn(|n| state[n] + probe * walk.rate[n]);
+        let soon = sum([1.0, probe], [state, &walk.rate]);
         Self {
             event,
             value,
@@ -88,7 +88,7 @@ impl<'a, const N: usize> Watch<'a, N> {
             walk.cost.evaluations += 1;
             // A difference towards the beginning of the step, where the quantity has not fallen yet.
             let h = -PROBE * taken.length;
-            let moved = core::array::from_fn(|n| state[n] + h * rate[n]);
+            let moved = sum([1.0, h], [&state, &rate]);
             let slope = (here - (self.event)(taken.at(part) + h, &moved)) / PROBE;
             let next = (part - here / slope).clamp(reach[0], until);
             let gain = (next - part).abs() * taken.length.abs();

@@ -95,7 +95,7 @@ pub fn order_eight<const N: usize, S: System<N> + ?Sized>(
     effort: Effort,
 ) -> Result<Solution<[f64; N]>> {
     let mut cost = Cost::default();
-    let states = both_ways(times, |times| {
+    let states = both_ways(times, &mut |times| {
         let leg = Leg {
             system,
             kept,

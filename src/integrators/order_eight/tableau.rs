@@ -24,26 +24,25 @@ impl<const N: usize> Between<N> {
         let [k1, k6, k7, k8, k9, k10, k11, k12] = &step.used;
         let (y, h) = (&step.state, step.length);
         let rate = |stage: usize, rates: [&[f64; N]; 8]| {
-            let sum = mean(A_WITHIN[stage], rates);
-            let state = core::array::from_fn(|n| y[n] + h * sum[n]);
-            system.rate(step.at(C_WITHIN[stage]), &state)
+            let slope = sum(A_WITHIN[stage], rates);
+            system.rate(step.at(C_WITHIN[stage]), &sum([1.0, h], [y, &slope]))
         };
         let k14 = rate(0, [k1, k7, k8, k9, k10, k11, k12, k13]);
         let k15 = rate(1, [k1, k6, k7, k8, k11, k12, k13, &k14]);
         let k16 = rate(2, [k1, k6, k7, k8, k9, k13, &k14, &k15]);
         let all = [k1, k6, k7, k8, k9, k10, k11, k12, k13, &k14, &k15, &k16];
         let mut between = Self::cubic(step, k13);
-        for (n, row) in D.into_iter().enumerate() {
-            between.0[4 + n] = mean(row, all).map(|x| h * x);
+        for (row, term) in D.iter().zip(&mut between.0[4..]) {
+            *term = sum([h], [&sum(*row, all)]);
         }
         between
     }
 
     /// The cubic through the states at both ends with the rates there, `after` at the end.
     pub fn cubic(step: &Step<N>, after: &[f64; N]) -> Self {
-        let (h, change, before) = (step.length, step.change, step.used[0]);
-        let bend: [f64; N] = core::array::from_fn(|n| h * before[n] - change[n]);
-        let last = core::array::from_fn(|n| change[n] - h * after[n] - bend[n]);
+        let (h, change, before) = (step.length, step.change, &step.used[0]);
+        let bend = sum([h, -1.0], [before, &change]);
+        let last = sum([1.0, -h, -1.0], [&change, after, &bend]);
         let none = [0.0; N];
         Self([step.state, change, bend, last, none, none, none, none])
     }
@@ -51,11 +50,12 @@ impl<const N: usize> Between<N> {
     /// The state after this fraction of the step, 0…1.
     pub fn at(&self, part: f64) -> [f64; N] {
         let (s, left) = (part, 1.0 - part);
-        let [y, c1, c2, c3, c4, c5, c6, c7] = &self.0;
-        core::array::from_fn(|n| {
+        let [mut state, c1, c2, c3, c4, c5, c6, c7] = self.0;
+        for (n, y) in state.iter_mut().enumerate() {
             let inner = c4[n] + s * (c5[n] + left * (c6[n] + s * c7[n]));
-            y[n] + s * (c1[n] + left * (c2[n] + s * (c3[n] + left * inner)))
-        })
+            *y += s * (c1[n] + left * (c2[n] + s * (c3[n] + left * inner)));
+        }
+        state
     }
 }
 
@@ -72,17 +72,15 @@ impl<const N: usize> Step<N> {
     #[inline(always)]
     pub fn error(&self, scales: &[f64; N], tolerance: f64) -> f64 {
         let (state, h) = (self.state, self.length);
-        let weights: [f64; N] = core::array::from_fn(|n| {
+        let (mut fifth, mut third) = (0.0, 0.0);
+        for (n, scale) in scales.iter().enumerate() {
             let size = state[n].abs().max((state[n] + self.change[n]).abs());
-            match size + scales[n] {
+            let weight = match size + scale {
                 // Zero at both ends and without a scale: there is nothing to be relative to.
                 0.0 => 0.0,
                 room => 1.0 / (tolerance * room),
-            }
-        });
-        let (mut fifth, mut third) = (0.0, 0.0);
-        for ((five, three), weight) in self.fifth.iter().zip(&self.third).zip(weights) {
-            let (five, three) = (five * weight, three * weight);
+            };
+            let (five, three) = (self.fifth[n] * weight, self.third[n] * weight);
             fifth += five * five;
             third += three * three;
         }
@@ -108,44 +106,45 @@ pub(super) fn step<const N: usize, S: System<N> + ?Sized>(
     h: f64,
 ) -> Step<N> {
     use coefficients::*;
-    let rate = |stage: usize, sum: [f64; N]| {
-        let state = core::array::from_fn(|n| y[n] + h * sum[n]);
-        system.rate(t + C[stage] * h, &state)
-    };
-    let k2 = rate(1, mean(A2, [k1]));
-    let k3 = rate(2, mean(A3, [k1, &k2]));
-    let k4 = rate(3, mean(A4, [k1, &k3]));
-    let k5 = rate(4, mean(A5, [k1, &k3, &k4]));
-    let k6 = rate(5, mean(A6, [k1, &k4, &k5]));
-    let k7 = rate(6, mean(A7, [k1, &k4, &k5, &k6]));
-    let k8 = rate(7, mean(A8, [k1, &k4, &k5, &k6, &k7]));
-    let k9 = rate(8, mean(A9, [k1, &k4, &k5, &k6, &k7, &k8]));
-    let k10 = rate(9, mean(A10, [k1, &k4, &k5, &k6, &k7, &k8, &k9]));
-    let k11 = rate(10, mean(A11, [k1, &k4, &k5, &k6, &k7, &k8, &k9, &k10]));
-    let last = mean(A12, [k1, &k4, &k5, &k6, &k7, &k8, &k9, &k10, &k11]);
+    let rate =
+        |stage: usize, slope: [f64; N]| system.rate(t + C[stage] * h, &sum([1.0, h], [y, &slope]));
+    let k2 = rate(1, sum(A2, [k1]));
+    let k3 = rate(2, sum(A3, [k1, &k2]));
+    let k4 = rate(3, sum(A4, [k1, &k3]));
+    let k5 = rate(4, sum(A5, [k1, &k3, &k4]));
+    let k6 = rate(5, sum(A6, [k1, &k4, &k5]));
+    let k7 = rate(6, sum(A7, [k1, &k4, &k5, &k6]));
+    let k8 = rate(7, sum(A8, [k1, &k4, &k5, &k6, &k7]));
+    let k9 = rate(8, sum(A9, [k1, &k4, &k5, &k6, &k7, &k8]));
+    let k10 = rate(9, sum(A10, [k1, &k4, &k5, &k6, &k7, &k8, &k9]));
+    let k11 = rate(10, sum(A11, [k1, &k4, &k5, &k6, &k7, &k8, &k9, &k10]));
+    let last = sum(A12, [k1, &k4, &k5, &k6, &k7, &k8, &k9, &k10, &k11]);
     let k12 = rate(11, last);
     let used = [k1, &k6, &k7, &k8, &k9, &k10, &k11, &k12];
-    let slope = mean(B, used);
-    let low = mean(E3, [k1, &k9, &k12]);
-    let change: [f64; N] = core::array::from_fn(|n| h * slope[n]);
+    let slope = sum(B, used);
+    let low = sum(E3, [k1, &k9, &k12]);
     Step {
         time: t,
         state: *y,
         length: h,
-        change,
-        fifth: mean(E5, used),
-        third: core::array::from_fn(|n| slope[n] - low[n]),
+        change: sum([h], [&slope]),
+        fifth: sum(E5, used),
+        third: sum([1.0, -1.0], [&slope, &low]),
         used: [*k1, k6, k7, k8, k9, k10, k11, k12],
     }
 }
 
+/// The sum of as many vectors, each times its weight.
 #[inline(always)]
-fn mean<const N: usize, const M: usize>(weights: [f64; M], rates: [&[f64; N]; M]) -> [f64; N] {
+pub(super) fn sum<const N: usize, const M: usize>(
+    weights: [f64; M],
+    vectors: [&[f64; N]; M],
+) -> [f64; N] {
     let mut sums = [0.0; N];
     for (n, sum) in sums.iter_mut().enumerate() {
-        *sum = weights[0] * rates[0][n];
+        *sum = weights[0] * vectors[0][n];
         for m in 1..M {
-            *sum += weights[m] * rates[m][n];
+            *sum += weights[m] * vectors[m][n];
         }
     }
     sums
@@ -246,7 +245,7 @@ mod coefficients {
 #[cfg(test)]
 mod tests {
     use super::coefficients::*;
-    use super::{Between, mean, step};
+    use super::{Between, step, sum};
 
     /// The full matrix, zeros included.
     fn rows() -> [[f64; 12]; 12] {
@@ -309,9 +308,9 @@ mod tests {
             let rates: [[f64; 1]; 12] = core::array::from_fn(|n| [C[n].powi(power)]);
             let [a, _, _, _, _, f, g, h, i, j, k, l] = &rates;
             let used = [a, f, g, h, i, j, k, l];
-            let [five] = mean(E5, used);
-            let [three] = mean(E3, [a, i, l]);
-            [five, mean(B, used)[0] - three]
+            let [five] = sum(E5, used);
+            let [three] = sum(E3, [a, i, l]);
+            [five, sum(B, used)[0] - three]
         };
         for power in 0..5 {
             assert!(of(power)[0].abs() < 1e-15, "{power}: {:?}", of(power));

@@ -1,7 +1,7 @@
 //! The steps of a run in succession.
 
 use super::leg::Leg;
-use super::tableau::{Between, Step, step};
+use super::tableau::{Between, Step, step, sum};
 use crate::error::{Result, stopped};
 use crate::integrators::real::Sums;
 use crate::integrators::{Cost, System};
@@ -116,7 +116,7 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
     pub(super) fn short(&mut self, taken: &Step<N>, h: f64) -> [f64; N] {
         self.cost.evaluations += STAGES - 1;
         let short = step(self.leg.system, taken.time, &taken.state, &taken.used[0], h);
-        self.restored(core::array::from_fn(|n| taken.state[n] + short.change[n]))
+        self.restored(sum([1.0, 1.0], [&taken.state, &short.change]))
     }
 
     pub(super) fn between(&mut self, taken: &Step<N>) -> Between<N> {
@@ -126,7 +126,7 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
 
     pub(super) fn restored(&self, state: [f64; N]) -> [f64; N] {
         let excess = self.leg.kept.excess(&state);
-        core::array::from_fn(|n| state[n] + excess[n])
+        sum([1.0, 1.0], [&state, &excess])
     }
 
     /// A first guess at the length of a step, from the rates and their change over a short Euler step (Hairer, Nørsett, Wanner, II.4).
@@ -140,9 +140,9 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
         let rate = size(&self.rate);
         let short = (0.01 / rate).min(span.abs());
         let h = short.copysign(span);
-        let moved = core::array::from_fn(|n| state[n] + h * self.rate[n]);
+        let moved = sum([1.0, h], [state, &self.rate]);
         let there = self.leg.system.rate(self.time.values[0] + h, &moved);
-        let bend = size(&core::array::from_fn(|n| there[n] - self.rate[n])) / short;
+        let bend = size(&sum([1.0, -1.0], [&there, &self.rate])) / short;
         // Both are rates: the size of the first derivative and the root of the second's, which counts for components at rest.
         let pace = rate.max(bend.sqrt());
         let guess = tolerance.min(1.0).sqrt().sqrt().sqrt() * FIRST / pace;

@@ -242,7 +242,7 @@ impl Scene for Cat {
         let plan = self.plan(request)?;
         let (run, exact) = ((self, &plan, request), plan.solver == Solver::Exact);
         let equal = self.equal_halves();
-        let trace = solved(run, AN_INTEGRAL, |t| match &equal {
+        let trace = solved(run, AN_INTEGRAL, &|t| match &equal {
             Some(equal) => self.known(equal, t),
             None => self.start().map(|((), y)| y),
         })?;
@@ -257,7 +257,7 @@ impl Scene for Cat {
         let l = self.angular_momentum;
         let scale = (moments * fastest).max(l.norm());
         let mut ledger = OpenLedger::of(request, plan, (trace.cost, trace.error), states);
-        ledger.conserved("angular momentum", scale, l, |_, s| s.angular_momentum)?;
+        ledger.conserved("angular momentum", scale, l, &|_, s| s.angular_momentum)?;
         ledger.closed(request)
     }
 

@@ -206,7 +206,7 @@ impl Flow<5> for Crawler {
         let rest = self.rest(&leg, y[1], gap.rate);
         let rest = rest.map(|(after, _)| from + after);
         let rest = rest.filter(|&rest| rest < ahead.end);
-        (!ahead.stepped).then(|| ahead.in_closed_form(rest, after))
+        (!ahead.stepped).then(|| ahead.in_closed_form(rest, &after))
     }
 }
 
@@ -229,7 +229,7 @@ impl Scene for Crawler {
         no_more(request.furthest / strokes.cycle(), MOST_CYCLES, condition)?;
         let gap = |t: f64| strokes.at(strokes.piece_at(t), t);
         // On perfect ice the only component is the muscle's work, which is the kinetic energy.
-        let trace = solved((self, &plan, request), 1, |t| {
+        let trace = solved((self, &plan, request), 1, &|t| {
             Ok([0.0, 0.0, 0.0, 0.0, body.energy(0.0, gap(t).rate)])
         })?;
         let mut ledger = trace.told(request, plan, |t, _, &[center, velocity, _, heat, work]| {
@@ -245,11 +245,11 @@ impl Scene for Crawler {
             body.energy(s.velocity, gap(request.times()[place]).rate) + s.heat - s.work
         };
         let given = "momentum less the impulse of friction";
-        ledger.conserved(given, mass_speed, 0.0, momentum)?;
+        ledger.conserved(given, mass_speed, 0.0, &momentum)?;
         let left = "energy and heat less the work of the muscle";
-        ledger.conserved(left, energy + spent, 0.0, balance)?;
+        ledger.conserved(left, energy + spent, 0.0, &balance)?;
         let heat = ("heat", Law::NonDecreasing, energy + spent);
-        ledger.keep(heat, 0.0, |_, s| s.heat)?;
+        ledger.keep(heat, 0.0, &|_, s| s.heat)?;
         ledger.closed(request)
     }
 

@@ -204,7 +204,7 @@ impl Scene for Swivel {
         };
         let evaluations = self.path.map_or(1, |_| AN_INTEGRAL);
         let known = |t| Ok([self.turned(&parts, t)?, l, 0.0]);
-        let trace = solved((self, &plan, request), evaluations, known)?;
+        let trace = solved((self, &plan, request), evaluations, &known)?;
         let mut ledger = trace.told(request, plan, |t, _, y| self.state(t, y));
         let upper = |place: usize, state: &SwivelState| {
             let rate = state.rate + self.shape(request.times()[place]).rate;
@@ -218,7 +218,7 @@ impl Scene for Swivel {
         };
         let largest = (ledger.states().enumerate()).map(|(place, state)| upper(place, state).abs());
         let scale = largest.fold(l.abs(), f64::max);
-        ledger.conserved("angular momentum", scale, l, whole)?;
+        ledger.conserved("angular momentum", scale, l, &whole)?;
         ledger.closed(request)
     }
 
@@ -394,7 +394,7 @@ impl Scene for Skater {
     fn simulate(&self, request: &Request) -> Result<Motion<SkaterState>> {
         let plan = self.plan(request)?;
         let run = (self, &plan, request);
-        let trace = solved(run, AN_INTEGRAL, |t| self.known(t))?;
+        let trace = solved(run, AN_INTEGRAL, &|t| self.known(t))?;
         let mut ledger = trace.told(request, plan, |t, _, y| self.state(t, y));
         let l = self.angular_momentum();
         let start = self.state(0.0, &[0.0, l, 0.0, 0.0]);
@@ -411,9 +411,9 @@ impl Scene for Skater {
             self.bearing_friction.map_or(now, |c| now + c * state.angle)
         };
         let balance = |_: usize, state: &SkaterState| state.energy + state.heat - state.work;
-        ledger.conserved("angular momentum", l.abs(), l, momentum)?;
+        ledger.conserved("angular momentum", l.abs(), l, &momentum)?;
         let name = "energy less the work of the arms";
-        ledger.conserved(name, largest, start.energy, balance)?;
+        ledger.conserved(name, largest, start.energy, &balance)?;
         ledger.closed(request)
     }
 

@@ -231,7 +231,7 @@ impl Scene for PaperCat {
     fn simulate(&self, request: &Request) -> Result<Motion<PaperCatState>> {
         let plan = self.plan(request)?;
         let (falling, exact) = (self.falling(request.furthest), plan.solver == Solver::Exact);
-        let trace = solved((&falling, &plan, request), 1, |t| {
+        let trace = solved((&falling, &plan, request), 1, &|t| {
             let [fall, velocity] = self.gravity.map_or([0.0; 2], |g| [0.5 * g * t * t, g * t]);
             Ok([fall, velocity, self.tilt, 0.0, 0.0])
         })?;
@@ -250,8 +250,12 @@ impl Scene for PaperCat {
         let squares = ledger.states().map(|state| state.velocity.powi(2));
         let largest = squares.fold(0.0, f64::max);
         let name = "energy of fall with what the air took";
-        ledger.conserved(name, largest, 0.0, |k, s| energy(k, s) + s.lost)?;
-        ledger.keep(("energy of fall", Law::NonIncreasing, largest), 0.0, energy)?;
+        ledger.conserved(name, largest, 0.0, &|k, s| energy(k, s) + s.lost)?;
+        ledger.keep(
+            ("energy of fall", Law::NonIncreasing, largest),
+            0.0,
+            &energy,
+        )?;
         ledger.closed(request)
     }
 

@@ -147,7 +147,7 @@ impl ClosedForm {
                 batched(times, budget, top.at(0.0)?, fill, outward)
             }
             // Outward from the start: on its way back a continuation would lose more digits.
-            Self::Kovalevskaya(top, axes) => both_ways(times, |times| {
+            Self::Kovalevskaya(top, axes) => both_ways(times, &mut |times| {
                 let states = top.states(times.iter().copied()).zip(times);
                 let outward = |s: Turned| axes.outward(s.attitude, s.omega);
                 let counted = |(state, &t)| budget.spend(1, t).and(state).map(outward);

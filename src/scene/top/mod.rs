@@ -119,7 +119,7 @@ impl Top {
         let fastest = || rates().fold(start, f64::max);
         let error = within(told + closed.hardly_moving(self.pace()?, fastest))?;
         let told = |(q, omega)| ledger::state(&conserved.heavy, q, omega);
-        let states = states.into_iter().map(told);
+        let states = states.into_iter().map(told).collect();
         let ledger = OpenLedger::of(request, plan, (Cost::default(), error), states);
         conserved.lossless(ledger)?.closed(request)
     }
@@ -159,7 +159,7 @@ impl Top {
         let turning = || Turning::new(self, kept.energy_scale);
         let here = turning()?;
         if self.resisting().next().is_some() {
-            let trace = to_accuracy::<8, _>(request, plan.solver, |_| turning())?;
+            let trace = to_accuracy::<8, _>(request, plan.solver, &|_| turning())?;
             let ledger = trace.told(request, plan, |_, _, y| here.state(y, kept));
             let lost = |place: usize| here.unit * trace.samples[place].1[7];
             return kept.lossy(ledger, lost)?.closed(request);
@@ -167,9 +167,9 @@ impl Top {
         let trace = match plan.solver {
             Solver::Geometric(method) if method != Geometric::DormandPrince8 => {
                 let steps = methods::steps(&here, method, request)?;
-                vouched::<7, _>(request, Stepper::Other(&steps, true), |_| turning())?
+                vouched::<7, _>(request, Stepper::Other(&steps, true), &|_| turning())?
             }
-            solver => to_accuracy::<7, _>(request, solver, |_| turning())?,
+            solver => to_accuracy::<7, _>(request, solver, &|_| turning())?,
         };
         let ledger = trace.told(request, plan, |_, _, y| here.state(y, kept));
         kept.lossless(ledger)?.closed(request)

@@ -1,6 +1,8 @@
 //! The ledger: what should have been conserved, and by how much it was not.
 
 use core::fmt;
+use core::marker::PhantomData;
+use core::mem::discriminant;
 
 use crate::error::{Error, Result, each_finite, finite, not_negative, positive};
 use crate::frame::FrameVector;
@@ -17,13 +19,9 @@ pub enum Law {
     NonDecreasing,
 }
 
-/// Names a scalar quantity of one [`Ledger`]; returned by [`Ledger::open`].
+/// Names a quantity of one [`Ledger`], a number or a vector; returned by [`Ledger::open`] and its sisters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct ScalarAccount(usize);
-
-/// Names a conserved vector of one [`Ledger`]; returned by [`Ledger::open_vector`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct VectorAccount(usize);
+pub struct Account<V>(usize, PhantomData<V>);
 
 /// One line of a [`Ledger`].
 #[derive(Debug, Clone, PartialEq)]
@@ -41,9 +39,12 @@ pub struct Entry {
     drift: f64,
 }
 
+/// A scalar, or the components of a vector.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Value {
+pub enum Value {
+    /// A scalar.
     Scalar(f64),
+    /// A vector.
     Vector([f64; 3]),
 }
 
@@ -60,12 +61,6 @@ impl<Axes> From<FrameVector<Axes>> for Value {
 }
 
 impl Value {
-    /// The value, if its components are finite.
-    fn checked(self, name: &'static str) -> Result<Self> {
-        each_finite(name, self.components())?;
-        Ok(self)
-    }
-
     fn magnitude(self) -> f64 {
         let [x, y, z] = self.components();
         x.hypot(y).hypot(z)
@@ -128,15 +123,15 @@ impl Entry {
 
     /// Books `value`. One that is not finite makes the drift infinite before the error is returned, so that a caller
     /// who drops the error still cannot report a clean run.
-    pub(crate) fn book(&mut self, value: Value) -> Result<()> {
+    fn book(&mut self, value: Value) -> Result<()> {
         self.last = value;
-        let checked = value.checked(self.name);
-        let drift = match &checked {
-            Ok(_) => self.violation(value),
+        let checked = each_finite(self.name, value.components());
+        let drift = match checked {
+            Ok(()) => self.violation(value),
             Err(_) => f64::INFINITY,
         };
         self.drift = self.drift.max(drift);
-        checked.map(drop)
+        checked
     }
 
     fn violation(&mut self, value: Value) -> f64 {
@@ -215,10 +210,8 @@ impl Ledger {
     /// assert!(ledger.is_kept_within(0.25)? && !ledger.is_kept_within(0.2)?);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
-    pub fn open(&mut self, name: &'static str, law: Law, first: f64) -> Result<ScalarAccount> {
-        finite(name, first)?;
-        let place = self.push(name, law, first.into(), first.abs());
-        Ok(ScalarAccount(place))
+    pub fn open(&mut self, name: &'static str, law: Law, first: f64) -> Result<Account<f64>> {
+        self.push(name, law, first, first.abs())
     }
 
     /// Opens an account for a scalar whose relative drift is measured against `scale`, in the unit of the
@@ -243,94 +236,63 @@ impl Ledger {
         law: Law,
         first: f64,
         scale: f64,
-    ) -> Result<ScalarAccount> {
-        finite(name, first)?;
+    ) -> Result<Account<f64>> {
         let scale = positive("the scale of a ledger account", scale)?;
-        Ok(ScalarAccount(self.push(name, law, first.into(), scale)))
+        self.push(name, law, first, scale)
     }
 
     /// Opens an account for a conserved vector; drift is the length of the difference, relative to the length
     /// of `first`.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] with the name of the quantity, also if its length overflows.
+    /// [`Error::NotFinite`], also if its length overflows.
     ///
     /// ```
     /// use spinning_bodies::{conservation::Ledger, frame::SpaceVector};
     /// let mut ledger = Ledger::new();
     /// let l = ledger.open_vector("angular momentum", SpaceVector::new(3.0, 0.0, 4.0))?;
-    /// ledger.record_vector(l, SpaceVector::new(3.0, 1.0, 4.0))?;
+    /// ledger.record(l, SpaceVector::new(3.0, 1.0, 4.0))?;
     /// assert_eq!(ledger.entries()[0].relative_drift(), 0.2);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
-    pub fn open_vector<Axes>(
+    pub fn open_vector<Axes: Copy>(
         &mut self,
         name: &'static str,
         first: FrameVector<Axes>,
-    ) -> Result<VectorAccount> {
-        let value = Value::from(first).checked(name)?;
-        let scale = finite(name, value.magnitude())?;
-        Ok(VectorAccount(self.push(name, Law::Conserved, value, scale)))
+    ) -> Result<Account<FrameVector<Axes>>> {
+        let scale = Value::from(first).magnitude();
+        self.push(name, Law::Conserved, first, scale)
     }
 
-    /// Opens an account for a scalar or a conserved vector. Its drift is measured against `scale`, or against 1 if that is 0.
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`].
-    pub(crate) fn keep(
-        &mut self,
-        (name, law, scale): (&'static str, Law, f64),
-        first: Value,
-    ) -> Result<&mut Entry> {
-        let first = first.checked(name)?;
-        let scale = if scale > 0.0 { scale } else { 1.0 };
-        let scale = finite("the scale of a ledger account", scale)?;
-        let place = self.push(name, law, first, scale);
-        Ok(&mut self.entries[place])
-    }
-
-    /// Records a value of a scalar.
+    /// Records a value of a scalar or of a conserved vector.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for such a value, and the account keeps an infinite drift;
     /// [`Error::Condition`] if the account belongs to another ledger.
     ///
     /// ```
-    /// use spinning_bodies::conservation::{Law, Ledger};
+    /// use spinning_bodies::{conservation::{Law, Ledger}, frame::SpaceVector};
     /// let mut ledger = Ledger::new();
     /// let energy = ledger.open("energy", Law::Conserved, 4.0)?;
     /// ledger.record(energy, 5.0)?;
     /// // A value that is not finite is refused, and the drift stays infinite.
     /// assert!(ledger.record(energy, f64::NAN).is_err());
     /// assert_eq!(ledger.entries()[0].relative_drift(), f64::INFINITY);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn record(&mut self, account: ScalarAccount, value: f64) -> Result<()> {
-        let entry = self.entry_mut(account.0, |v| matches!(v, Value::Scalar(_)))?;
-        entry.book(value.into())
-    }
-
-    /// Records a value of a conserved vector, along the same axes as the first.
-    ///
-    /// # Errors
-    /// As [`Ledger::record`].
-    ///
-    /// ```
-    /// use spinning_bodies::{conservation::Ledger, frame::SpaceVector};
-    /// let mut ledger = Ledger::new();
     /// let l = ledger.open_vector("angular momentum", SpaceVector::new(1.0, 0.0, 0.0))?;
     /// // It has turned without changing its length, which is a drift too.
-    /// ledger.record_vector(l, SpaceVector::new(0.0, 1.0, 0.0))?;
-    /// assert!((ledger.entries()[0].relative_drift() - 2.0_f64.sqrt()).abs() < 1e-15);
+    /// ledger.record(l, SpaceVector::new(0.0, 1.0, 0.0))?;
+    /// assert!((ledger.entries()[1].relative_drift() - 2.0_f64.sqrt()).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
-    pub fn record_vector<Axes>(
-        &mut self,
-        account: VectorAccount,
-        value: FrameVector<Axes>,
-    ) -> Result<()> {
-        let entry = self.entry_mut(account.0, |v| matches!(v, Value::Vector(_)))?;
-        entry.book(value.into())
+    pub fn record<V: Into<Value> + Copy>(&mut self, account: Account<V>, value: V) -> Result<()> {
+        let (place, value) = (account.0, value.into());
+        let same = |entry: &&mut Entry| discriminant(&entry.first) == discriminant(&value);
+        let entry = self.entries.get_mut(place).filter(same);
+        let entry = entry.ok_or(Error::Condition {
+            condition: "an account must belong to the ledger it is recorded in",
+            value: place as f64,
+        })?;
+        entry.book(value)
     }
 
     /// All lines, in the order of opening.
@@ -365,7 +327,20 @@ impl Ledger {
         Ok(entries.all(|entry| entry.relative_drift() <= bound))
     }
 
-    fn push(&mut self, name: &'static str, law: Law, first: Value, scale: f64) -> usize {
+    /// Opens an account for a scalar, or for a vector that is conserved.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub(crate) fn push<V: Into<Value>>(
+        &mut self,
+        name: &'static str,
+        law: Law,
+        first: V,
+        scale: f64,
+    ) -> Result<Account<V>> {
+        let first = first.into();
+        each_finite(name, first.components())?;
+        finite("the scale of a ledger account", scale)?;
         self.entries.push(Entry {
             name,
             law,
@@ -375,17 +350,7 @@ impl Ledger {
             scale,
             drift: 0.0,
         });
-        self.entries.len() - 1
-    }
-
-    fn entry_mut(&mut self, index: usize, kind: fn(&Value) -> bool) -> Result<&mut Entry> {
-        self.entries
-            .get_mut(index)
-            .filter(|entry| kind(&entry.first))
-            .ok_or(Error::Condition {
-                condition: "an account must belong to the ledger it is recorded in",
-                value: index as f64,
-            })
+        Ok(Account(self.entries.len() - 1, PhantomData))
     }
 }
 

@@ -27,6 +27,5 @@ mod ledger;
 mod particles;
 
 pub use force::{ForceAndTorque, angular_momentum_rate, uniform_gravity};
-pub(crate) use ledger::Value;
-pub use ledger::{Entry, Law, Ledger, ScalarAccount, VectorAccount};
+pub use ledger::{Account, Entry, Law, Ledger, Value};
 pub use particles::{AngularMomentumParts, EnergyParts, Particle, Particles};

@@ -6,8 +6,8 @@ use crate::conservation::Ledger;
 use crate::error::Result;
 use crate::integrators::Cost;
 
-/// Runs a scene and returns the columns at these places.
-type Simulation = dyn Fn(&Request, &[usize]) -> Result<Table>;
+/// Runs a scene and returns the columns that are told.
+type Simulation = dyn Fn(&AnyScene, &Request) -> Result<Table>;
 
 /// A scene of any kind, and the columns it returns.
 ///
@@ -74,22 +74,25 @@ impl AnyScene {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn scene<S: Tabulated + Send + 'static>(scene: Box<dyn Scene<State = S>>) -> Self {
-        let tellers = S::columns().usual().and(scene.further());
-        let columns = tellers.columns.clone();
-        let usual = (0..columns.len()).filter(|&place| columns[place].usual);
+        let columns = S::columns().usual();
+        let told = (0..columns.columns.len()).collect();
+        let columns = columns.and(scene.further());
         Self {
-            told: usual.collect(),
-            columns,
-            simulation: Box::new(move |request, told| {
+            columns: columns.columns.clone(),
+            told,
+            simulation: Box::new(move |this, request| {
                 let motion = scene.simulate(request)?;
-                let row = |state: &S| told.iter().map(|&k| tellers.number(k, state)).collect();
+                let mut rows = Vec::with_capacity(motion.rows.len());
+                for (time, state) in &motion.rows {
+                    rows.push((*time, columns.row(&this.told, state)));
+                }
                 Ok(Table {
                     plan: motion.plan,
                     cost: motion.cost,
                     error_estimate: motion.error_estimate,
                     ledger: motion.ledger,
-                    columns: told.iter().map(|&k| tellers.columns[k]).collect(),
-                    rows: motion.rows.iter().map(|(t, s)| (*t, row(s))).collect(),
+                    columns: this.told().collect(),
+                    rows,
                 })
             }),
             #[cfg(feature = "scene-files")]
@@ -174,7 +177,7 @@ impl AnyScene {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn simulate(&self, request: &Request) -> Result<Table> {
-        (self.simulation)(request, &self.told)
+        (self.simulation)(self, request)
     }
 }
 

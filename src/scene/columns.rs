@@ -145,13 +145,17 @@ impl<S: 'static> Columns<S> {
         self
     }
 
-    /// The number in the column at this place.
+    /// The numbers of a state in the columns at these places.
     ///
     /// # Panics
     /// If there are not that many columns.
-    pub(crate) fn number(&self, place: usize, state: &S) -> f64 {
-        let (of, place) = &self.tellers[place];
-        of(state, *place)
+    pub(crate) fn row(&self, places: &[usize], state: &S) -> Vec<f64> {
+        let mut row = Vec::with_capacity(places.len());
+        for &place in places {
+            let (of, place) = &self.tellers[place];
+            row.push(of(state, *place));
+        }
+        row
     }
 }
 

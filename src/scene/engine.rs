@@ -165,9 +165,11 @@ impl<P, const N: usize> Trace<P, N> {
         plan: Plan,
         state: impl Fn(f64, &P, &[f64; N]) -> S,
     ) -> OpenLedger<S> {
-        let samples = request.times().iter().zip(&self.samples);
-        let states = samples.map(|(&t, (phase, y))| state(t, phase, y));
-        OpenLedger::of(request, plan, (self.cost, self.error), states.collect())
+        let mut states = Vec::with_capacity(self.samples.len());
+        for (&t, (phase, y)) in request.times().iter().zip(&self.samples) {
+            states.push(state(t, phase, y));
+        }
+        OpenLedger::of(request, plan, (self.cost, self.error), states)
     }
 }
 

@@ -138,7 +138,7 @@ pub trait Tabulated: Sized + 'static {
     /// ```
     fn row(&self) -> Vec<f64> {
         let columns = Self::columns();
-        let places = 0..columns.columns.len();
-        places.map(|place| columns.number(place, self)).collect()
+        let places: Vec<usize> = (0..columns.columns.len()).collect();
+        columns.row(&places, self)
     }
 }

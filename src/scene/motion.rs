@@ -260,15 +260,18 @@ impl<S> OpenLedger<S> {
         (cost, error_estimate): (Cost, f64),
         states: Vec<S>,
     ) -> Self {
-        let times = &request.times;
+        let (times, mut rows) = (&request.times, Vec::with_capacity(states.len()));
+        for (&time, state) in times.iter().zip(states) {
+            rows.push((time, state));
+        }
+        let order = ascending(Vec::from_iter(0..times.len()), times);
         let motion = Motion {
             plan,
             cost,
             error_estimate,
             ledger: Ledger::new(),
-            rows: times.iter().copied().zip(states).collect(),
+            rows,
         };
-        let order = ascending(Vec::from_iter(0..times.len()), times);
         Self { motion, order }
     }
 
@@ -291,21 +294,23 @@ impl<S> OpenLedger<S> {
     }
 
     /// Adds a quantity: its name, its law and the scale of its drift (1 in place of 0), its value at the start, and its value for the row at a place.
-    pub fn keep<V: Into<Value>>(
+    pub fn keep<V: Into<Value> + Copy>(
         &mut self,
-        account: (&'static str, Law, f64),
+        (name, law, scale): (&'static str, Law, f64),
         start: V,
         of: &dyn Fn(usize, &S) -> V,
     ) -> Result<()> {
-        let entry = self.motion.ledger.keep(account, start.into())?;
+        let Motion { rows, ledger, .. } = &mut self.motion;
+        let scale = if scale > 0.0 { scale } else { 1.0 };
+        let account = ledger.push(name, law, start, scale)?;
         for &place in &self.order {
-            entry.book(of(place, &self.motion.rows[place].1).into())?;
+            ledger.record(account, of(place, &rows[place].1))?;
         }
         Ok(())
     }
 
     /// Adds a quantity that is conserved.
-    pub fn conserved<V: Into<Value>>(
+    pub fn conserved<V: Into<Value> + Copy>(
         &mut self,
         name: &'static str,
         scale: f64,

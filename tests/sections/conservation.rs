@@ -108,9 +108,9 @@ fn s3_2_momentum_changes_by_the_outside_force_alone() -> Result<()> {
         steps += 1.0;
         let force = now.force_and_torque(now.center(), |p| p.mass * g).unwrap();
         let left = now.momentum() - h * steps * force.force;
-        ledger.record_vector(moved, left).unwrap();
+        ledger.record(moved, left).unwrap();
         let turning = now.angular_momentum_split(V::zero()).spin;
-        ledger.record_vector(spin, turning).unwrap();
+        ledger.record(spin, turning).unwrap();
     });
     // Runge–Kutta keeps linear invariants to rounding: observed 1.5e-14 over 2000 steps. The quadratic L about C it
     // keeps only to its order: observed 2e-10 at this step.
@@ -480,7 +480,7 @@ fn ledger_measures_each_law_its_own_way() {
     // A vector that turns without changing its length has drifted all the same.
     let mut turning = Ledger::new();
     let l = turning.open_vector("L", V::new(1.0, 0.0, 0.0)).unwrap();
-    turning.record_vector(l, V::new(0.0, 1.0, 0.0)).unwrap();
+    turning.record(l, V::new(0.0, 1.0, 0.0)).unwrap();
     close!(turning.entries()[0].relative_drift(), 2.0_f64.sqrt(), 3e-16);
     assert!(turning.to_string().starts_with("L "));
 }
@@ -514,7 +514,7 @@ proptest! {
                 let _ = ledger.record(*account, value);
             }
             if let Ok(line) = line {
-                let _ = ledger.record_vector(line, V::new(value, values[4], values[5]));
+                let _ = ledger.record(line, V::new(value, values[4], values[5]));
             }
         }
         for entry in ledger.entries() {

@@ -74,9 +74,12 @@ impl AnyScene {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn scene<S: Tabulated + Send + 'static>(scene: Box<dyn Scene<State = S>>) -> Self {
-        let columns = S::columns().usual();
-        let told = (0..columns.columns.len()).collect();
-        let columns = columns.and(scene.further());
+        let mut usual = S::columns();
+        for column in &mut usual.columns {
+            column.usual = true;
+        }
+        let told = (0..usual.columns.len()).collect();
+        let columns = usual.and(scene.further());
         Self {
             columns: columns.columns.clone(),
             told,

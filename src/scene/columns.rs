@@ -137,14 +137,6 @@ impl<S: 'static> Columns<S> {
         self
     }
 
-    /// The same columns, all of them output by default.
-    pub(crate) fn usual(mut self) -> Self {
-        for column in &mut self.columns {
-            column.usual = true;
-        }
-        self
-    }
-
     /// The numbers of a state in the columns at these places.
     ///
     /// # Panics

@@ -165,11 +165,9 @@ impl<P, const N: usize> Trace<P, N> {
         plan: Plan,
         state: impl Fn(f64, &P, &[f64; N]) -> S,
     ) -> OpenLedger<S> {
-        let mut states = Vec::with_capacity(self.samples.len());
-        for (&t, (phase, y)) in request.times().iter().zip(&self.samples) {
-            states.push(state(t, phase, y));
-        }
-        OpenLedger::of(request, plan, (self.cost, self.error), states)
+        let samples = request.times().iter().zip(&self.samples);
+        let mut states = samples.map(|(&t, (phase, y))| state(t, phase, y));
+        OpenLedger::of(request, plan, (self.cost, self.error), &mut states)
     }
 }
 
@@ -468,10 +466,10 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
         let growth = growth(&first, stepper, efforts.worse(), &times, &request.moment());
         return Err(request.amplified(rounding, growth.unwrap_or(angle)));
     }
-    // Runs beside the better one, the looser one first.
+    // Runs beside the better one, the looser one last.
     let mut others = vec![run(efforts.worse(), 1.0, &[])?.1];
     loop {
-        let (flow, mut better) = run(efforts.better(), 0.0, &others[0].halves)?;
+        let (flow, mut better) = run(efforts.better(), 0.0, &others[others.len() - 1].halves)?;
         let seen = &better.samples;
         let floor = efforts.floor(better.phases.len());
         let told = |asked: &Trace<_, N>, checked: &Trace<_, N>, weight: f64| {
@@ -495,7 +493,7 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
                 others = vec![better];
                 if !sure {
                     efforts.spread(APART);
-                    others.insert(0, run(efforts.worse(), 1.0, &[])?.1);
+                    others.push(run(efforts.worse(), 1.0, &[])?.1);
                 }
                 continue;
             }

@@ -224,7 +224,7 @@ impl Scene for StruckPlanet {
             error *= (self.added(&meteorite, at) / least).max(1.0);
         }
         let turning = "angular momentum about the origin";
-        let states = rows.iter().map(|(state, _)| *state).collect();
+        let states = &mut rows.iter().map(|(state, _)| *state);
         let mut ledger = OpenLedger::of(request, plan, (Cost::default(), error), states);
         ledger.conserved("momentum", moves, p, &|k, _| rows[k].1[0])?;
         ledger.conserved(turning, turns, l, &|k, _| rows[k].1[1])?;

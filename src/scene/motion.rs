@@ -258,9 +258,9 @@ impl<S> OpenLedger<S> {
         request: &Request,
         plan: Plan,
         (cost, error_estimate): (Cost, f64),
-        states: Vec<S>,
+        states: &mut dyn Iterator<Item = S>,
     ) -> Self {
-        let (times, mut rows) = (&request.times, Vec::with_capacity(states.len()));
+        let (times, mut rows) = (&request.times, Vec::with_capacity(request.times.len()));
         for (&time, state) in times.iter().zip(states) {
             rows.push((time, state));
         }

@@ -382,11 +382,8 @@ impl OnTable<'_> {
         state: impl Fn(Moment) -> S,
     ) -> Result<Motion<S>> {
         let (moments, done) = self.followed(&plan, request)?;
-        let (times, states) = (
-            request.times(),
-            moments.iter().copied().map(state).collect(),
-        );
-        let mut ledger = OpenLedger::of(request, plan, done, states);
+        let (times, mut states) = (request.times(), moments.iter().copied().map(state));
+        let mut ledger = OpenLedger::of(request, plan, done, &mut states);
         let &Laws { kappa, load, .. } = self.laws;
         let (mass, drive) = (self.body.mass, load.push + load.twist);
         let scale = |size: &dyn Fn(&Moment) -> f64| {
@@ -395,6 +392,7 @@ impl OnTable<'_> {
         };
         let driven = load != Load::weight(load.reaction);
         let balance = |m: &Moment| mass * (m.energy(kappa) + m.heat - m.work);
+        let kinetic = |m: &Moment| mass * m.energy(kappa);
         // About the table only a tug has a moment, and it is constant.
         let about =
             |row: usize, _: &S| mass * (moments[row].about_the_table(kappa) - times[row] * drive);
@@ -411,16 +409,16 @@ impl OnTable<'_> {
         let pull = |m: &Moment| (load.push * m.position).abs() + (load.twist * m.turned).abs();
         let size = scale(&|m| m.energy(kappa) + m.heat + m.work.abs() + pull(m));
         let name = "energy plus heat less work";
-        ledger.conserved(name, size, balance(&self.start), &|row, _| {
-            balance(&moments[row])
-        })?;
+        let balanced = |row: usize, _: &S| balance(&moments[row]);
+        ledger.conserved(name, size, balance(&self.start), &balanced)?;
         if !driven && self.laws.sheet.is_none() {
-            let size = scale(&|m| m.energy(kappa));
-            let account = ("kinetic energy", Law::NonIncreasing, size);
-            let kinetic = |m: &Moment| mass * m.energy(kappa);
-            ledger.keep(account, kinetic(&self.start), &|row, _| {
-                kinetic(&moments[row])
-            })?;
+            let account = (
+                "kinetic energy",
+                Law::NonIncreasing,
+                scale(&|m| m.energy(kappa)),
+            );
+            let falling = |row: usize, _: &S| kinetic(&moments[row]);
+            ledger.keep(account, kinetic(&self.start), &falling)?;
         }
         ledger.closed(request)
     }

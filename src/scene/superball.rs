@@ -162,11 +162,11 @@ impl Scene for Superball {
             true => Law::Conserved,
             false => Law::NonIncreasing,
         };
-        let states = balls.iter().map(|ball| Bouncing {
+        let mut states = balls.iter().map(|ball| Bouncing {
             ball: *ball,
             energy: energy(ball),
         });
-        let mut ledger = OpenLedger::of(request, plan, done, states.collect());
+        let mut ledger = OpenLedger::of(request, plan, done, &mut states);
         ledger.keep(("energy", law, first), first, &|_, s| s.energy)?;
         let name = "depth in floor or ceiling";
         ledger.conserved(name, highest, inside, &|_, s| depth(&s.ball))?;

@@ -216,7 +216,8 @@ impl Flow<4> for Cat {
     }
 
     fn lasts_until(&self, (): (), t: f64) -> f64 {
-        next_of(self.turnover.map(|path| path.corners()), t)
+        let corners = self.turnover.map(|path| path.corners());
+        next_of(corners.as_slice().as_flattened(), t)
     }
 
     /// Ω is a function of the attitude, and its error, relative to the fastest rate, is no greater.
@@ -256,7 +257,8 @@ impl Scene for Cat {
         let moments: f64 = self.body.halves.iter().map(|half| half.transverse).sum();
         let l = self.angular_momentum;
         let scale = (moments * fastest).max(l.norm());
-        let mut ledger = OpenLedger::of(request, plan, (trace.cost, trace.error), states);
+        let done = (trace.cost, trace.error);
+        let mut ledger = OpenLedger::of(request, plan, done, &mut states.into_iter());
         ledger.conserved("angular momentum", scale, l, &|_, s| s.angular_momentum)?;
         ledger.closed(request)
     }

@@ -371,7 +371,8 @@ impl Flow<4> for Skater {
     }
 
     fn lasts_until(&self, (): (), t: f64) -> f64 {
-        next_of(self.draw.map(|draw| draw.corners()), t)
+        let corners = self.draw.map(|draw| draw.corners());
+        next_of(corners.as_slice().as_flattened(), t)
     }
 
     fn distance(&self, ((), a): &((), [f64; 4]), ((), b): &((), [f64; 4])) -> f64 {

@@ -234,11 +234,10 @@ pub(super) fn phase(y: &[f64]) -> Phase {
 /// The components: L, the quaternion and, if there are eight, the energy lost; or the same of their rates or scales.
 #[inline]
 fn numbers<const N: usize>(l: [f64; 3], q: [f64; 4], lost: f64) -> [f64; N] {
-    core::array::from_fn(|n| match n {
-        0..3 => l[n],
-        3..7 => q[n - 3],
-        _ => lost,
-    })
+    let mut all = [lost; N];
+    all[..3].copy_from_slice(&l);
+    all[3..7].copy_from_slice(&q);
+    all
 }
 
 /// |Ω|, rad/s.

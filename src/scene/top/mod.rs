@@ -119,7 +119,7 @@ impl Top {
         let fastest = || rates().fold(start, f64::max);
         let error = within(told + closed.hardly_moving(self.pace()?, fastest))?;
         let told = |(q, omega)| ledger::state(&conserved.heavy, q, omega);
-        let states = states.into_iter().map(told).collect();
+        let states = &mut states.into_iter().map(told);
         let ledger = OpenLedger::of(request, plan, (Cost::default(), error), states);
         conserved.lossless(ledger)?.closed(request)
     }

@@ -19,7 +19,7 @@ pub enum Law {
     NonDecreasing,
 }
 
-/// Names a quantity of one [`Ledger`], a number or a vector; returned by [`Ledger::open`] and its sisters.
+/// Names a quantity of one [`Ledger`], a number or a vector, to record its values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Account<V>(usize, PhantomData<V>);
 

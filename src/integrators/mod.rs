@@ -33,7 +33,8 @@ fn ways(times: &[f64]) -> ([Vec<f64>; 2], Vec<usize>) {
     (ways, places)
 }
 
-/// States at times in any order, from `follow`, which takes ordered times: first those before 0, backward from 0, then the others, ascending.
+/// States at times in any order, from `follow`, which takes ordered times and gives a state for each: first those before 0, backward from 0, then the others,
+/// ascending.
 pub(crate) fn both_ways<Y: Clone>(
     times: &[f64],
     follow: &mut dyn FnMut(&[f64]) -> Result<Vec<Y>>,

@@ -300,8 +300,8 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         let margin = |t: f64, y: &[f64; N]| flow.margin(phase, t, y).unwrap_or(f64::INFINITY);
         // A component that nothing moves has no scale, and 1 will do: a scale of zero would leave the tolerance without an inverse.
         let mut scales = flow.scales();
-        for scale in scales.iter_mut().filter(|scale| **scale <= NOTHING) {
-            *scale = 1.0;
+        for size in &mut scales {
+            *size = if *size > NOTHING { *size } else { 1.0 };
         }
         let ((now, y), times, end) = (ahead.start, ahead.times, ahead.end);
         let ends = flow.margin(phase, now, y).is_some();
@@ -363,7 +363,7 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
 /// The components of a slice of length N.
 fn sized<const N: usize>(slice: &[f64]) -> [f64; N] {
     let mut all = [0.0; N];
-    all.copy_from_slice(slice);
+    all.iter_mut().zip(slice).for_each(|(to, from)| *to = *from);
     all
 }
 

@@ -757,22 +757,20 @@ impl Scene for TableTop {
         let first = start.energy;
         let mut ledger = trace.told(request, plan, |t, mode, y| flow.state(t, mode, y));
         let falling = ("energy", Law::NonIncreasing, first);
-        ledger.keep(falling, first, &|_, s| s.energy)?;
+        ledger.keep(falling, first, |_, s| s.energy)?;
         let both = "energy and what contact has taken";
         // A contact that jams at once has taken its part already.
         let whole = first + start.dissipated;
-        ledger.conserved(both, first, whole, &|_, s| s.energy + s.dissipated)?;
+        ledger.conserved(both, first, whole, |_, s| s.energy + s.dissipated)?;
         let no_couple = self.table.resistance.is_none();
         if self.table.gravity > 0.0 && no_couple && body.has_jellett_integral() {
             let scale = spin * body.surface.size;
-            ledger.conserved("Jellett's integral", scale, start.jellett, &|_, s| {
-                s.jellett
-            })?;
+            ledger.conserved("Jellett's integral", scale, start.jellett, |_, s| s.jellett)?;
         }
         if self.table.friction.is_none() && no_couple {
             let vertical = |s: &State| s.vertical_angular_momentum;
             let name = "vertical angular momentum";
-            ledger.conserved(name, spin, vertical(&start), &|_, s| vertical(s))?;
+            ledger.conserved(name, spin, vertical(&start), |_, s| vertical(s))?;
         }
         ledger.closed(request)
     }

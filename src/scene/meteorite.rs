@@ -226,10 +226,10 @@ impl Scene for StruckPlanet {
         let turning = "angular momentum about the origin";
         let states = &mut rows.iter().map(|(state, _)| *state);
         let mut ledger = OpenLedger::of(request, plan, (Cost::default(), error), states);
-        ledger.conserved("momentum", moves, p, &|k, _| rows[k].1[0])?;
-        ledger.conserved(turning, turns, l, &|k, _| rows[k].1[1])?;
+        ledger.conserved("momentum", moves, p, |k, _| rows[k].1[0])?;
+        ledger.conserved(turning, turns, l, |k, _| rows[k].1[1])?;
         let kinetic = ("kinetic energy", law, opening.energy);
-        ledger.keep(kinetic, opening.energy, &|_, s| s.energy)?;
+        ledger.keep(kinetic, opening.energy, |_, s| s.energy)?;
         ledger.closed(request)
     }
 

@@ -298,7 +298,7 @@ impl<S> OpenLedger<S> {
         &mut self,
         (name, law, scale): (&'static str, Law, f64),
         start: V,
-        of: &dyn Fn(usize, &S) -> V,
+        of: impl Fn(usize, &S) -> V,
     ) -> Result<()> {
         let Motion { rows, ledger, .. } = &mut self.motion;
         let scale = if scale > 0.0 { scale } else { 1.0 };
@@ -315,7 +315,7 @@ impl<S> OpenLedger<S> {
         name: &'static str,
         scale: f64,
         start: V,
-        of: &dyn Fn(usize, &S) -> V,
+        of: impl Fn(usize, &S) -> V,
     ) -> Result<()> {
         self.keep((name, Law::Conserved, scale), start, of)
     }

@@ -118,7 +118,7 @@ impl FourPhases {
     pub(super) fn corner_after(&self, t: f64) -> f64 {
         let passed = (t / self.part()).floor();
         // At a boundary the quotient may be rounded to less than its number.
-        next_of(&[1.0, 2.0].map(|n| (passed + n) * self.part()), t)
+        next_of(Some([1.0, 2.0].map(|n| (passed + n) * self.part())), t)
     }
 
     /// The least upper moment, kg m², and the fastest twist, rad/s.
@@ -235,7 +235,7 @@ pub(super) fn no_more(value: f64, most: f64, condition: &'static str) -> Result<
 }
 
 /// The first of these corners after a time, s; infinity if there is none.
-pub(super) fn next_of(corners: &[f64], t: f64) -> f64 {
-    let mut corners = corners.iter().copied();
+pub(super) fn next_of<const N: usize>(corners: Option<[f64; N]>, t: f64) -> f64 {
+    let mut corners = corners.into_iter().flatten();
     corners.find(|&corner| corner > t).unwrap_or(f64::INFINITY)
 }

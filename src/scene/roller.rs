@@ -404,21 +404,18 @@ impl OnTable<'_> {
             let first = mass * self.start.about_the_table(kappa);
             let own = |m: &Moment| m.velocity.abs() + kappa * m.rim_speed.abs();
             let size = scale(&own).max(mass * self.speed());
-            ledger.conserved(name, size, first, &about)?;
+            ledger.conserved(name, size, first, about)?;
         }
         let pull = |m: &Moment| (load.push * m.position).abs() + (load.twist * m.turned).abs();
         let size = scale(&|m| m.energy(kappa) + m.heat + m.work.abs() + pull(m));
         let name = "energy plus heat less work";
         let balanced = |row: usize, _: &S| balance(&moments[row]);
-        ledger.conserved(name, size, balance(&self.start), &balanced)?;
+        ledger.conserved(name, size, balance(&self.start), balanced)?;
         if !driven && self.laws.sheet.is_none() {
-            let account = (
-                "kinetic energy",
-                Law::NonIncreasing,
-                scale(&|m| m.energy(kappa)),
-            );
+            let size = scale(&|m| m.energy(kappa));
+            let account = ("kinetic energy", Law::NonIncreasing, size);
             let falling = |row: usize, _: &S| kinetic(&moments[row]);
-            ledger.keep(account, kinetic(&self.start), &falling)?;
+            ledger.keep(account, kinetic(&self.start), falling)?;
         }
         ledger.closed(request)
     }

@@ -265,17 +265,15 @@ impl Scene for Strip {
         let across = |k: usize, _: &_| equations.impulse(&rows[k])[0];
         let up = |k: usize, _: &_| equations.impulse(&rows[k])[1] + weight * times[k];
         let mut ledger = trace.told(request, plan, |_, _, y| self.state(y));
-        ledger.conserved("energy and heat", energy, opening, &|_, s| {
-            s.energy + s.heat
-        })?;
+        ledger.conserved("energy and heat", energy, opening, |_, s| s.energy + s.heat)?;
         if self.brakes() {
-            ledger.keep(("heat", Law::NonDecreasing, energy), 0.0, &|_, s| s.heat)?;
+            ledger.keep(("heat", Law::NonDecreasing, energy), 0.0, |_, s| s.heat)?;
         }
         // Without lift and drag only the weight changes the momentum of plate and fluid.
         if equations.lift.is_none() && equations.drag.is_none() {
             let vertical = "vertical impulse and that of the weight";
-            ledger.conserved("horizontal impulse", impulse, px, &across)?;
-            ledger.conserved(vertical, impulse, py, &up)?;
+            ledger.conserved("horizontal impulse", impulse, px, across)?;
+            ledger.conserved(vertical, impulse, py, up)?;
         }
         ledger.closed(request)
     }

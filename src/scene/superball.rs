@@ -167,9 +167,9 @@ impl Scene for Superball {
             energy: energy(ball),
         });
         let mut ledger = OpenLedger::of(request, plan, done, &mut states);
-        ledger.keep(("energy", law, first), first, &|_, s| s.energy)?;
+        ledger.keep(("energy", law, first), first, |_, s| s.energy)?;
         let name = "depth in floor or ceiling";
-        ledger.conserved(name, highest, inside, &|_, s| depth(&s.ball))?;
+        ledger.conserved(name, highest, inside, |_, s| depth(&s.ball))?;
         ledger.closed(request)
     }
 

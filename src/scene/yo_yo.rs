@@ -501,8 +501,8 @@ impl Scene for Play {
         let mut ledger = trace.told(request, plan, state);
         let balance = |_: usize, s: &YoYoState| s.energy + s.heat - s.work;
         let name = "energy and heat less the work of the hand";
-        ledger.conserved(name, scale, playing.energy, &balance)?;
-        ledger.keep(("heat", Law::NonDecreasing, scale), 0.0, &|_, s| s.heat)?;
+        ledger.conserved(name, scale, playing.energy, balance)?;
+        ledger.keep(("heat", Law::NonDecreasing, scale), 0.0, |_, s| s.heat)?;
         ledger.closed(request)
     }
 

@@ -216,8 +216,7 @@ impl Flow<4> for Cat {
     }
 
     fn lasts_until(&self, (): (), t: f64) -> f64 {
-        let corners = self.turnover.map(|path| path.corners());
-        next_of(corners.as_slice().as_flattened(), t)
+        next_of(self.turnover.map(|path| path.corners()), t)
     }
 
     /// Ω is a function of the attitude, and its error, relative to the fastest rate, is no greater.
@@ -259,7 +258,7 @@ impl Scene for Cat {
         let scale = (moments * fastest).max(l.norm());
         let done = (trace.cost, trace.error);
         let mut ledger = OpenLedger::of(request, plan, done, &mut states.into_iter());
-        ledger.conserved("angular momentum", scale, l, &|_, s| s.angular_momentum)?;
+        ledger.conserved("angular momentum", scale, l, |_, s| s.angular_momentum)?;
         ledger.closed(request)
     }
 

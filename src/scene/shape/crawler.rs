@@ -245,11 +245,11 @@ impl Scene for Crawler {
             body.energy(s.velocity, gap(request.times()[place]).rate) + s.heat - s.work
         };
         let given = "momentum less the impulse of friction";
-        ledger.conserved(given, mass_speed, 0.0, &momentum)?;
+        ledger.conserved(given, mass_speed, 0.0, momentum)?;
         let left = "energy and heat less the work of the muscle";
-        ledger.conserved(left, energy + spent, 0.0, &balance)?;
+        ledger.conserved(left, energy + spent, 0.0, balance)?;
         let heat = ("heat", Law::NonDecreasing, energy + spent);
-        ledger.keep(heat, 0.0, &|_, s| s.heat)?;
+        ledger.keep(heat, 0.0, |_, s| s.heat)?;
         ledger.closed(request)
     }
 

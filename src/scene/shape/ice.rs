@@ -218,7 +218,7 @@ impl Scene for Swivel {
         };
         let largest = (ledger.states().enumerate()).map(|(place, state)| upper(place, state).abs());
         let scale = largest.fold(l.abs(), f64::max);
-        ledger.conserved("angular momentum", scale, l, &whole)?;
+        ledger.conserved("angular momentum", scale, l, whole)?;
         ledger.closed(request)
     }
 
@@ -371,8 +371,7 @@ impl Flow<4> for Skater {
     }
 
     fn lasts_until(&self, (): (), t: f64) -> f64 {
-        let corners = self.draw.map(|draw| draw.corners());
-        next_of(corners.as_slice().as_flattened(), t)
+        next_of(self.draw.map(|draw| draw.corners()), t)
     }
 
     fn distance(&self, ((), a): &((), [f64; 4]), ((), b): &((), [f64; 4])) -> f64 {
@@ -412,9 +411,9 @@ impl Scene for Skater {
             self.bearing_friction.map_or(now, |c| now + c * state.angle)
         };
         let balance = |_: usize, state: &SkaterState| state.energy + state.heat - state.work;
-        ledger.conserved("angular momentum", l.abs(), l, &momentum)?;
+        ledger.conserved("angular momentum", l.abs(), l, momentum)?;
         let name = "energy less the work of the arms";
-        ledger.conserved(name, largest, start.energy, &balance)?;
+        ledger.conserved(name, largest, start.energy, balance)?;
         ledger.closed(request)
     }
 

@@ -250,12 +250,8 @@ impl Scene for PaperCat {
         let squares = ledger.states().map(|state| state.velocity.powi(2));
         let largest = squares.fold(0.0, f64::max);
         let name = "energy of fall with what the air took";
-        ledger.conserved(name, largest, 0.0, &|k, s| energy(k, s) + s.lost)?;
-        ledger.keep(
-            ("energy of fall", Law::NonIncreasing, largest),
-            0.0,
-            &energy,
-        )?;
+        ledger.conserved(name, largest, 0.0, |k, s| energy(k, s) + s.lost)?;
+        ledger.keep(("energy of fall", Law::NonIncreasing, largest), 0.0, energy)?;
         ledger.closed(request)
     }
 

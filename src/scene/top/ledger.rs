@@ -49,21 +49,19 @@ impl Conserved {
     pub fn lossless(&self, ledger: Open) -> Result<Open> {
         let mut ledger = ledger.reading(MOST_READ);
         let (first, scale) = (self.start.energy, self.energy_scale);
-        ledger.conserved("energy", scale, first, &|_, state| state.energy)?;
+        ledger.conserved("energy", scale, first, |_, state| state.energy)?;
         let moments = &self.heavy.moments;
         let momentum = |s: &State| s.attitude.to_space(moments.angular_momentum(s.omega));
         let (first, scale) = (momentum(&self.start), self.momentum_scale);
         if matches!(self.heavy.kind(), Integrability::Euler) {
-            ledger.conserved("angular momentum", scale, first, &|_, state| {
-                momentum(state)
-            })?;
+            ledger.conserved("angular momentum", scale, first, |_, state| momentum(state))?;
             return Ok(ledger);
         }
         let name = "angular momentum about the vertical";
-        ledger.conserved(name, scale, first.z(), &|_, state| momentum(state).z())?;
+        ledger.conserved(name, scale, first.z(), |_, state| momentum(state).z())?;
         if let Some((name, first, scale)) = self.fourth(&self.start) {
             let fourth = |state: &State| self.fourth(state).map_or(first, |(_, value, _)| value);
-            ledger.conserved(name, scale, first, &|_, state| fourth(state))?;
+            ledger.conserved(name, scale, first, |_, state| fourth(state))?;
         }
         Ok(ledger)
     }
@@ -73,14 +71,14 @@ impl Conserved {
         // Requested times may precede the start: monotone quantities begin with the earliest row.
         let (earliest, scale) = (*ledger.earliest(), self.energy_scale);
         let falling = ("energy", Law::NonIncreasing, scale);
-        ledger.keep(falling, earliest.energy, &|_, state| state.energy)?;
+        ledger.keep(falling, earliest.energy, |_, state| state.energy)?;
         let (name, first) = ("energy and what resistance took", self.start.energy);
-        ledger.conserved(name, scale, first, &|k, state| state.energy + lost(k))?;
+        ledger.conserved(name, scale, first, |k, state| state.energy + lost(k))?;
         if matches!(self.heavy.kind(), Integrability::Euler) {
             let size = |state: &State| self.heavy.moments.angular_momentum(state.omega).norm();
             let name = "size of the angular momentum";
             let falling = (name, Law::NonIncreasing, self.momentum_scale);
-            ledger.keep(falling, size(&earliest), &|_, state| size(state))?;
+            ledger.keep(falling, size(&earliest), |_, state| size(state))?;
         }
         Ok(ledger)
     }

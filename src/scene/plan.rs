@@ -35,26 +35,21 @@ pub enum Geometric {
 }
 
 impl Geometric {
-    /// All methods, each with its name.
-    const NAMES: [(Self, &str); 12] = [
-        (Self::Rotations(Order::Two), "rotations-2"),
-        (Self::Rotations(Order::Four), "rotations-4"),
-        (Self::Rotations(Order::Six), "rotations-6"),
-        (Self::MoserVeselov(VeselovOrder::Two), "moser-veselov-2"),
-        (Self::MoserVeselov(VeselovOrder::Four), "moser-veselov-4"),
-        (Self::MoserVeselov(VeselovOrder::Six), "moser-veselov-6"),
-        (Self::MoserVeselov(VeselovOrder::Ten), "moser-veselov-10"),
-        (Self::KickDrift(Order::Two), "kick-drift-2"),
-        (Self::KickDrift(Order::Four), "kick-drift-4"),
-        (Self::KickDrift(Order::Six), "kick-drift-6"),
-        (Self::MuntheKaas, "munthe-kaas-4"),
-        (Self::DormandPrince8, "dormand-prince-8"),
-    ];
-
-    fn name(self) -> &'static str {
-        let mut names = Self::NAMES.iter();
-        let named = names.find(|(method, _)| *method == self);
-        named.map_or("", |(_, name)| name)
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Rotations(Order::Two) => "rotations-2",
+            Self::Rotations(Order::Four) => "rotations-4",
+            Self::Rotations(Order::Six) => "rotations-6",
+            Self::MoserVeselov(VeselovOrder::Two) => "moser-veselov-2",
+            Self::MoserVeselov(VeselovOrder::Four) => "moser-veselov-4",
+            Self::MoserVeselov(VeselovOrder::Six) => "moser-veselov-6",
+            Self::MoserVeselov(VeselovOrder::Ten) => "moser-veselov-10",
+            Self::KickDrift(Order::Two) => "kick-drift-2",
+            Self::KickDrift(Order::Four) => "kick-drift-4",
+            Self::KickDrift(Order::Six) => "kick-drift-6",
+            Self::MuntheKaas => "munthe-kaas-4",
+            Self::DormandPrince8 => "dormand-prince-8",
+        }
     }
 }
 
@@ -69,12 +64,14 @@ impl Solver {
     /// assert!(Solver::all().any(|solver| solver.name() == "rotations-2"));
     /// ```
     pub fn all() -> impl Iterator<Item = Self> {
-        let general = Method::ALL.into_iter().map(Self::General);
-        let geometric = Geometric::NAMES.into_iter();
+        let geometric = (Order::ALL.map(Geometric::Rotations).into_iter())
+            .chain(VeselovOrder::ALL.map(Geometric::MoserVeselov))
+            .chain(Order::ALL.map(Geometric::KickDrift))
+            .chain([Geometric::MuntheKaas, Geometric::DormandPrince8]);
         [Self::Exact, Self::Events]
             .into_iter()
-            .chain(general)
-            .chain(geometric.map(|(method, _)| Self::Geometric(method)))
+            .chain(Method::ALL.map(Self::General))
+            .chain(geometric.map(Self::Geometric))
     }
 
     /// Its name in a scene file.
@@ -86,7 +83,7 @@ impl Solver {
     /// names.sort();
     /// assert!(names.windows(2).all(|pair| pair[0] != pair[1]));
     /// ```
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Self::Exact => "exact",
             Self::Events => "events",

@@ -275,7 +275,7 @@ impl TruncatedFluid {
         for _ in 0..MOST_ITERATIONS {
             let mean = Self::from_matrix(self.size, &(&before + &change * half));
             let a = mean.angular_velocity() * C::new(0.5 * step, 0.0);
-            let Some(inverse) = (&one - &a).try_inverse() else {
+            let Some(inverse) = (&one - &a).lu().try_inverse() else {
                 break;
             };
             // U = (1 + a)/(1 − a) = 1 + d, and half a Newton step towards a unitary U.

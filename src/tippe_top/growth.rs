@@ -1,6 +1,6 @@
 //! Whether a small tilt grows: quasi-steady sliding states and the eigenvalues about them.
 
-use nalgebra::{Complex, SMatrix, SVector, Schur, Vector3, Vector4};
+use nalgebra::{Complex, DMatrix, SMatrix, SVector, Schur, Vector3, Vector4};
 
 use super::body::ConvexBody;
 use super::equations::{Pose, Table};
@@ -172,10 +172,7 @@ fn growth_rates(table: &Table, up: Vector3<f64>, [a, b]: [f64; 2], spin: f64) ->
     let turn = spin.abs();
     let scales = [1.0, 1.0, turn, turn, turn, swing, swing];
     let jacobian = jacobian(rate, x, [n, n, w, w, w, v, v], scales)?;
-    let schur = |matrix| Schur::try_new(matrix, f64::EPSILON, MOST_SWEEPS);
-    let mut values: [Complex<f64>; 7] = eigenvalues(&jacobian, |matrix| {
-        Some(schur(matrix)?.complex_eigenvalues().into())
-    })?;
+    let mut values: [Complex<f64>; 7] = eigenvalues(&jacobian)?;
     sort(&mut values, |value| value.norm());
     let [_, rest @ ..] = values;
     Ok(fastest_first(rest))
@@ -186,10 +183,13 @@ const MOST_SWEEPS: usize = 1000;
 
 /// The eigenvalues of a matrix, by an iteration that may stall where several have the same modulus, ±a ± ib, as for an egg of revolution. Then the matrix
 /// is mirrored in an oblique plane, which leaves them as they are; where that stalls as well, they are refused.
-fn eigenvalues<const N: usize>(
-    matrix: &SMatrix<f64, N, N>,
-    found: impl Fn(SMatrix<f64, N, N>) -> Option<[Complex<f64>; N]>,
-) -> Result<[Complex<f64>; N]> {
+fn eigenvalues<const N: usize>(matrix: &SMatrix<f64, N, N>) -> Result<[Complex<f64>; N]> {
+    // Of any size, which is compiled once.
+    let found = |matrix: SMatrix<f64, N, N>| {
+        let matrix = DMatrix::from_column_slice(N, N, matrix.as_slice());
+        let schur = Schur::try_new(matrix, f64::EPSILON, MOST_SWEEPS)?;
+        <[_; N]>::try_from(schur.complex_eigenvalues().as_slice()).ok()
+    };
     let normal = SVector::<f64, N>::from_fn(|i, _| 1.0 / (1.0 + i as f64));
     let mirror = SMatrix::identity() - normal * normal.transpose() * (2.0 / normal.norm_squared());
     let values = found(*matrix).or_else(|| found(mirror * matrix * mirror));
@@ -279,9 +279,5 @@ pub fn rolling_growth_rates(body: &ConvexBody, gravity: f64, spin: f64) -> Resul
     let turn = natural.max(spin.abs());
     let strides = [1e-3, 1e-3, 1e-3 * turn, 1e-3 * turn];
     let jacobian = jacobian(rate, Vector4::zeros(), strides, [1.0, 1.0, turn, turn])?;
-    let schur = |matrix| Schur::try_new(matrix, f64::EPSILON, MOST_SWEEPS);
-    let values = eigenvalues(&jacobian, |matrix| {
-        Some(schur(matrix)?.complex_eigenvalues().into())
-    })?;
-    Ok(fastest_first(values))
+    Ok(fastest_first(eigenvalues(&jacobian)?))
 }

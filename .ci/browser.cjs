@@ -112,18 +112,23 @@ function beyondKeys() {
         .map((e) => `no key scrolls: ${e.textContent.slice(0, 40)}`);
 }
 
-// Contrast of the page's own entry in the table of contents.
+// Contrast of the page's own entry in the table of contents, and of code.
 function faint() {
     const light = (color) => {
-        const [r, g, b] = color.match(/[\d.]+/g).slice(0, 3).map((c) => c / 255)
+        const whole = color.startsWith('color(') ? 1 : 255;
+        const [r, g, b] = color.match(/[\d.]+/g).slice(0, 3).map((c) => c / whole)
             .map((c) => (c <= 0.03928 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
         return 0.2126 * r + 0.7152 * g + 0.0722 * b;
     };
-    const entry = document.querySelector('#mdbook-sidebar a.active');
-    const pair = [getComputedStyle(entry).color, getComputedStyle(document.querySelector('#mdbook-sidebar')).backgroundColor];
-    const [a, b] = pair.map(light).sort((x, y) => y - x);
-    const contrast = (a + 0.05) / (b + 0.05);
-    return contrast < 4.5 ? [`the active entry stands out by ${contrast.toFixed(1)} : 1 only`] : [];
+    const ground = (element) => {
+        const color = getComputedStyle(element).backgroundColor;
+        return color === 'rgba(0, 0, 0, 0)' && element.parentElement ? ground(element.parentElement) : color;
+    };
+    return [...document.querySelectorAll('#mdbook-sidebar a.active, main code')].map((element) => {
+        const [a, b] = [getComputedStyle(element).color, ground(element)].map(light).sort((x, y) => y - x);
+        const contrast = (a + 0.05) / (b + 0.05);
+        return contrast < 4.5 ? `"${element.textContent.slice(0, 40)}" stands out by ${contrast.toFixed(1)} : 1 only` : '';
+    }).filter(Boolean);
 }
 
 // What the button of the first example with a hidden line copies must be a program, hidden lines included.
@@ -284,8 +289,8 @@ function served() {
 
     for (const theme of ['light', 'rust', 'coal', 'navy', 'ayu']) {
         await inBrowser(browser, theme, 1280, async (page) => {
-            await page.goto(url('inertia.html'));
-            check(`the table of contents in ${theme}`, await page.evaluate(faint));
+            await page.goto(url('rolling.html'));
+            check(`contrast in ${theme}`, await page.evaluate(faint));
         });
     }
 

@@ -51,9 +51,8 @@ pub fn overview(_: &Values) -> Result<Figure> {
         for (n, (family, at)) in rows.iter().enumerate() {
             let y = top + pitch * n as f64 + 36.0;
             let [a, b] = [at.ours, at.textbook].map(|error| [axis.at(shown(error)), y]);
-            let lost = italic(&format!("lost: {}", family.lost));
-            let quantity = italic(family.quantity);
-            pen.text([24.0, y - 30.0], Start, &quantity, small(OURS));
+            let lost = format!("lost: {}", family.lost);
+            pen.text([24.0, y - 30.0], Start, family.quantity, small(OURS));
             pen.text([24.0, y - 12.0], Start, &lost, small(TEXTBOOK));
             pen.line([a, b], muted(SECONDARY).alpha(0.7));
             pen.disc(a, 4.5, OURS, 1.0);
@@ -136,10 +135,10 @@ fn panel(pen: &mut Pen, corner: Point, title: &[String], steps: &[Comparison]) -
     let (last, before) = title.split_last().expect("a title has a line");
     for (k, line) in before.iter().rev().enumerate() {
         let place = [corner[0], corner[1] - 34.0 - 20.0 * k as f64];
-        pen.label(place, Start, &italic(line));
+        pen.label(place, Start, line);
     }
     let across = [[1.0, 1e-16], SHOWN];
-    let frame = Frame::panel(pen, &italic(last), corner, across, [&POWERS, &POWERS]);
+    let frame = Frame::panel(pen, last, corner, across, [&POWERS, &POWERS]);
     let known = |step: &&Comparison| (1e-16..=1.0).contains(&step.nearness);
     for (k, role) in [TEXTBOOK, OURS].into_iter().enumerate() {
         let errors = |step: &Comparison| [step.textbook, step.ours];
@@ -148,23 +147,6 @@ fn panel(pen: &mut Pen, corner: Point, title: &[String], steps: &[Comparison]) -
         beaded(pen, &line, stroke(role, DATA));
     }
     frame
-}
-
-/// A text with the letters of its formulas in italics.
-fn italic(text: &str) -> String {
-    let formulas = [
-        ("EI", "*EI*"),
-        ("L²", "*L*²"),
-        ("L₃", "*L*₃"),
-        ("k²", "*k*²"),
-        ("(u, k)", "(*u*, *k*)"),
-        ("− h, h", "− *h*, *h*"),
-        ("Mr", "*Mr*"),
-        ("θ", "*θ*"),
-        (" n ", " *n* "),
-    ];
-    let set = |text: String, (plain, italic): &(&str, &str)| text.replace(plain, italic);
-    formulas.iter().fold(text.to_owned(), set)
 }
 
 const POWERS: [(f64, &str); 3] = [(1.0, "1"), (1e-8, "10^{−8}"), (1e-16, "10^{−16}")];

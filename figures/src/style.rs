@@ -642,10 +642,12 @@ pub fn scientific(value: f64, digits: usize) -> String {
 
 /// A text in lines of at most this many letters.
 pub fn wrapped(text: &str, letters: usize) -> Vec<String> {
+    // The marks of italics take no room.
+    let shown = |text: &str| text.chars().filter(|&letter| letter != '*').count();
     let mut lines: Vec<String> = Vec::new();
     for word in text.split(' ') {
         match lines.last_mut() {
-            Some(line) if line.chars().count() + 1 + word.chars().count() <= letters => {
+            Some(line) if shown(line) + 1 + shown(word) <= letters => {
                 line.push(' ');
                 line.push_str(word);
             }

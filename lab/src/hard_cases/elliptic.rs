@@ -6,8 +6,8 @@ use spinning_bodies::elliptic::{Parameter, sn_cn_dn};
 pub(super) const QUARTER_PERIOD: Family = Family {
     name: "quarter-period",
     paragraph: "6.6",
-    quantity: "dn(u, k) next to a quarter period, k² near 1",
-    lost: "1 − k² sn²",
+    quantity: "dn(*u*, *k*) next to a quarter period, *k*² near 1",
+    lost: "1 − *k*² sn²",
     printed: r"\sqrt{1-k^2\,\mathrm{sn}^2u}",
     cure: r"\mathrm{dn}(u;\,1-k^2)",
     textbook: |inputs| {

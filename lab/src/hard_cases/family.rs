@@ -26,9 +26,9 @@ pub struct Family {
     pub name: &'static str,
     /// The paragraph of the tutorial whose formula it is.
     pub paragraph: &'static str,
-    /// What is computed.
+    /// What is computed, in Markdown.
     pub quantity: &'static str,
-    /// Why the textbook's formula loses digits.
+    /// Why the textbook's formula loses digits, in Markdown.
     pub lost: &'static str,
     /// The part of the printed formula that loses them, in LaTeX for KaTeX.
     pub printed: &'static str,

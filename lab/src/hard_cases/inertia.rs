@@ -11,7 +11,7 @@ pub(super) const FAR_MESH: Family = Family {
     name: "far-mesh",
     paragraph: "2.8",
     quantity: "a moment about the centre, of a tetrahedron far from the origin",
-    lost: "the moment about the origin less Mr²",
+    lost: "the moment about the origin less *Mr*²",
     printed: r"I_O-Mr^2",
     cure: r"\text{sums of }\mathbf r-\mathbf r_0,\;\mathbf r_0\text{ a corner}",
     textbook: steiner,

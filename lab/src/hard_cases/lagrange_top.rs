@@ -9,8 +9,8 @@ use spinning_bodies::lagrange_top::{LagrangeTop, PurePrecession, dip, pure_prece
 pub(super) const SLEEPING_TOP: Family = Family {
     name: "sleeping-top",
     paragraph: "7.5",
-    quantity: "1 − cos θ at both turning points of a top that is almost upright",
-    lost: "1 − h, h being a root of the cubic",
+    quantity: "1 − cos *θ* at both turning points of a top that is almost upright",
+    lost: "1 − *h*, *h* being a root of the cubic",
     printed: r"1-h_1,\;1-h_2",
     cure: r"(1-h_1)(1-h_2)=\tfrac{(L_{\text{vert}}-L_3)^2}{2I_1Mg\ell\,(h_3-1)}",
     textbook: |inputs| {
@@ -52,7 +52,7 @@ pub(super) const SLOW_PRECESSION: Family = Family {
     name: "slow-precession",
     paragraph: "7.3",
     quantity: "the slow rate of pure precession of a fast top",
-    lost: "L₃ less almost L₃",
+    lost: "*L*₃ less almost *L*₃",
     printed: r"\tfrac{L_3-\sqrt{L_3^2-4I_1Mg\ell\,h}}{2I_1h}",
     cure: r"\tfrac{2Mg\ell}{L_3+\sqrt{L_3^2-4I_1Mg\ell\,h}}",
     textbook: |inputs| {

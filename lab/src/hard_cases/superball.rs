@@ -6,8 +6,8 @@ use spinning_bodies::superball::{BounceRotation, Motion};
 pub(super) const MANY_BOUNCES: Family = Family {
     name: "many-bounces",
     paragraph: "4.6",
-    quantity: "velocity and spin of a homogeneous superball after n bounces",
-    lost: "n times a rounded angle",
+    quantity: "velocity and spin of a homogeneous superball after *n* bounces",
+    lost: "*n* times a rounded angle",
     printed: r"\cos n\alpha,\;\sin n\alpha",
     cure: r"A^n=(A^{n/2})^2",
     textbook: |inputs| {

@@ -1,8 +1,8 @@
 //! The Jacobi functions and the amplitude: of one argument, of one argument from scratch, and of many.
 
-use super::landen::{self, Side};
+use super::landen;
 use super::modulus::{Modulus, Reduction};
-use super::parameter::Parameter;
+use super::parameter::{Parameter, Side};
 use super::theta::{Corrections, Series};
 use crate::error::{Result, same_length, within};
 use crate::precise::DoubleDouble;
@@ -108,18 +108,19 @@ impl Modulus {
 
     /// u = (quarters) K + rest with |rest| ≤ K/2 and a little more.
     pub(crate) fn reduce(&self, u: DoubleDouble) -> (f64, DoubleDouble) {
-        if self.quarter.high() == f64::INFINITY {
+        let quarter = self.quarter_period_dd();
+        if quarter.high() == f64::INFINITY {
             return (0.0, u);
         }
-        let mut count = (u.high() / self.quarter.high()).round_ties_even();
+        let mut count = (u.high() / quarter.high()).round_ties_even();
         if count == 0.0 {
             return (count, u);
         }
-        let mut rest = u - self.quarter * DoubleDouble::from(count);
-        let again = (rest.high() / self.quarter.high()).round_ties_even();
+        let mut rest = u - quarter * DoubleDouble::from(count);
+        let again = (rest.high() / quarter.high()).round_ties_even();
         if again != 0.0 {
             count += again;
-            rest = rest - self.quarter * DoubleDouble::from(again);
+            rest = rest - quarter * DoubleDouble::from(again);
         }
         if rest.high().abs() < FEW_BITS_LEFT * u.high().abs() {
             let finer = landen::remainder(self.parameter, u, count);
@@ -141,7 +142,7 @@ impl Modulus {
 
     #[inline(always)]
     fn at(&self, bits: u64, quarters: f64, (high, low): (f64, f64)) -> Jacobi {
-        match self.side {
+        match self.side() {
             Side::Circular => {
                 let (v, v_low) = self.turned_by(high, low);
                 let ([sn, cn, dn], ahead) = circular(&self.series, bits, v, v_low);
@@ -191,8 +192,8 @@ const SAME_QUARTER: f64 = 1.0 / (1_u128 << 96) as f64;
 impl Reduction {
     /// Whether an argument has too many quarter periods. NaN passes, and is then found unlucky by [`Self::apply`].
     #[inline(always)]
-    fn refuses(&self, u: f64) -> bool {
-        u.abs() > self.limit
+    pub(super) fn refuses(&self, u: f64) -> bool {
+        u.abs() * self.inverse > quick::EXACT_COUNT
     }
 
     /// The count of quarter periods with [`ROUNDER`] added, the argument less these, and whether enough of its bits are left.
@@ -392,7 +393,7 @@ impl Modulus {
             let range = start..u.len().min(start + CHUNK);
             let (u, sn) = (&u[range.clone()], &mut sn[range.clone()]);
             let (cn, dn) = (&mut cn[range.clone()], &mut dn[range]);
-            let rare = match self.side {
+            let rare = match self.side() {
                 Side::Circular => self.chunk(u, [sn, cn, dn], |bits, high, low| {
                     let (v, v_low) = self.turned_by(high, low);
                     circular(&self.series, bits, v, v_low).0

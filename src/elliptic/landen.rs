@@ -11,15 +11,6 @@ use crate::precise::{
     power_of_two_below, quick,
 };
 
-/// The side of m = 1/2 on which the parameter lies, and so the nome that is small.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Side {
-    /// m ≤ mc: sine and cosine with small corrections.
-    Circular,
-    /// m > mc: hyperbolic functions with small corrections.
-    Hyperbolic,
-}
-
 /// The moduli of the steps, and what follows from them.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Landen<N: Number> {

@@ -10,8 +10,8 @@
 )]
 
 use super::jacobi::{ScaledHyperbolic, SignedHyperbolic, circular_at, hyperbolic_at};
-use super::landen::Side;
 use super::modulus::Modulus;
+use super::parameter::Side;
 use super::theta::Theta;
 use crate::error::{Result, same_length, too_long};
 use crate::precise::quick::{
@@ -161,7 +161,7 @@ impl<const W: usize> Places<W> {
 
     /// Any argument. The error is relative to u, not to the rest, which suffices for a position.
     pub(crate) fn put_any(&mut self, i: usize, modulus: &Modulus, u: DoubleDouble) {
-        if u.high().abs() <= modulus.reduction.limit {
+        if !modulus.reduction.refuses(u.high()) {
             return self.put(i, modulus, [u.high(), u.low()]);
         }
         let (quarters, rest) = modulus.reduce(u);
@@ -179,7 +179,7 @@ impl<const W: usize> Places<W> {
     #[inline(always)]
     pub(crate) fn evaluate(&mut self, modulus: &Modulus) {
         let series = &modulus.series;
-        match modulus.side {
+        match modulus.side() {
             Side::Circular => {
                 for i in 0..W {
                     let (sine, cosine) =
@@ -250,7 +250,7 @@ impl<const W: usize> Places<W> {
         shifted: bool,
     ) -> [[f64; 2]; 2] {
         let (sine, cosine, z) = (self.sine[i], self.cosine[i], self.z[i]);
-        match modulus.side {
+        match modulus.side() {
             Side::Circular => {
                 let (s, c) = if shifted {
                     (cosine, -sine)
@@ -293,7 +293,7 @@ impl<const W: usize> Places<W> {
     /// The factor that puts a theta function shifted by a quarter period on the scale of one that is not.
     #[inline(always)]
     pub(crate) fn weight_of_shifted(&self, i: usize, modulus: &Modulus) -> f64 {
-        match modulus.side {
+        match modulus.side() {
             Side::Circular => 1.0,
             Side::Hyperbolic => {
                 let root = modulus.series.root;

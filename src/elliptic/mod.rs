@@ -2,7 +2,7 @@
 //!
 //! # Conventions
 //!
-//! - The parameter is m = k², k the modulus, mc = 1 − m the complement: [`Parameter`] carries both, so that next to
+//! - The parameter is m = k², k the modulus, mc = 1 − m the complement: [`Parameter`] carries the lesser, so that next to
 //!   the separatrix, m → 1, nothing is lost. For the functions `m` and `mc` lie in 0…1, the ends included; the integrals are
 //!   taken for any m at which they are real.
 //! - K = ∫₀^{π/2} dθ/√(1 − m sin²θ); am is the inverse of F: F(am u) = u; sn = sin am, cn = cos am, dn = √(1 − m sn²).
@@ -63,6 +63,6 @@ pub use integrals::{
     inverse_sn,
 };
 pub use jacobi::{Jacobi, sn_cn_dn};
-pub(crate) use landen::Side;
 pub use modulus::Modulus;
+pub(crate) use parameter::Side;
 pub use parameter::{Characteristic, Parameter};

@@ -3,10 +3,10 @@
 
 use core::f64::consts::FRAC_2_PI;
 
-use super::landen::{Landen, Mean, Nome, SMALL, Side, quarter_next_to_zero};
-use super::parameter::Parameter;
+use super::landen::{Landen, Mean, Nome, SMALL, quarter_next_to_zero};
+use super::parameter::{Parameter, Side};
 use super::theta::Series;
-use crate::precise::quick::{self, EXACT_COUNT};
+use crate::precise::quick;
 use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE};
 
 /// Everything about a modulus that does not depend on the argument: K to 101 bits, the nome, and the coefficients of
@@ -34,9 +34,6 @@ use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Modulus {
     pub(crate) parameter: Parameter,
-    pub(crate) side: Side,
-    /// K.
-    pub(super) quarter: DoubleDouble,
     /// The factor from u to the argument of the theta functions: π/(2K), or π/(2K′) on the hyperbolic side.
     pub(super) rate: DoubleDouble,
     pub(super) reduction: Reduction,
@@ -48,10 +45,8 @@ pub struct Modulus {
 pub(super) struct Reduction {
     /// 1/K, to an ulp or two.
     pub(super) inverse: f64,
-    /// K in three words, of which the first two are so short that a count times either is exact.
+    /// K in three words, of which the first two are so short that a count times either is exact; zero where K is infinite.
     pub(super) parts: [f64; 3],
-    /// The greatest argument.
-    pub(super) limit: f64,
 }
 
 impl Modulus {
@@ -71,7 +66,7 @@ impl Modulus {
     pub(super) fn prepared(parameter: Parameter) -> Self {
         let (m, mc) = (parameter.m_dd(), parameter.mc_dd());
         let complementary_modulus = mc.value().sqrt();
-        if m.value() <= mc.value() {
+        if parameter.side == Side::Circular {
             let (quarter, rate, q) = if m.high() < SMALL {
                 // q = m/16 (1 + m/2 + …).
                 let q = m.high() * (1.0 / 16.0 + m.high() / 32.0);
@@ -84,7 +79,7 @@ impl Modulus {
             };
             let series = Series::circular(q, complementary_modulus);
             let inverse = rate.high() * FRAC_2_PI;
-            Self::assemble(parameter, Side::Circular, (quarter, inverse), rate, series)
+            Self::assemble(parameter, (quarter, inverse), rate, series)
         } else {
             let mean = Mean::new(m, mc);
             let nome = Nome::new(mc.value(), mean.product.value());
@@ -98,14 +93,12 @@ impl Modulus {
             };
             let (half, rate) = (nome.value().sqrt(), mean.value);
             let series = Series::hyperbolic(half, complementary_modulus, rate.value());
-            Self::assemble(
-                parameter,
-                Side::Hyperbolic,
-                (quarter, inverse),
-                rate,
-                series,
-            )
+            Self::assemble(parameter, (quarter, inverse), rate, series)
         }
+    }
+
+    pub(crate) fn side(&self) -> Side {
+        self.parameter.side
     }
 
     /// π/(2K), or π/(2K′) beyond m = 1/2.
@@ -115,37 +108,26 @@ impl Modulus {
 
     /// The greatest argument whose quarter periods can be counted: 2⁵³ of them, if that is a double.
     pub(crate) fn greatest_argument(&self) -> f64 {
-        (9_007_199_254_740_992.0 * self.quarter.high()).min(f64::MAX)
+        (9_007_199_254_740_992.0 * self.quarter_period()).min(f64::MAX)
     }
 
     #[inline(always)]
     fn assemble(
         parameter: Parameter,
-        side: Side,
         (quarter, inverse): (DoubleDouble, f64),
         rate: DoubleDouble,
         series: Series,
     ) -> Self {
-        let reduction = if quarter.high() == f64::INFINITY {
-            Reduction {
-                inverse,
-                parts: [0.0; 3],
-                limit: f64::MAX,
-            }
+        let parts = if inverse == 0.0 {
+            [0.0; 3]
         } else {
             let (first, second) = quick::halves(quarter.high());
-            Reduction {
-                inverse,
-                parts: [first, second, quarter.low()],
-                limit: EXACT_COUNT * quarter.high(),
-            }
+            [first, second, quarter.low()]
         };
         Self {
             parameter,
-            side,
-            quarter,
             rate,
-            reduction,
+            reduction: Reduction { inverse, parts },
             series,
         }
     }
@@ -159,12 +141,16 @@ impl Modulus {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn quarter_period(&self) -> f64 {
-        self.quarter.high()
+        self.quarter_period_dd().high()
     }
 
     /// K to 101 bits and more.
     pub(crate) fn quarter_period_dd(&self) -> DoubleDouble {
-        self.quarter
+        let Reduction { inverse, parts } = self.reduction;
+        match inverse {
+            0.0 => DoubleDouble::from(f64::INFINITY),
+            _ => DoubleDouble::new(parts[0] + parts[1], parts[2]),
+        }
     }
 }
 
@@ -193,14 +179,14 @@ impl<N: Number> Descent<N> {
     /// Takes m and mc as they are: each must be right to all its digits, neither formed from the other.
     #[inline]
     pub(crate) fn new(m: N, mc: N) -> Self {
-        let (side, lesser, greater) = if m.exceeds(mc) {
-            (Side::Hyperbolic, mc, m)
-        } else {
-            (Side::Circular, m, mc)
+        let parameter = Parameter::from_both(m.narrow(), mc.narrow());
+        let (lesser, greater) = match parameter.side {
+            Side::Circular => (m, mc),
+            Side::Hyperbolic => (mc, m),
         };
         let landen = Landen::new(lesser, greater.narrow().square_root());
         let complementary_modulus = mc.root_of_quotient(N::from_double(1.0));
-        let (quarter, series) = match side {
+        let (quarter, series) = match parameter.side {
             Side::Circular => (
                 RIGHT_ANGLE.quotient(landen.mean),
                 Series::circular(landen.nome.value(), complementary_modulus),
@@ -213,12 +199,10 @@ impl<N: Number> Descent<N> {
                 (landen.complementary_quarter(), series)
             }
         };
-        let parameter = Parameter::from_both(m.narrow(), mc.narrow());
         Self {
             mc,
             modulus: Modulus::assemble(
                 parameter,
-                side,
                 (quarter, 1.0 / quarter.high()),
                 landen.mean,
                 series,
@@ -234,7 +218,7 @@ impl<N: Number> Descent<N> {
         let (whole, dn_whole) = (squares.whole, squares.dn_whole);
         // Beyond the middle of the quarter period, where mc sn⁴ > cn⁴, u is counted back from K: sn(K − u) is cn/dn, dn(K − u) is k′/dn.
         let from_end = (self.mc * sn.square()).exceeds(cn.square());
-        let angle = match self.modulus.side {
+        let angle = match self.modulus.side() {
             Side::Circular => {
                 let [s, d] = if from_end {
                     [

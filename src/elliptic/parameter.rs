@@ -3,6 +3,15 @@
 use crate::error::{Result, finite, refused, within};
 use crate::precise::{DoubleDouble, Number};
 
+/// The side of m = 1/2 on which the parameter lies, and so the nome that is small.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Side {
+    /// m ≤ mc: sine and cosine with small corrections.
+    Circular,
+    /// m > mc: hyperbolic functions with small corrections.
+    Hyperbolic,
+}
+
 /// The parameter m = k² and its complement mc = 1 − m, neither formed from the other by a subtraction that cancels.
 ///
 /// The lesser of the two is kept to the bit as it was given, the greater is one minus it to 106 bits. So
@@ -17,8 +26,9 @@ use crate::precise::{DoubleDouble, Number};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parameter {
-    m: DoubleDouble,
-    mc: DoubleDouble,
+    /// m, or mc beyond m = 1/2.
+    lesser: DoubleDouble,
+    pub(crate) side: Side,
 }
 
 impl Parameter {
@@ -41,11 +51,7 @@ impl Parameter {
         if (m + mc - 1.0).abs() > 4.0 * f64::EPSILON {
             return refused("m + mc must be 1 to within 4 eps", m + mc);
         }
-        Ok(if m <= mc {
-            Self::exactly(m)
-        } else {
-            Self::exactly(mc).exchanged()
-        })
+        Ok(Self::from_both(m.into(), mc.into()))
     }
 
     /// The parameter from m, which is taken as exact; mc is 1 − m to 106 bits. Right for m up to 1/2 and for any m
@@ -62,7 +68,7 @@ impl Parameter {
     /// ```
     pub fn from_parameter(m: f64) -> Result<Self> {
         let m = within_unit("parameter m", m)?;
-        Ok(Self::exactly(m))
+        Ok(Self::from_both(m.into(), DoubleDouble::difference(1.0, m)))
     }
 
     /// The parameter from mc = 1 − m, which is taken as exact; m is 1 − mc to 106 bits.
@@ -78,20 +84,20 @@ impl Parameter {
     /// ```
     pub fn from_complement(mc: f64) -> Result<Self> {
         let mc = within_unit("complementary parameter mc", mc)?;
-        Ok(Self::exactly(mc).exchanged())
+        Ok(Self::from_both(
+            DoubleDouble::difference(1.0, mc),
+            mc.into(),
+        ))
     }
 
-    /// The parameter from m and mc to 106 bits, each.
-    pub(crate) fn from_both(m: DoubleDouble, mc: DoubleDouble) -> Self {
-        Self { m, mc }
-    }
-
+    /// The parameter from m and mc, the lesser of them to 106 bits.
     #[inline]
-    fn exactly(m: f64) -> Self {
-        Self {
-            m: DoubleDouble::from(m),
-            mc: DoubleDouble::difference(1.0, m),
-        }
+    pub(crate) fn from_both(m: DoubleDouble, mc: DoubleDouble) -> Self {
+        let (lesser, side) = match m.value() <= mc.value() {
+            true => (m, Side::Circular),
+            false => (mc, Side::Hyperbolic),
+        };
+        Self { lesser, side }
     }
 
     /// The parameter with m and mc exchanged: that of K′.
@@ -103,10 +109,7 @@ impl Parameter {
     /// ```
     #[inline]
     pub fn exchanged(self) -> Self {
-        Self {
-            m: self.mc,
-            mc: self.m,
-        }
+        Self::from_both(self.mc_dd(), self.m_dd())
     }
 
     /// The parameter m, rounded to a double.
@@ -117,7 +120,7 @@ impl Parameter {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn m(self) -> f64 {
-        self.m.value()
+        self.m_dd().value()
     }
 
     /// The complement mc = 1 − m, rounded to a double.
@@ -128,15 +131,25 @@ impl Parameter {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn mc(self) -> f64 {
-        self.mc.value()
+        self.mc_dd().value()
+    }
+
+    fn greater(self) -> DoubleDouble {
+        DoubleDouble::from(1.0).add_lesser(-self.lesser)
     }
 
     pub(crate) fn m_dd(self) -> DoubleDouble {
-        self.m
+        match self.side {
+            Side::Circular => self.lesser,
+            Side::Hyperbolic => self.greater(),
+        }
     }
 
     pub(crate) fn mc_dd(self) -> DoubleDouble {
-        self.mc
+        match self.side {
+            Side::Circular => self.greater(),
+            Side::Hyperbolic => self.lesser,
+        }
     }
 }
 

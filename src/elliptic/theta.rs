@@ -2,7 +2,8 @@
 //! angles of the exact tops are made (tutorial 6.8, 7.2): the phase as a function of u, in 106 bits where it grows with time, as polynomials where it
 //! repeats.
 
-use super::landen::{Landen, SMALL, Side};
+use super::landen::{Landen, SMALL};
+use super::parameter::Side;
 use crate::precise::quick::select;
 use crate::precise::{DoubleDouble as Dd, Number};
 

@@ -59,21 +59,21 @@ impl Default for State {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Renumbering {
     /// For each of the body's own axes, its new number.
-    pub(super) own: [usize; 3],
-    pub(super) sign: [f64; 3],
+    pub(super) own: [u8; 3],
+    pub(super) sign: [i8; 3],
 }
 
 impl Renumbering {
     pub(super) fn new(axis: [usize; 3], l: [f64; 3]) -> Self {
-        let sign_of = |x: f64| if x < 0.0 { -1.0 } else { 1.0 };
+        let sign_of = |x: f64| if x < 0.0 { -1 } else { 1 };
         let (first, third) = (sign_of(l[axis[0]]), sign_of(l[axis[2]]));
         let mut own = [0; 3];
         for k in 0..3 {
-            own[axis[k]] = k;
+            own[axis[k]] = k as u8;
         }
         Self {
             own,
-            sign: [first, handedness(axis) * first * third, third],
+            sign: [first, handedness(axis) as i8 * first * third, third],
         }
     }
 
@@ -81,14 +81,14 @@ impl Renumbering {
     pub(super) fn renumber<T: Copy>(&self, v: [T; 3]) -> [T; 3] {
         let mut renumbered = v;
         for (k, value) in self.own.into_iter().zip(v) {
-            renumbered[k] = value;
+            renumbered[usize::from(k)] = value;
         }
         renumbered
     }
 
     /// Components with the signs of the old axes, still in the new order.
     pub(super) fn signed(&self, w: [f64; 3]) -> [f64; 3] {
-        core::array::from_fn(|k| self.sign[k] * w[k])
+        core::array::from_fn(|k| f64::from(self.sign[k]) * w[k])
     }
 }
 
@@ -183,7 +183,7 @@ impl<const W: usize> Work<W> {
             (self.z[0][i], self.z[1][i]) = (value[0], value[1]);
         }
         // On the hyperbolic side Z does not turn with the quarter periods, so these quarter turns are subtracted.
-        let turns = match modulus.side {
+        let turns = match modulus.side() {
             Side::Circular => {
                 self.z.swap(0, 1);
                 0
@@ -227,7 +227,7 @@ impl<const W: usize> Work<W> {
         }
         for i in 0..W {
             let [w, x, y, z] = core::array::from_fn(|k| self.attitude[k][i]);
-            let ([a, b, c, d], [first, second, third]) = (body.base, axes.sign);
+            let ([a, b, c, d], [first, second, third]) = (body.base, axes.sign.map(f64::from));
             self.attitude[0][i] = (a * w - b * x) - (c * y + d * z);
             self.attitude[1][i] = first * ((a * x + b * w) + (c * z - d * y));
             self.attitude[2][i] = second * ((a * y + c * w) + (d * x - b * z));
@@ -240,7 +240,7 @@ impl<const W: usize> Work<W> {
     pub(super) fn state(&self, i: usize, body: &Moving) -> State {
         let [sn, cn, dn] = self.places.functions(i);
         let functions = [cn, sn, dn];
-        let own = &body.constants.axes.own;
+        let own = body.constants.axes.own.map(usize::from);
         let l = own.map(|k| body.constants.amplitudes[k] * functions[k]);
         let omega = own.map(|k| body.omega[k] * functions[k]);
         let [x, y, z] = own.map(|k| self.attitude[k + 1][i]);
@@ -339,7 +339,7 @@ impl Constants {
     pub(super) fn solid_angle(&self) -> f64 {
         let [p1, p2, p3] = self.amplitudes.map(f64::abs);
         let size = p1.hypot(p3);
-        let magnitude = match self.course.modulus.side {
+        let magnitude = match self.course.modulus.side() {
             // ∮ (1 − cos θ) dφ = P₁P₂/P₃ ∫ P₃ dn/(|L| (|L| + P₃ dn)) du, over a periodic function with poles beyond ±iK′: the
             // trapezoidal rule has an error of order q¹⁶, and nothing cancels for a small cone.
             Side::Circular => {

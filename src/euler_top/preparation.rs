@@ -250,8 +250,8 @@ fn constants<N: Number>(
     let aspect = c[0].root_of_quotient(c[1]);
     // sc η = √(c₁/c₃) against sc ξ = P₃/P₁.
     let elevation = Elevation::smaller([c[0], c[2], c[1]], [steady, wobble, c[1] * size_squared]);
-    let mut turning = Turning::new(descent.modulus.side, &descent.landen, &elevation);
-    if descent.modulus.side == Side::Hyperbolic {
+    let mut turning = Turning::new(descent.modulus.side(), &descent.landen, &elevation);
+    if descent.modulus.side() == Side::Hyperbolic {
         turning.lag = RIGHT_ANGLE - turning.lag;
     }
     let amplitudes = [
@@ -272,7 +272,7 @@ fn constants<N: Number>(
         axes,
         course: Course {
             modulus: descent.modulus,
-            start: start.signed(axes.sign[1] * l[1].leading()),
+            start: start.signed(f64::from(axes.sign[1]) * l[1].leading()),
             rate: rate.narrow(),
         },
         amplitudes: axes.signed(amplitudes),

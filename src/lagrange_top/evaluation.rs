@@ -149,7 +149,7 @@ impl Constants {
         let period = quarter.scaled(2.0) / self.course.rate.scaled(unit);
         let [alpha, beta] = &self.parameters;
         let lag = |parameter: &Parameter| {
-            let lag = match self.course.modulus.side {
+            let lag = match self.course.modulus.side() {
                 Side::Circular => RIGHT_ANGLE,
                 Side::Hyperbolic => parameter.turning.lag,
             };

@@ -320,7 +320,7 @@ impl<N: Number> Top<N> {
         } = self.integrals;
         let parameter = |x: N, elevation| Parameter {
             sense: if x.leading() > 0.0 { -1.0 } else { 1.0 },
-            turning: Turning::new(descent.modulus.side, &descent.landen, elevation),
+            turning: Turning::new(descent.modulus.side(), &descent.landen, elevation),
         };
         let parameters = [parameter(sum, &lower), parameter(difference, &upper)];
         // The phases: α at u = K, where 1 + h is greatest, β at u = 0.

@@ -10,15 +10,17 @@
 //! * [`rate_about`] takes torque and inertia about the point you choose: the centre of mass, a pivot, or any
 //!   point of the body whose acceleration you know;
 //! * [`flow`] shows the equations as a flow of L on its sphere;
-//! * [`HeavyTop`] adds gravity, and tells which tops have a further integral (5.3).
+//! * [`HeavyTop`] adds gravity, and tells which tops have a further integral (5.3); `series` has the power series of their motion.
 
 mod flow;
 mod heavy;
+mod series;
 mod springs;
 
 pub use flow::{Equilibrium, Nature, equilibria, fastest_flow, flow, separatrix_slope, streamline};
 pub(crate) use heavy::classify;
 pub use heavy::{HeavyTop, Integrability, Integral, TopState};
+pub(crate) use series::{Coefficients, Numeral, Series};
 pub use springs::SpringBody;
 
 use crate::error::{Result, each, positive};

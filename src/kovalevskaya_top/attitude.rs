@@ -3,10 +3,10 @@
 use nalgebra::Quaternion;
 
 use super::constants::{Phase, WidePhase};
-use super::taylor::{FullState, Series, about_third, shortest};
+use super::taylor::{FullState, about_third, coefficients, full_state, series, shortest};
 use super::top::{KovalevskayaTop, LONGEST, Motion, State};
 use crate::error::{Result, stopped};
-use crate::euler_equations::TopState;
+use crate::euler_equations::{Series, TopState};
 use crate::frame::{Attitude, BodyVector, SpaceVector};
 use crate::precise::{DoubleDouble, Number};
 
@@ -127,8 +127,8 @@ impl<'a> Walk<'a> {
     /// linearised equations, plus the rounding of this stretch.
     fn stretch(&mut self, target: f64) -> Result<()> {
         let c = self.top.constants.c;
-        let series = Series::<f64, 10>::of(c.value(), &self.here);
-        let wide = Series::<DoubleDouble, 6>::of(c, &self.wide);
+        let series = series(c.value(), &self.here);
+        let wide = Series::about(&coefficients(c), self.wide, 36, 1e-33);
         let reach = wide.reach.min(series.reach);
         let rest = target - self.time;
         let step = rest.clamp(-reach, reach);
@@ -137,8 +137,8 @@ impl<'a> Walk<'a> {
         let last = step == rest || next == self.time;
         let next = if last { target } else { next };
         let h = DoubleDouble::difference(next, self.time);
-        let (rounded, attitude) = series.full_state(h.value());
-        let grown = series.nearby(c.value(), &self.off, h.value());
+        let (rounded, attitude) = full_state(&series, h.value());
+        let grown = series.nearby(&coefficients(c.value()), &self.off, h.value());
         (self.time, self.wide) = (next, wide.after(h));
         self.off = core::array::from_fn(|n| {
             grown[n] + (DoubleDouble::from(rounded[n]) - self.wide[n]).value()

@@ -6,7 +6,7 @@ use super::constants::{Constants, Phase, WidePhase};
 use super::periods::Curve;
 use super::separation::{Separation, Variables};
 use super::solution::{Quotients, Reconstruction, Torus, distance};
-use super::taylor::{FullState, Series, project};
+use super::taylor::{FullState, full_state, project, series};
 use crate::precise::{DoubleDouble, Number};
 
 /// Why a motion is followed by power series and not solved by separation.
@@ -56,9 +56,9 @@ impl Exact {
         let exact = Self::nearest(constants, wide, &whole.0).ok_or(Reason::DoubleRoot)?;
         let c = constants.c.value();
         let path = successors(Some((0.0, *whole)), |(t, here)| {
-            let series = Series::<f64, 10>::of(c, here);
+            let series = series(c, here);
             let step = series.reach.min(TRIAL - t);
-            (step > 0.0).then(|| (t + step, series.full_state(step)))
+            (step > 0.0).then(|| (t + step, full_state(&series, step)))
         });
         let trial: Trial = path.collect();
         let off = |(t, (state, _)): &(f64, FullState)| distance(&exact.state(constants, *t), state);

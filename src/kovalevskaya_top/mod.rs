@@ -11,7 +11,7 @@
 //!   of its sums by algebra; where s₁ or s₂ passes between two close roots, the theta functions are those after the modular transformation in one direction;
 //! * `exact`: phases and signs of a start, and a trial of the solution at a later time;
 //! * `pendulum`: motions in a vertical plane, which are those of Lagrange's top;
-//! * `taylor`: the same motion by power series in 106 bits, where the separation fails or loses digits;
+//! * `taylor`: the same motion by power series, where the separation fails or loses digits, and what keeps a state on the surface of its constants;
 //! * `precession`: the attitude, which takes one more quadrature, by theta functions at any time at the same cost;
 //! * `attitude`: the state at any time, by one of these methods; power series are used step by step where s₁ or s₂ passes between two roots that 106 bits do not tell apart, or where another root lies between the two;
 //! * [`Kind`], [`Diagram`]: the motions with a double root.

@@ -20,7 +20,7 @@ use nalgebra::{Quaternion, UnitQuaternion};
 use super::constants::{Complex, Constants, I, Phase, WidePhase};
 use super::exact::{Exact, Reason, Trial};
 use super::periods::{Curve, Half, MEASURES};
-use super::taylor::{FullState, Series, about_third, shortest};
+use super::taylor::{FullState, about_third, full_state, series, shortest};
 use super::theta::Family;
 use crate::precise::{DoubleDouble, Number as _, RIGHT_ANGLE};
 
@@ -185,9 +185,9 @@ impl Precession {
             return (state, attitude);
         }
         // From a moment before, when the third axis leaned; the power series carries the attitude on, and only a turn about the vertical is corrected.
-        let series = Series::<f64, 10>::of(constants.c.value(), &(state, attitude));
+        let series = series(constants.c.value(), &(state, attitude));
         let ago = series.reach.min(1.0);
-        let (before, rough) = series.full_state(-ago);
+        let (before, rough) = full_state(&series, -ago);
         let (known, better) = self.attitude(constants, t - ago, &before);
         if better < sharpness {
             return (state, attitude);

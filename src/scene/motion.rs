@@ -195,6 +195,15 @@ impl Request {
         Budget::new(self.most, self.furthest, self.progress.as_ref())
     }
 
+    /// The same request with a twentieth of the budget, without progress.
+    pub(super) fn briefly(&self) -> Self {
+        Self {
+            most: self.most / 20,
+            progress: None,
+            ..self.clone()
+        }
+    }
+
     /// A hundredth of the budget, without progress.
     pub(crate) fn moment(&self) -> Budget {
         Budget::new(self.most / 100, self.furthest, None)

@@ -32,6 +32,8 @@ pub enum Geometric {
     MuntheKaas,
     /// Runge–Kutta of order 8 with error control.
     DormandPrince8,
+    /// Power series of order 36 in 106 bits with error control; bodies whose own axes are principal.
+    PowerSeries,
 }
 
 impl Geometric {
@@ -49,6 +51,7 @@ impl Geometric {
             Self::KickDrift(Order::Six) => "kick-drift-6",
             Self::MuntheKaas => "munthe-kaas-4",
             Self::DormandPrince8 => "dormand-prince-8",
+            Self::PowerSeries => "power-series",
         }
     }
 }
@@ -67,7 +70,11 @@ impl Solver {
         let geometric = (Order::ALL.map(Geometric::Rotations).into_iter())
             .chain(VeselovOrder::ALL.map(Geometric::MoserVeselov))
             .chain(Order::ALL.map(Geometric::KickDrift))
-            .chain([Geometric::MuntheKaas, Geometric::DormandPrince8]);
+            .chain([
+                Geometric::MuntheKaas,
+                Geometric::DormandPrince8,
+                Geometric::PowerSeries,
+            ]);
         [Self::Exact, Self::Events]
             .into_iter()
             .chain(Method::ALL.map(Self::General))

@@ -418,7 +418,7 @@ fn every_solver_is_found_by_its_name() {
         assert!(all.contains(&Solver::General(method)), "{}", method.name());
     }
     let is_geometric = |solver: &&Solver| matches!(solver, Solver::Geometric(_));
-    assert_eq!(all.iter().filter(is_geometric).count(), 12);
+    assert_eq!(all.iter().filter(is_geometric).count(), 13);
 }
 
 /// Every scene but the free body's refuses a method for free bodies: it names the key, and no number stands where there is none to tell.

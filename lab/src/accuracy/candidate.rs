@@ -133,7 +133,8 @@ pub(super) fn efforts(solver: Solver, end: f64, turns: f64) -> Vec<Effort> {
         Solver::Exact | Solver::Events => vec![Effort::Tolerance(0.0)],
         // The crate counts time from 0 to 1, where a third is not a double, so there is only one multiple.
         Solver::General(Method::Rk4 | Method::Gauss) => steps(end, turns, &[1.0]),
-        Solver::General(_) | Solver::Geometric(Geometric::DormandPrince8) => tolerances(),
+        Solver::General(_)
+        | Solver::Geometric(Geometric::DormandPrince8 | Geometric::PowerSeries) => tolerances(),
         _ => steps(end, turns, &[1.0, 1.5]),
     }
 }

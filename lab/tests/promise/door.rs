@@ -38,15 +38,12 @@ impl Motion {
     }
 }
 
-/// No scene of the suite should need more.
-const MOST_EVALUATIONS: u64 = 3_000_000;
-
 /// Runs a scene file.
 pub fn simulate(text: &str) -> Answer {
     let asked = parse("scene", text).map_err(|mistakes| mistakes.to_string());
     let motion = asked.and_then(|(scene, request)| {
         let request = request.with_methods(&DifferentialEquations);
-        let motion = scene.simulate(&request.within(MOST_EVALUATIONS));
+        let motion = scene.simulate(&request);
         motion.map_err(|error| error.to_string())
     });
     match motion {

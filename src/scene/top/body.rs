@@ -211,6 +211,13 @@ impl Body {
         self.center.map(|component| self.mass * component)
     }
 
+    /// MgC without rounding, to 106 bits, N m.
+    pub(super) fn exact_lever(&self, gravity: f64) -> [Extended; 3] {
+        let number = Extended::from_double;
+        let weight = number(self.mass) * number(gravity);
+        self.center.map(|component| weight * number(component))
+    }
+
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) for an axis without moment.
     pub(super) fn has_every_moment(&self) -> Result<()> {

@@ -8,7 +8,7 @@ use crate::euler_top::EulerTop;
 use crate::integrators::both_ways;
 use crate::kovalevskaya_top::{KovalevskayaTop, State as Turned};
 use crate::lagrange_top::{self, Exact, LagrangeTop};
-use crate::precise::{DoubleDouble, Extended, Number, sum_of_products};
+use crate::precise::{DoubleDouble, Extended, sum_of_products};
 use crate::scene::Budget;
 use crate::scene::prelude::*;
 
@@ -43,10 +43,7 @@ impl ClosedForm {
     pub(super) fn find(body: &Body, gravity: f64, start: &Start) -> Result<Option<Self>> {
         let moments = body.moments;
         let lever_vector = body.arm().map(|component| component * gravity).into();
-        let weighed = |center: f64| {
-            let number = Extended::from_double;
-            number(body.mass) * number(center) * number(gravity)
-        };
+        let weights = body.exact_lever(gravity);
         let axes = match classify(moments, lever_vector) {
             Integrability::Euler => {
                 let top = match start.spin {
@@ -62,7 +59,7 @@ impl ClosedForm {
                 let double = |number: Extended| number.as_number::<DoubleDouble>();
                 let top = KovalevskayaTop::exactly(
                     axes.exchanged(moments),
-                    axes.exchanged(body.center).map(weighed).map(double),
+                    axes.exchanged(weights).map(double),
                     axes.exchanged(start.exact_omega(moments)).map(double),
                     axes.exact_attitude(&start.attitude).map(double),
                 )?;
@@ -74,9 +71,9 @@ impl ClosedForm {
         let top = match axes.shift {
             // Without rounding, which a motion next to its separatrix would amplify.
             Some(_) => {
-                let [_, _, center] = axes.exchanged(body.center);
+                let [_, _, weight_moment] = axes.exchanged(weights);
                 let exact = Exact {
-                    weight_moment: weighed(center),
+                    weight_moment,
                     omega: axes.exchanged(start.exact_omega(moments)),
                     quaternion: axes.exact_attitude(&start.attitude),
                 };

@@ -1,11 +1,14 @@
-//! The geometric methods for a top under gravity alone, when a request names one: steps of one length.
+//! The methods for a top under gravity alone: the geometric ones, in steps of one length, when a request names one; and power series.
 
+use super::effects::Top;
 use super::equations::{Turning, phase};
-use crate::error::{Error, Result, positive};
+use crate::error::{Error, Result, positive, stopped};
+use crate::euler_equations::{AxisMoments, Coefficients, Series};
 use crate::integrators::geometric::{
-    FreeSplitting, HeavySplitting, Integrator, MoserVeselov, MuntheKaas, Weight, follow,
+    FreeSplitting, HeavySplitting, Integrator, MoserVeselov, MuntheKaas, Phase, Weight, follow,
 };
 use crate::integrators::{AnyLeg, Cost, Effort, Passage, Stop};
+use crate::precise::{DoubleDouble, Number};
 use crate::scene::engine::{Flow, longest_step};
 use crate::scene::{Geometric, Request};
 
@@ -78,9 +81,91 @@ fn method_for(turning: &Turning, method: Geometric) -> Result<Box<dyn Integrator
         }
         Geometric::KickDrift(order) => Box::new(HeavySplitting::new(moments, weight, order)?),
         Geometric::MuntheKaas => Box::new(MuntheKaas::new(moments, weight)?),
-        Geometric::DormandPrince8 => {
-            let condition = "dormand-prince-8 has no steps of one length";
+        Geometric::DormandPrince8 | Geometric::PowerSeries => {
+            let condition = "dormand-prince-8 and power-series have no steps of one length";
             return Err(Error::Solver { condition });
         }
     })
+}
+
+/// The order of a series.
+const ORDER: usize = 36;
+/// Its last terms as a part of its first, in units of the tolerance: what it leaves out is rounding of 106 bits, however much a motion amplifies.
+const PART: f64 = 1e-16;
+/// Evaluations by which a series is counted: as many take its time.
+const A_SERIES: u64 = 2000;
+
+/// The stepper by power series: Ω, the vertical and the attitude are carried in 106 bits, the weight and the moments are the exact ones of the doubles given.
+///
+/// # Errors
+/// [`Error::Solver`] for a body whose principal moments were computed, and so rounded.
+pub(super) fn power_series(
+    top: &Top,
+    turning: &Turning,
+    request: &Request,
+) -> Result<impl Fn(&AnyLeg<'_>, Effort) -> Result<Passage<Vec<f64>>>> {
+    if top.body.own.is_some() {
+        let condition = "the solver power-series is for bodies whose own axes are principal axes";
+        return Err(Error::Solver { condition });
+    }
+    let (budget, moments) = (request.budget(), turning.moments);
+    let lever = top.body.exact_lever(top.g());
+    let lever = lever.map(|part| part.times(1.0 / turning.unit).as_number());
+    let coefficients = Coefficients::new(&AxisMoments::allowing_rods(moments), lever);
+    Ok(move |leg: &AnyLeg<'_>, effort: Effort| {
+        let Effort::Tolerance(tolerance) = effort else {
+            let condition = "the solver power-series must be given a tolerance";
+            return Err(Error::Solver { condition });
+        };
+        let (mut now, y) = leg.start;
+        budget.begin(leg.end);
+        let (mut here, mut cost) = (wide(y, moments), Cost::default());
+        let (times, mut states) = ([leg.times, &[leg.end]].concat(), Vec::new());
+        loop {
+            budget.spend(A_SERIES, now)?;
+            cost += Cost {
+                evaluations: A_SERIES,
+                steps: 1,
+            };
+            let series = Series::about(&coefficients, here, ORDER, PART * tolerance);
+            let left = &times[states.len()..];
+            let within = left.partition_point(|&t| (t - now).abs() <= series.reach);
+            let after = |t: f64| series.after(DoubleDouble::difference(t, now));
+            states.extend(left[..within].iter().map(|&t| narrow(after(t), moments)));
+            if within == left.len() {
+                break;
+            }
+            let later = now + series.reach.copysign(leg.end);
+            if !later.is_finite() || later == now {
+                return stopped("the power series reaches no further", now);
+            }
+            (here, now) = (after(later), later);
+        }
+        Ok(Passage {
+            end: states.pop().unwrap_or_default(),
+            states,
+            time: leg.end,
+            stopped: Stop::AtTheEnd,
+            cost,
+        })
+    })
+}
+
+/// Ω, the vertical and the attitude, from L and a quaternion that need not be normalised.
+fn wide(y: &[f64], moments: [f64; 3]) -> [DoubleDouble; 10] {
+    let Phase { l, q } = phase(y);
+    let [o1, o2, o3] = [0, 1, 2].map(|k| DoubleDouble::from(l[k]) / moments[k].into());
+    let q = q.map(DoubleDouble::from);
+    let size = (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]).square_root();
+    let [w, x, y, z] = q.map(|part| part / size);
+    let [z1, z2] = [x * z - w * y, y * z + w * x].map(|half| half.scaled(2.0));
+    let z3 = w * w - x * x - y * y + z * z;
+    [o1, o2, o3, z1, z2, z3, w, x, y, z]
+}
+
+/// L and the quaternion, rounded.
+fn narrow(state: [DoubleDouble; 10], moments: [f64; 3]) -> Vec<f64> {
+    let [o1, o2, o3, _, _, _, q @ ..] = state.map(DoubleDouble::value);
+    let l = [o1 * moments[0], o2 * moments[1], o3 * moments[2]];
+    [&l[..], &q].concat()
 }

@@ -5,7 +5,7 @@
 //! * `closed`: the scenes with a closed form;
 //! * `columns`: further columns of the states;
 //! * `effects`: the top, the effects that it takes, and its state;
-//! * `methods`: geometric methods for tops under gravity alone;
+//! * `methods`: geometric methods and power series for tops under gravity alone;
 //! * `ledger`: what is conserved, or may only decrease;
 //! * this file: the plan, the motion.
 
@@ -30,8 +30,9 @@ use closed::ClosedForm;
 use equations::Turning;
 use ledger::Conserved;
 
-/// The reasons for a plan that leaves a closed form.
+/// The reasons for a plan that leaves a closed form, or order 8.
 const NEAR_A_DOUBLE_ROOT: &str = "near a double root, where the closed form refuses times as long";
+const AMPLIFIED: &str = "a motion that amplifies what steps in doubles round: series in 106 bits";
 const SHORT: &str = "a motion so short that the closed form loses digits of its rates";
 
 /// The most requested times at which a closed form is compared with one from a displaced start.
@@ -43,8 +44,7 @@ impl Top {
         let resisting: Vec<&str> = self.resisting().collect();
         let cannot = |condition| Err(Error::Solver { condition });
         let exact = "the solver `exact` is for scenes with a closed form, this one has none";
-        let geometric =
-            "the geometric solvers are for tops under gravity alone, and dormand-prince-8 for all";
+        let geometric = "the geometric solvers and power-series are for tops under gravity alone, and dormand-prince-8 for all";
         let closed = match request.choice {
             Choice::Auto | Choice::Use(Solver::Exact) if resisting.is_empty() => {
                 ClosedForm::find(&self.body, self.g(), &self.start)?
@@ -154,7 +154,7 @@ impl Top {
         Ok(most)
     }
 
-    /// The motion by order 8, or by the method that the request names.
+    /// The motion by order 8, or by the method that the request names. Where a motion amplifies what order 8 rounds on the way, by power series.
     fn stepped(&self, plan: Plan, request: &Request, kept: &Conserved) -> Result<Motion<State>> {
         let turning = || Turning::new(self, kept.energy_scale);
         let here = turning()?;
@@ -164,12 +164,25 @@ impl Top {
             let lost = |place: usize| here.unit * trace.samples[place].1[7];
             return kept.lossy(ledger, lost)?.closed(request);
         }
-        let trace = match plan.solver {
+        let in_series = |request: &Request| {
+            let steps = methods::power_series(self, &here, request)?;
+            vouched::<7, _>(request, Stepper::Other(&steps, false), &|_| turning())
+        };
+        let (plan, trace) = match plan.solver {
+            Solver::Geometric(Geometric::PowerSeries) => (plan, in_series(request)?),
             Solver::Geometric(method) if method != Geometric::DormandPrince8 => {
                 let steps = methods::steps(&here, method, request)?;
-                vouched::<7, _>(request, Stepper::Other(&steps, true), &|_| turning())?
+                let stepper = Stepper::Other(&steps, true);
+                (plan, vouched::<7, _>(request, stepper, &|_| turning())?)
             }
-            solver => to_accuracy::<7, _>(request, solver, &|_| turning())?,
+            solver => match to_accuracy::<7, _>(request, solver, &|_| turning()) {
+                Err(refused @ Error::Amplified { .. }) if request.choice == Choice::Auto => {
+                    let trace = in_series(&request.briefly()).map_err(|_| refused)?;
+                    let solver = Solver::Geometric(Geometric::PowerSeries);
+                    (Plan::new(solver, AMPLIFIED), trace)
+                }
+                trace => (plan, trace?),
+            },
         };
         let ledger = trace.told(request, plan, |_, _, y| here.state(y, kept));
         kept.lossless(ledger)?.closed(request)

@@ -1,11 +1,17 @@
 //! The committed table: against itself, against what each motion keeps, and against the closed forms.
 
 use lab::accuracy::{Model, NAMES, Problem, Sample, along_the_run, candidates, named, problems};
-use spinning_bodies::integrators::geometric::{DoubleDouble, Real};
+use spinning_bodies::Error;
+use spinning_bodies::frame::Attitude;
+use spinning_bodies::integrators::geometric::{DoubleDouble, Phase, Real};
+use spinning_bodies::scene::top::{Body, Gravity, Start, Top};
+use spinning_bodies::scene::{Choice, Geometric, Request, Scene, Solver};
 
 use support::decimal::decimal;
 use support::dot;
 use support::double_double::Dd;
+use support::power_series;
+use support::table::{angle, apart};
 
 const TABLE: &str = include_str!("../../../../tests/reference/accuracy.csv");
 
@@ -148,6 +154,78 @@ fn the_closed_forms_agree_with_the_table() {
         };
         assert!(found.attitude < bar && found.omega < bar, "{found:?}");
     }
+}
+
+#[test]
+fn power_series_follow_what_has_no_closed_form_to_the_last_digits() {
+    let by = Choice::Use(Solver::Geometric(Geometric::PowerSeries));
+    for (name, bar) in [("heavy-body/1", 3e-16), ("heavy-body/10", 2e-15)] {
+        let problem = &named(name).unwrap()[0];
+        let Model::Top { moments, lever } = *problem.model() else {
+            panic!("{name}")
+        };
+        let (body, start) = (Body::new(moments).unwrap(), problem.start());
+        let body = body.with_center_of_mass(1.0, lever.into()).unwrap();
+        let [w, x, y, z] = start.q;
+        let attitude = Attitude::from_quaternion(w, x, y, z).unwrap();
+        let start = Start::with_angular_momentum(start.l.into(), attitude);
+        let top = Top::new(body, start).unwrap();
+        let top = top.with(Gravity::new(1.0).unwrap()).unwrap();
+        let asked = Request::at(problem.times()).unwrap();
+        let motion = top.simulate(&asked.to_accuracy(1e-11).unwrap().by(by));
+        let mut worst = 0.0_f64;
+        for ((_, state), sample) in motion.unwrap().rows.iter().zip(problem.truth()) {
+            let l = [0, 1, 2].map(|k| moments[k] * state.omega.components()[k]);
+            let off = sample.apart(&Phase::new(l.into(), &state.attitude), moments);
+            worst = worst.max(off.attitude).max(off.omega);
+        }
+        // What it makes of L = IΩ, rounded at the start.
+        assert!(worst < bar && worst > 0.0, "{name} {worst:e}");
+    }
+}
+
+/// Beside the middle axis, with hardly any weight: the top comes back to where it began and turns over. A change of its start shrinks first and then
+/// grows; what is rounded in between only grows.
+#[test]
+fn what_amplifies_rounding_on_the_way_is_followed_in_106_bits() {
+    let moments = [2667.386639482626, 370.6955680637681, 2584.8770864277094];
+    let lever = [1.012e-12, 1.5256e-12, 2.02e-13];
+    let l = [
+        2.8980586439357976e-6,
+        -1.9915748429153e-7,
+        809.2133195162716,
+    ];
+    let q = [-0.8519826, 0.3045003, 0.0942638, -0.4153547];
+    let body = Body::new(moments).unwrap();
+    let body = body.with_center_of_mass(1.0, lever.into()).unwrap();
+    let attitude = Attitude::from_quaternion(q[0], q[1], q[2], q[3]).unwrap();
+    let start = Start::with_angular_momentum(l.into(), attitude);
+    let top = Top::new(body, start).unwrap();
+    let top = top.with(Gravity::new(1.0).unwrap()).unwrap();
+    let (time, accuracy) = (566.3, 1e-8);
+    let asked = Request::at([time]).unwrap().to_accuracy(accuracy).unwrap();
+    let ours = Choice::Use(Solver::Geometric(Geometric::DormandPrince8));
+    let refused = top.simulate(&asked.clone().by(ours));
+    assert!(matches!(refused, Err(Error::Amplified { .. })));
+    let motion = top.simulate(&asked).unwrap();
+    assert_eq!(motion.plan.solver.name(), "power-series");
+
+    let turn = attitude.quaternion();
+    let q = [turn.w, turn.i, turn.j, turn.k].map(Dd::from);
+    let size = (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]).sqrt();
+    let [w, x, y, z] = q.map(|part| part / size);
+    let up = [
+        (x * z - w * y) * 2.0,
+        (y * z + w * x) * 2.0,
+        w * w + z * z - x * x - y * y,
+    ];
+    let [o1, o2, o3] = [0, 1, 2].map(|k| Dd::from(l[k]) / moments[k]);
+    let start = [o1, o2, o3, up[0], up[1], up[2], w, x, y, z];
+    let exact = power_series::Top { moments, lever }.after(start, time);
+    let (state, told) = (motion.rows[0].1, motion.error_estimate);
+    let turned = angle(&state.attitude, [exact[6], exact[7], exact[8], exact[9]]);
+    let off = turned.max(apart(state.omega, [exact[0], exact[1], exact[2]]) / o3.value());
+    assert!(off < told && told <= accuracy, "{off:e} {told:e}");
 }
 
 #[test]

@@ -8,7 +8,7 @@ use crate::integrators::geometric::{
     FreeSplitting, HeavySplitting, Integrator, MoserVeselov, MuntheKaas, Phase, Weight, follow,
 };
 use crate::integrators::{AnyLeg, Cost, Effort, Passage, Stop};
-use crate::precise::{DoubleDouble, Number};
+use crate::precise::{DoubleDouble, Extended, Number, power_of_two_below};
 use crate::scene::engine::{Flow, longest_step};
 use crate::scene::{Geometric, Request};
 
@@ -109,8 +109,14 @@ pub(super) fn power_series(
         return Err(Error::Solver { condition });
     }
     let (budget, moments) = (request.budget(), turning.moments);
-    let lever = top.body.exact_lever(top.g());
-    let lever = lever.map(|part| part.times(1.0 / turning.unit).as_number());
+    // The unit of rates: in another, Ω and the attitude would be of different sizes, and the last terms of one would hide those of the other.
+    let rate = power_of_two_below(Flow::<7>::pace(turning));
+    let scales = [turning.unit, rate, rate];
+    let scaled = |part: Extended| scales.iter().fold(part, |part, by| part.scaled(1.0 / by));
+    let lever = top
+        .body
+        .exact_lever(top.g())
+        .map(|part| scaled(part).as_number());
     let coefficients = Coefficients::new(&AxisMoments::allowing_rods(moments), lever);
     Ok(move |leg: &AnyLeg<'_>, effort: Effort| {
         let Effort::Tolerance(tolerance) = effort else {
@@ -119,7 +125,7 @@ pub(super) fn power_series(
         };
         let (mut now, y) = leg.start;
         budget.begin(leg.end);
-        let (mut here, mut cost) = (wide(y, moments), Cost::default());
+        let (mut here, mut cost) = (wide(y, moments, rate), Cost::default());
         let (times, mut states) = ([leg.times, &[leg.end]].concat(), Vec::new());
         loop {
             budget.spend(A_SERIES, now)?;
@@ -129,13 +135,17 @@ pub(super) fn power_series(
             };
             let series = Series::about(&coefficients, here, ORDER, PART * tolerance);
             let left = &times[states.len()..];
-            let within = left.partition_point(|&t| (t - now).abs() <= series.reach);
-            let after = |t: f64| series.after(DoubleDouble::difference(t, now));
-            states.extend(left[..within].iter().map(|&t| narrow(after(t), moments)));
+            let within = left.partition_point(|&t| (t - now).abs() * rate <= series.reach);
+            let after = |t: f64| series.after(DoubleDouble::difference(t, now).scaled(rate));
+            states.extend(
+                left[..within]
+                    .iter()
+                    .map(|&t| narrow(after(t), moments, rate)),
+            );
             if within == left.len() {
                 break;
             }
-            let later = now + series.reach.copysign(leg.end);
+            let later = now + (series.reach / rate).copysign(leg.end);
             if !later.is_finite() || later == now {
                 return stopped("the power series reaches no further", now);
             }
@@ -151,10 +161,11 @@ pub(super) fn power_series(
     })
 }
 
-/// Ω, the vertical and the attitude, from L and a quaternion that need not be normalised.
-fn wide(y: &[f64], moments: [f64; 3]) -> [DoubleDouble; 10] {
+/// Ω in this unit, the vertical and the attitude, from L and a quaternion that need not be normalised.
+fn wide(y: &[f64], moments: [f64; 3], rate: f64) -> [DoubleDouble; 10] {
     let Phase { l, q } = phase(y);
-    let [o1, o2, o3] = [0, 1, 2].map(|k| DoubleDouble::from(l[k]) / moments[k].into());
+    let omega = |k: usize| (DoubleDouble::from(l[k]) / moments[k].into()).scaled(1.0 / rate);
+    let [o1, o2, o3] = [0, 1, 2].map(omega);
     let q = q.map(DoubleDouble::from);
     let size = (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]).square_root();
     let [w, x, y, z] = q.map(|part| part / size);
@@ -164,8 +175,8 @@ fn wide(y: &[f64], moments: [f64; 3]) -> [DoubleDouble; 10] {
 }
 
 /// L and the quaternion, rounded.
-fn narrow(state: [DoubleDouble; 10], moments: [f64; 3]) -> Vec<f64> {
+fn narrow(state: [DoubleDouble; 10], moments: [f64; 3], rate: f64) -> Vec<f64> {
     let [o1, o2, o3, _, _, _, q @ ..] = state.map(DoubleDouble::value);
-    let l = [o1 * moments[0], o2 * moments[1], o3 * moments[2]];
-    [&l[..], &q].concat()
+    let [l1, l2, l3] = [o1 * moments[0], o2 * moments[1], o3 * moments[2]].map(|l| l * rate);
+    [&[l1, l2, l3][..], &q].concat()
 }

@@ -36,23 +36,17 @@ impl GeneralMethods for DifferentialEquations {
         effort: Effort,
     ) -> Result<Passage<Vec<f64>>> {
         match leg.start.1.len() {
-            2 => sized::<2>(method, leg, effort),
-            3 => sized::<3>(method, leg, effort),
-            4 => sized::<4>(method, leg, effort),
-            5 => sized::<5>(method, leg, effort),
-            6 => sized::<6>(method, leg, effort),
-            7 => sized::<7>(method, leg, effort),
-            8 => sized::<8>(method, leg, effort),
-            12 => sized::<12>(method, leg, effort),
+            ..=7 => sized::<7>(method, leg, effort),
+            8..=12 => sized::<12>(method, leg, effort),
             count => Err(Error::Condition {
-                condition: "the general methods are compiled for 2 to 8 and for 12 numbers",
+                condition: "the general methods are compiled for at most 12 numbers",
                 value: count as f64,
             }),
         }
     }
 }
 
-/// The passage for a number of components known at compile time.
+/// The passage in N components, those beyond the leg's own being zero: each further N would take a second to compile.
 fn sized<const N: usize>(
     method: Method,
     leg: &AnyLeg<'_>,
@@ -61,8 +55,8 @@ fn sized<const N: usize>(
     struct Slices<'a, 'b, const N: usize>(&'a AnyLeg<'b>);
     impl<const N: usize> System<N> for Slices<'_, '_, N> {
         fn rate(&self, t: f64, y: &[f64; N]) -> [f64; N] {
-            let mut rate = [0.0; N];
-            (self.0.rate)(t, y, &mut rate);
+            let (count, mut rate) = (self.0.start.1.len(), [0.0; N]);
+            (self.0.rate)(t, &y[..count], &mut rate[..count]);
             rate
         }
 
@@ -70,15 +64,23 @@ fn sized<const N: usize>(
             (self.0.reached)(time)
         }
     }
-    let of = |slice: &[f64]| -> [f64; N] { core::array::from_fn(|n| slice[n]) };
-    let (time, start) = (leg.start.0, of(leg.start.1));
-    let margin = |t: f64, y: &[f64; N]| leg.event.map_or(1.0, |event| event(t, y));
-    let passage = Run::new(&Slices::<N>(leg), &of(leg.scales), method, effort)
+    let of = |slice: &[f64], rest| core::array::from_fn(|n| slice.get(n).copied().unwrap_or(rest));
+    let (time, start, count) = (leg.start.0, of(leg.start.1, 0.0), leg.start.1.len());
+    let effort = match (method, effort) {
+        // These take the mean square over all components.
+        (Method::Dopri5 | Method::Dop853, Effort::Tolerance(tolerance)) => {
+            Effort::Tolerance(tolerance * (count as f64 / N as f64).sqrt())
+        }
+        _ => effort,
+    };
+    let margin = |t: f64, y: &[f64; N]| leg.event.map_or(1.0, |event| event(t, &y[..count]));
+    let passage = Run::new(&Slices::<N>(leg), &of(leg.scales, 1.0), method, effort)
         .until(time, &start, leg.times, leg.end, &margin)?;
+    let own = |y: &[f64; N]| y[..count].to_vec();
     Ok(Passage {
-        states: passage.states.iter().map(|y| y.to_vec()).collect(),
+        states: passage.states.iter().map(own).collect(),
         time: passage.time,
-        end: passage.end.to_vec(),
+        end: own(&passage.end),
         stopped: passage.stopped,
         cost: passage.cost,
     })

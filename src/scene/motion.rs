@@ -186,7 +186,7 @@ impl Request {
     /// [`Error::Solver`] if the request has none.
     pub(super) fn methods(&self) -> Result<&'static dyn GeneralMethods> {
         self.methods.ok_or(Error::Solver {
-            condition: "the solver must be of the library, that is exact, events, dormand-prince-8 or, for tops, a geometric one: rk4, dopri5, dop853, verner98 and gauss come with a request that brings them",
+            condition: "the solver must be of the library, that is exact, events, dormand-prince-8 or, for tops, power-series or a geometric one: rk4, dopri5, dop853, verner98 and gauss come with a request that brings them",
         })
     }
 

@@ -19,7 +19,7 @@ pub enum Solver {
     Geometric(Geometric),
 }
 
-/// A method of [`geometric`](crate::integrators::geometric), under its name in the tables.
+/// A method for turning bodies, under its name in the tables: those of [`geometric`](crate::integrators::geometric), and two with error control.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Geometric {
     /// Exact rotations about principal axes in turn; free bodies.

@@ -90,7 +90,7 @@ fn method_for(turning: &Turning, method: Geometric) -> Result<Box<dyn Integrator
 
 /// The order of a series.
 const ORDER: usize = 36;
-/// Its last terms as a part of its first, in units of the tolerance: what it leaves out is rounding of 106 bits, however much a motion amplifies.
+/// Its last terms as a part of its first, in units of the tolerance: a motion may amplify what a step leaves out by as much.
 const PART: f64 = 1e-16;
 /// Evaluations by which a series is counted: as many take its time.
 const A_SERIES: u64 = 2000;
@@ -113,16 +113,15 @@ pub(super) fn power_series(
     let rate = power_of_two_below(Flow::<7>::pace(turning));
     let scales = [turning.unit, rate, rate];
     let scaled = |part: Extended| scales.iter().fold(part, |part, by| part.scaled(1.0 / by));
-    let lever = top
-        .body
-        .exact_lever(top.g())
-        .map(|part| scaled(part).as_number());
+    let lever = top.body.exact_lever(top.g());
+    let lever = lever.map(|part| scaled(part).as_number());
     let coefficients = Coefficients::new(&AxisMoments::allowing_rods(moments), lever);
     Ok(move |leg: &AnyLeg<'_>, effort: Effort| {
         let Effort::Tolerance(tolerance) = effort else {
             let condition = "the solver power-series must be given a tolerance";
             return Err(Error::Solver { condition });
         };
+        let part = PART * positive("the tolerance", tolerance)?;
         let (mut now, y) = leg.start;
         budget.begin(leg.end);
         let (mut here, mut cost) = (wide(y, moments, rate), Cost::default());
@@ -133,15 +132,12 @@ pub(super) fn power_series(
                 evaluations: A_SERIES,
                 steps: 1,
             };
-            let series = Series::about(&coefficients, here, ORDER, PART * tolerance);
+            let series = Series::about(&coefficients, here, ORDER, part);
             let left = &times[states.len()..];
             let within = left.partition_point(|&t| (t - now).abs() * rate <= series.reach);
             let after = |t: f64| series.after(DoubleDouble::difference(t, now).scaled(rate));
-            states.extend(
-                left[..within]
-                    .iter()
-                    .map(|&t| narrow(after(t), moments, rate)),
-            );
+            let state = |&t: &f64| narrow(after(t), moments, rate);
+            states.extend(left[..within].iter().map(state));
             if within == left.len() {
                 break;
             }

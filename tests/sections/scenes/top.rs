@@ -487,8 +487,8 @@ fn one_run_is_made_at_its_effort() {
     let known = once(Solver::Exact, Effort::Tolerance(0.0)).unwrap();
     assert!(apart(&known, &exact) < 1e-15 && known.error_estimate < 1e-12);
     // Off by radians is no reason to refuse, the wrong kind of effort is.
-    let by_steps = Solver::Geometric(Geometric::MuntheKaas);
-    let far = once(by_steps, Effort::Step(0.4)).unwrap();
-    assert!(apart(&far, &exact) > 0.01);
+    let [by_steps, series] = [Geometric::MuntheKaas, Geometric::PowerSeries].map(Solver::Geometric);
+    assert!(apart(&once(by_steps, Effort::Step(0.4)).unwrap(), &exact) > 0.01);
     refused!(once(by_steps, Effort::Tolerance(1e-6)), Solver);
+    refused!(once(series, Effort::Tolerance(-1.0)), NotPositive);
 }

@@ -56,14 +56,19 @@ pub(super) fn steps(
             }
             states.push([&phase.l[..], &phase.q[..]].concat());
         }
-        Ok(Passage {
-            end: states.pop().unwrap_or_default(),
-            states,
-            time: leg.end,
-            stopped: Stop::AtTheEnd,
-            cost,
-        })
+        Ok(passed(states, leg.end, cost))
     })
+}
+
+/// The passage of a leg to its end, whose state is the last.
+fn passed(mut states: Vec<Vec<f64>>, time: f64, cost: Cost) -> Passage<Vec<f64>> {
+    Passage {
+        end: states.pop().unwrap_or_default(),
+        states,
+        time,
+        stopped: Stop::AtTheEnd,
+        cost,
+    }
 }
 
 /// The method for this top, if it can run it.
@@ -147,13 +152,7 @@ pub(super) fn power_series(
             }
             (here, now) = (after(later), later);
         }
-        Ok(Passage {
-            end: states.pop().unwrap_or_default(),
-            states,
-            time: leg.end,
-            stopped: Stop::AtTheEnd,
-            cost,
-        })
+        Ok(passed(states, leg.end, cost))
     })
 }
 

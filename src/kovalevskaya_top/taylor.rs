@@ -1,4 +1,4 @@
-//! The Euler–Poisson equations solved by power series, and the projection onto the surface of the constants (8.2).
+//! Power series of her tops, and the projection onto the surface of the constants (8.2).
 
 use nalgebra::{Matrix4, Quaternion, SMatrix, SVector};
 

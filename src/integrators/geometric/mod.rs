@@ -48,5 +48,6 @@ pub use cayley::{GroupMidpoint, MoserVeselov, VeselovOrder};
 pub use follow::follow;
 pub use munthe_kaas::MuntheKaas;
 pub use splitting::{FreeSplitting, HeavySplitting, Order};
+pub(crate) use stepper::unit;
 pub use stepper::{Integrator, Phase, Stepper};
 pub use torque::{Torque, Weight};

@@ -319,7 +319,7 @@ impl<T: Real, R: Rule<T>> Stepper<T> for Steps<T, R> {
 }
 
 /// The vector or quaternion, normalised; one of length zero is returned unchanged.
-pub(super) fn unit<T: Real, const N: usize>(v: [T; N]) -> [T; N] {
+pub(crate) fn unit<T: Real, const N: usize>(v: [T; N]) -> [T; N] {
     let (zero, size) = (T::from_double(0.0), v.map(|x| x.to_double().abs()));
     // Divided by a power of two, so that no square overflows or underflows.
     let unit = T::from_double(1.0 / power_of_two_below(size.into_iter().fold(0.0, f64::max)));

@@ -6,6 +6,7 @@ use crate::error::{Error, Result, positive, stopped};
 use crate::euler_equations::{AxisMoments, Coefficients, Series};
 use crate::integrators::geometric::{
     FreeSplitting, HeavySplitting, Integrator, MoserVeselov, MuntheKaas, Phase, Weight, follow,
+    unit,
 };
 use crate::integrators::{AnyLeg, Cost, Effort, Passage, Stop};
 use crate::precise::{DoubleDouble, Extended, Number, power_of_two_below};
@@ -95,7 +96,7 @@ fn method_for(turning: &Turning, method: Geometric) -> Result<Box<dyn Integrator
 
 /// The order of a series.
 const ORDER: usize = 36;
-/// Its last terms as a part of its first, in units of the tolerance: a motion may amplify what a step leaves out by as much.
+/// Its last terms as a part of its first, in units of the tolerance, which a step's error does not reach before a motion has amplified it 10¹⁶ times.
 const PART: f64 = 1e-16;
 /// Evaluations by which a series is counted: as many take its time.
 const A_SERIES: u64 = 2000;
@@ -158,14 +159,11 @@ pub(super) fn power_series(
 
 /// Ω in this unit, the vertical and the attitude, from L and a quaternion that need not be normalised.
 fn wide(y: &[f64], moments: [f64; 3], rate: f64) -> [DoubleDouble; 10] {
-    let Phase { l, q } = phase(y);
-    let omega = |k: usize| (DoubleDouble::from(l[k]) / moments[k].into()).scaled(1.0 / rate);
-    let [o1, o2, o3] = [0, 1, 2].map(omega);
-    let q = q.map(DoubleDouble::from);
-    let size = (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]).square_root();
-    let [w, x, y, z] = q.map(|part| part / size);
-    let [z1, z2] = [x * z - w * y, y * z + w * x].map(|half| half.scaled(2.0));
-    let z3 = w * w - x * x - y * y + z * z;
+    let Phase { l, q } = phase(y).cast::<DoubleDouble>();
+    let phase = Phase { l, q: unit(q) };
+    let omega = |k: usize| (l[k] / moments[k].into()).scaled(1.0 / rate);
+    let ([o1, o2, o3], [z1, z2, z3]) = ([0, 1, 2].map(omega), phase.up());
+    let [w, x, y, z] = phase.q;
     [o1, o2, o3, z1, z2, z3, w, x, y, z]
 }
 

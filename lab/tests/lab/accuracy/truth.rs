@@ -87,11 +87,16 @@ fn names_times_and_starts_are_what_they_say() {
     }
 }
 
+/// The vertical along the axes of a body with this quaternion of length 1.
+fn vertical([w, x, y, z]: [Dd; 4]) -> [Dd; 3] {
+    let [x_up, y_up] = [x * z - w * y, y * z + w * x].map(|half| half * 2.0);
+    [x_up, y_up, w * w + z * z - x * x - y * y]
+}
+
 /// What a top keeps: energy, L along the vertical, |q|²; |L|² if free, L along the axis if symmetric, Kovalevskaya's integral.
 fn kept(moments: [f64; 3], lever: [f64; 3], sample: &Sample) -> Vec<Dd> {
-    let (omega, [w, x, y, z]) = numbers(sample);
-    let [x_up, y_up] = [x * z - w * y, y * z + w * x].map(|half| half * 2.0);
-    let up = [x_up, y_up, w * w + z * z - x * x - y * y];
+    let (omega, q) = numbers(sample);
+    let ([w, x, y, z], up) = (q, vertical(q));
     let l = [0, 1, 2].map(|k| omega[k] * moments[k]);
     let energy = dot(l, omega) / 2.0 + dot(up, lever.map(Dd::from));
     let mut all = vec![energy, dot(l, up), w * w + x * x + y * y + z * z];
@@ -161,7 +166,7 @@ fn power_series_follow_what_has_no_closed_form_to_the_last_digits() {
     let by = Choice::Use(Solver::Geometric(Geometric::PowerSeries));
     // In seconds, and in a unit of time of 10¹⁸ of them, a power of two.
     let units = [1.0, 2.0_f64.powi(60)];
-    for (name, bar) in [("heavy-body/1", 3e-16), ("heavy-body/10", 2e-15)] {
+    for name in ["heavy-body/1", "heavy-body/10"] {
         let problem = &named(name).unwrap()[0];
         let Model::Top { moments, lever } = *problem.model() else {
             panic!("{name}")
@@ -183,8 +188,8 @@ fn power_series_follow_what_has_no_closed_form_to_the_last_digits() {
                 let off = sample.apart(&Phase::new(l.into(), &state.attitude), moments);
                 worst = worst.max(off.attitude).max(off.omega);
             }
-            // What it makes of L = IΩ, rounded at the start.
-            assert!(worst < bar && worst > 0.0, "{name} {unit}: {worst:e}");
+            // Observed: 1.4e-16, which is the rounding of what is returned.
+            assert!(worst < 2.3e-16 && worst > 0.0, "{name} {unit}: {worst:e}");
         }
     }
 }
@@ -218,19 +223,18 @@ fn what_amplifies_rounding_on_the_way_is_followed_in_106_bits() {
     let turn = attitude.quaternion();
     let q = [turn.w, turn.i, turn.j, turn.k].map(Dd::from);
     let size = (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]).sqrt();
-    let [w, x, y, z] = q.map(|part| part / size);
-    let up = [
-        (x * z - w * y) * 2.0,
-        (y * z + w * x) * 2.0,
-        w * w + z * z - x * x - y * y,
-    ];
-    let [o1, o2, o3] = [0, 1, 2].map(|k| Dd::from(l[k]) / moments[k]);
-    let start = [o1, o2, o3, up[0], up[1], up[2], w, x, y, z];
+    let q = q.map(|part| part / size);
+    let omega = [0, 1, 2].map(|k| Dd::from(l[k]) / moments[k]);
+    let start = [&omega[..], &vertical(q), &q].concat().try_into().unwrap();
     let exact = power_series::Top { moments, lever }.after(start, time);
     let (state, told) = (motion.rows[0].1, motion.error_estimate);
     let turned = angle(&state.attitude, [exact[6], exact[7], exact[8], exact[9]]);
-    let off = turned.max(apart(state.omega, [exact[0], exact[1], exact[2]]) / o3.value());
-    assert!(off < told && told <= accuracy, "{off:e} {told:e}");
+    let off = turned.max(apart(state.omega, [exact[0], exact[1], exact[2]]) / omega[2].value());
+    // Observed: 1.3e-16, and 2.8e-10, what the motion makes of a displaced start.
+    assert!(
+        off < 2.3e-16 && (1e-10..1e-9).contains(&told),
+        "{off:e} {told:e}"
+    );
 }
 
 #[test]

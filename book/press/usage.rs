@@ -172,7 +172,7 @@ pub struct Written {
     #[arg(long, value_enum)]
     pub format: Option<Format>,
     /// File to write; without it, or for `-`, standard output
-    #[arg(long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }
 
@@ -190,6 +190,6 @@ pub struct Accuracy {
     #[arg(long, value_name = "FILE", requires = "scene")]
     pub plot: Option<Option<PathBuf>>,
     /// The same as the FILE of --plot
-    #[arg(long, value_name = "FILE", requires = "plot")]
+    #[arg(short, long, value_name = "FILE", requires = "plot")]
     pub output: Option<PathBuf>,
 }

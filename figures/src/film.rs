@@ -9,7 +9,7 @@ use spinning_bodies::scene::{Around, Sight, Solid};
 use crate::figure::Figure;
 use crate::finish::{Theme, short};
 use crate::plot::Axis;
-use crate::solid::{Vector, View, hull};
+use crate::solid::{Vector, View, dot, hull};
 use crate::style::*;
 
 /// The drawing of a solid, along its own axes.
@@ -136,32 +136,29 @@ impl Body {
 
     /// The point of the hull that is farthest in this direction.
     fn farthest(&self, direction: &Vector) -> Option<Vector> {
-        let point = |(middle, half): &(Vector, Matrix3<f64>)| {
-            let share = half.tr_mul(direction);
-            let length = share.norm();
-            let beyond = if length > 0.0 {
-                half * (share / length)
-            } else {
-                Vector::zeros()
-            };
-            middle + beyond
+        let rounds = self.rounds.iter().map(|(middle, half)| {
+            let share: Vector = half.data.0.map(|axis| dot(&axis.into(), direction)).into();
+            let length = dot(&share, &share).sqrt();
+            (dot(middle, direction) + length, middle, half, share, length)
+        });
+        let (_, middle, half, share, length) = rounds.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        let beyond = if length > 0.0 {
+            half * (share / length)
+        } else {
+            Vector::zeros()
         };
-        let points = self.rounds.iter().map(point);
-        points.max_by(|a, b| a.dot(direction).total_cmp(&b.dot(direction)))
+        Some(middle + beyond)
     }
 
     fn draw(&self, pen: &mut Pen, view: &View, stands: &Isometry3<f64>) {
-        let space = |place: &Vector| stands.translation.vector + stands.rotation * place;
+        let view = view.along_body(stands);
         if let Some(to) = self.bar {
-            let ends = [Vector::zeros(), to].map(|end| space(&end));
-            return pen.line(view.trace(&ends), inked(DATA));
+            return pen.line(view.trace(&[Vector::zeros(), to]), inked(DATA));
         }
-        let inward = stands.rotation.inverse();
         let corner = |turns: f64| {
             let (s, c) = (TAU * turns).sin_cos();
-            let direction = view.right * c + view.up * s;
-            let point = self.farthest(&(inward * direction))?;
-            Some(view.project(&space(&point)))
+            let point = self.farthest(&(view.right * c + view.up * s))?;
+            Some(view.project(&point))
         };
         let outline: Vec<Point> = (0..CORNERS)
             .flat_map(|k| {
@@ -174,12 +171,14 @@ impl Body {
             })
             .collect();
         pen.sheet(&thinned(&hull(&outline)), inked(SECONDARY));
-        let toward = inward * view.toward;
         for edge in &self.edges {
-            let seen = |[_, a, b]: &[Vector; 3]| a.dot(&toward).max(b.dot(&toward)) > 0.0;
+            let seen = |[_, a, b]: &[Vector; 3]| view.faces(a) || view.faces(b);
             for piece in edge.split(|point| !seen(point)) {
-                let places: Vec<Vector> = piece.iter().map(|[place, ..]| space(place)).collect();
-                pen.line(thinned(&view.trace(&places)), inked(AXIS));
+                let line: Vec<Point> = piece
+                    .iter()
+                    .map(|[place, ..]| view.project(place))
+                    .collect();
+                pen.line(thinned(&line), inked(AXIS));
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Solid bodies on paper: orthographic projection and hidden lines.
 
-use nalgebra::Vector3;
+use nalgebra::{Isometry3, Vector3};
 use spinning_bodies::frame::{Attitude, BodyVector};
 
 use crate::style::*;
@@ -72,6 +72,15 @@ impl View {
         self
     }
 
+    /// The same view of points that are given along the axes of a body which stands like this.
+    pub fn along_body(mut self, stands: &Isometry3<f64>) -> Self {
+        self.center = self.project(&stands.translation.vector);
+        for axis in [&mut self.right, &mut self.up, &mut self.toward] {
+            *axis = stands.rotation.inverse_transform_vector(axis);
+        }
+        self
+    }
+
     /// Units of the design per unit of length.
     pub fn scale(&self) -> f64 {
         self.scale
@@ -79,7 +88,7 @@ impl View {
 
     /// The place at which a point of space is drawn.
     pub fn project(&self, point: &Vector) -> Point {
-        let place = [self.right.dot(point), self.up.dot(point)];
+        let place = [dot(&self.right, point), dot(&self.up, point)];
         planned(self.center, self.scale, place)
     }
 
@@ -118,13 +127,19 @@ impl View {
 
     /// Whether a point of a sphere about the origin is on this side of it.
     pub fn faces(&self, point: &Vector) -> bool {
-        point.dot(&self.toward) > 0.0
+        dot(point, &self.toward) > 0.0
     }
 
     /// The pieces of a curve on a sphere about the origin that are in front, and those behind.
     pub fn halves(&self, curve: &[Vector]) -> [Vec<Vec<Point>>; 2] {
         self.split(curve, |p| self.faces(p))
     }
+}
+
+/// The product of two vectors. This crate is compiled without optimisation (see the profile at the root), and most of what it computes are these.
+pub fn dot(a: &Vector, b: &Vector) -> f64 {
+    let ([a], [b]) = (a.data.0, b.data.0);
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// Reduces straight pieces to their ends.
@@ -147,8 +162,10 @@ pub fn segment(a: Vector, b: Vector, steps: u32) -> Vec<Vector> {
 
 /// The closed ellipse with conjugate semi-axes `u` and `v`.
 pub fn ellipse(center: Vector, u: Vector, v: Vector, steps: u32) -> Vec<Vector> {
+    let ([center], [u], [v]) = (center.data.0, u.data.0, v.data.0);
+    let at = |(s, c): (f64, f64)| [0, 1, 2].map(|k| center[k] + u[k] * c + v[k] * s).into();
     let round = spaced([0.0, core::f64::consts::TAU], steps).map(f64::sin_cos);
-    round.map(|(s, c)| center + u * c + v * s).collect()
+    round.map(at).collect()
 }
 
 /// The position in space of a point of a body.
@@ -189,8 +206,9 @@ pub fn box_hides(half: &Vector, point: &Vector, toward: &Vector) -> bool {
 
 /// Whether the line of sight from `point` to the eye meets the ellipsoid with these semi-axes.
 pub fn ellipsoid_hides(half: &Vector, point: &Vector, toward: &Vector) -> bool {
-    let (p, d) = (point.component_div(half), toward.component_div(half));
-    let (a, b, c) = (d.dot(&d), p.dot(&d), p.dot(&p) - 1.0);
+    let [[p], [d], [half]] = [point, toward, half].map(|vector| vector.data.0);
+    let [p, d] = [p, d].map(|v| Vector::new(v[0] / half[0], v[1] / half[1], v[2] / half[2]));
+    let (a, b, c) = (dot(&d, &d), dot(&p, &d), dot(&p, &p) - 1.0);
     let discriminant = b * b - a * c;
     discriminant > 0.0 && -b + discriminant.sqrt() > 1e-6 * a
 }

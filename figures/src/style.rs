@@ -405,7 +405,7 @@ impl Pen {
     }
 
     fn clearest(&self, places: &[Point], half: [f64; 2]) -> Point {
-        let taken = self.taken();
+        let mut taken = self.taken();
         let mut best = ([0.0; 2], f64::MIN);
         let inside = within([half[0], WIDTH - half[0]], [half[1], self.height - half[1]]);
         // First the places themselves, then round about them in eight directions.
@@ -413,13 +413,18 @@ impl Pen {
         for by in moves.map(|(far, turn)| polar([0.0; 2], far, turn)) {
             let moved = places.iter().map(|p| shifted(*p, by));
             for place in moved.filter(|p| by == [0.0; 2] || inside(p)) {
-                let apart = |k: usize, point: &Point| (point[k] - place[k]).abs() - half[k];
-                let mut nearest = taken.iter().map(|p| apart(0, p).max(apart(1, p)));
+                let mut room = CLEAR;
                 // A place that is no clearer than the best need not be measured to the end.
-                let room = nearest.try_fold(CLEAR, |room: f64, near| {
-                    Some(room.min(near)).filter(|room| *room > best.1)
+                let barred = taken.iter().position(|[x, y]| {
+                    let across = (x - place[0]).abs() - half[0];
+                    room = room.min(across.max((y - place[1]).abs() - half[1]));
+                    room <= best.1
                 });
-                best = room.map_or(best, |room| (place, room));
+                match barred {
+                    // What bars it bars the next one, too, more often than not.
+                    Some(k) => taken.swap(0, k),
+                    None => best = (place, room),
+                }
             }
             // Letters are smaller than their box; a place beyond those given must be clear.
             if best.1 > if by == [0.0; 2] { -1.5 } else { 1.0 } {

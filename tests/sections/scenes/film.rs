@@ -7,7 +7,7 @@ use spinning_bodies::scene::{Around, Sight, Solid, Table};
 use std::fs;
 
 pub(super) fn file_of_the_book(name: &str) -> String {
-    let scenes = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/scenes");
+    let scenes = concat!(env!("CARGO_MANIFEST_DIR"), "/../book/scenes");
     fs::read_to_string(format!("{scenes}/{name}")).unwrap()
 }
 

@@ -154,7 +154,7 @@ pub(super) fn changed(text: &str, change: &str) -> String {
 
 /// Scene files of the book by their names, each whole, then, as long as that leaves a scene, without one of its lines, to six digits; and [`OTHERS`].
 pub(super) fn files() -> Vec<(String, String)> {
-    let scenes = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/scenes");
+    let scenes = concat!(env!("CARGO_MANIFEST_DIR"), "/../book/scenes");
     let mut files = Vec::new();
     for file in fs::read_dir(scenes).unwrap() {
         let path = file.unwrap().path();

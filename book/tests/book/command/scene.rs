@@ -41,7 +41,7 @@ fn the_name_of_the_output_tells_its_format() {
         ("c.txt", Some("json")),
     ] {
         let path = out(name);
-        let mut arguments = vec!["--output", &path];
+        let mut arguments = vec!["-o", &path];
         arguments.extend(format.iter().flat_map(|format| ["--format", format]));
         let output = scene(&file, &arguments);
         assert!(printed(&output).is_empty() && output.stderr.is_empty());

@@ -6,7 +6,7 @@ use plotters_svg::SVGBackend;
 
 use crate::canvas;
 use crate::figure::Figure;
-use crate::style::{self, LEAST, Role, SCALE};
+use crate::style::{self, LEAST, Role, SCALE, SMALL};
 
 /// The look of a file that is viewed on its own.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -188,7 +188,7 @@ fn text_element(svg: &mut String, name: &str, line: &str, body: &str, extra: &st
     }
     let size = attribute(extra, "font-size")
         .and_then(|s| s.parse().ok())
-        .unwrap_or(LEAST * SCALE);
+        .unwrap_or(SMALL * SCALE);
     let _ = writeln!(svg, "{extra}>{}</text>", rich(body, size));
 }
 

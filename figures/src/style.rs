@@ -21,10 +21,10 @@ pub const WIDTH: f64 = 600.0;
 pub const SCALE: f64 = 10.0;
 /// Size of label text, units.
 pub const LABEL: f64 = 17.0;
-/// Size of ticks and remarks, units; nothing is smaller, indices included.
+/// Size of ticks and remarks, units: a telephone shows it at 0.6, nine pixels.
 pub const SMALL: f64 = 15.0;
-/// Least size of any text, units: a telephone shows it at 0.6, nine pixels.
-pub const LEAST: f64 = 15.0;
+/// Least size of indices and powers, units; nothing is smaller.
+pub const LEAST: f64 = 13.0;
 /// Stroke of the data.
 pub const DATA: f64 = 2.0;
 /// Stroke of secondary lines.
@@ -123,6 +123,14 @@ pub const fn label(role: Role) -> Lettering {
 /// A tick or a remark.
 pub const fn small(role: Role) -> Lettering {
     sized(role, SMALL)
+}
+
+/// The text of a tick in fainter ink; a power of ten a little larger, so that its exponent is seen to be one.
+fn tick(text: &str) -> Lettering {
+    match text.contains('^') {
+        true => label(Role::Muted),
+        false => small(Role::Muted),
+    }
 }
 
 /// A text of a size of its own, units.
@@ -353,13 +361,13 @@ impl Pen {
     /// A tick below a place of an axis, and its text so far down.
     pub fn tick_below(&mut self, at: Point, down: f64, text: &str) {
         self.line([at, shifted(at, [0.0, 5.0])], inked(AXIS));
-        self.remark(shifted(at, [0.0, down]), Anchor::Middle, text);
+        self.text(shifted(at, [0.0, down]), Anchor::Middle, text, tick(text));
     }
 
     /// A tick on the left of a place of an axis, and its text.
     pub fn tick_beside(&mut self, at: Point, text: &str) {
         self.line([shifted(at, [-5.0, 0.0]), at], inked(AXIS));
-        self.remark(shifted(at, [-9.0, 5.0]), Anchor::End, text);
+        self.text(shifted(at, [-9.0, 5.0]), Anchor::End, text, tick(text));
     }
 
     /// A text whose base line starts, is centred or ends at the point. `*x*` is an italic letter,
@@ -369,7 +377,7 @@ impl Pen {
             true => " font-weight=\"600\"",
             false => "",
         };
-        let size = lettering.size.max(LEAST) * SCALE;
+        let size = lettering.size.max(SMALL) * SCALE;
         let text = Mark::Text {
             at: canvas(at),
             anchor,

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::sync::LazyLock;
 
 use figures::canvas::{Paint, draw};
-use figures::style::{Anchor, LEAST, SCALE};
+use figures::style::{Anchor, LEAST, SCALE, SMALL};
 use figures::{Entry, Figure, Look, Mark, Values, all, compare};
 use plotters::prelude::SVGBackend;
 use rayon::prelude::*;
@@ -113,14 +113,19 @@ fn captions_and_alt_texts_say_something() {
 }
 
 #[test]
-fn no_text_is_below_thirteen_units() {
+fn no_text_is_too_small() {
     for (name, _, svg) in drawn() {
-        let sizes = values(&svg, "font-size");
-        assert!(!sizes.is_empty(), "{name}: no text at all");
-        for size in sizes {
-            let units = size.parse::<f64>().expect("a number") / SCALE;
-            assert!(units >= LEAST, "{name}: text of {units} units");
-        }
+        let sizes = |tag: &str| -> Vec<f64> {
+            let heads = svg.split(tag).skip(1).filter_map(|x| x.split('>').next());
+            let sizes = heads.flat_map(|head| values(head, "font-size"));
+            sizes
+                .map(|size| size.parse::<f64>().expect("a number") / SCALE)
+                .collect()
+        };
+        let (texts, indices) = (sizes("<text"), sizes("<tspan"));
+        assert!(!texts.is_empty(), "{name}: no text at all");
+        assert!(texts.iter().all(|&x| x >= SMALL), "{name}: {texts:?}");
+        assert!(indices.iter().all(|&x| x >= LEAST), "{name}: {indices:?}");
     }
 }
 

@@ -1,10 +1,9 @@
 //! The progress of a long run, on standard error: a bar on a terminal, elsewhere a line now and then.
 
+use std::io::{IsTerminal, Write, stderr};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
-
-use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::writer::tell;
 
@@ -20,22 +19,23 @@ pub fn watched<T>(how_far: impl Fn() -> (f64, String) + Send, work: impl FnOnce(
     std::thread::scope(|scope| {
         scope.spawn(move || {
             let begin = Instant::now();
-            let style = ProgressStyle::with_template("{bar:32} {msg}").expect("it is well formed");
-            let bar = ProgressBar::new(PARTS).with_style(style);
+            let terminal = stderr().is_terminal();
             let mut wait = PATIENCE;
             while over.recv_timeout(wait) == Err(RecvTimeoutError::Timeout) {
                 let (part, told) = how_far();
-                // There is no terminal.
-                if bar.is_hidden() {
+                if terminal {
+                    let full = (part.clamp(0.0, 1.0) * PARTS as f64) as usize;
+                    let (done, open) = ("█".repeat(full), "░".repeat(PARTS - full));
+                    let _ = write!(stderr(), "{CLEARED}{done}{open} {told}");
+                    wait = TICK;
+                } else {
                     tell(told);
                     wait = begin.elapsed();
-                } else {
-                    bar.set_position((part.clamp(0.0, 1.0) * PARTS as f64) as u64);
-                    bar.set_message(told);
-                    wait = TICK;
                 }
             }
-            bar.finish_and_clear();
+            if terminal && wait == TICK {
+                let _ = write!(stderr(), "{CLEARED}");
+            }
         });
         let result = work();
         drop(running);
@@ -56,4 +56,6 @@ pub fn counted<T>(parts: usize, what: &str, work: impl FnOnce(&(dyn Fn() + Sync)
 }
 
 /// Steps of a bar.
-const PARTS: u64 = 1000;
+const PARTS: usize = 32;
+/// To the beginning of the line, whose rest is erased.
+const CLEARED: &str = "\r\x1b[K";

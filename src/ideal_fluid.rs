@@ -1,10 +1,10 @@
 //! The ideal fluid as a top (tutorial 5.2): V. Zeitlin's truncation of the plane, the Euler top of SU(N).
 //!
 //! A two-dimensional ideal fluid on a doubly periodic square carries its vorticity along. The Fourier modes ω_m obey
-//! dω_m/dt = Σ (n∧m)/|n|² ω_n ω_{m−n}, infinitely many equations with infinitely many invariants. Cut the sum off, and all but two
+//! dω_m/dt = Σ (m∧n)/|n|² ω_n ω_{m−n}, infinitely many equations with infinitely many invariants. Cut the sum off, and all but two
 //! invariants are lost. Zeitlin takes the indices modulo an odd N instead, and replaces the wedge product by a sine:
 //!
-//! dω_m/dt = (N/2π) Σ_n sin(2π(n∧m)/N) ω_n ω_{m−n}/|n|².
+//! dω_m/dt = (N/2π) Σ_n sin(2π(m∧n)/N) ω_n ω_{m−n}/|n|².
 //!
 //! The sines are the structure constants of su(N). With W = Σ ω_m J_m the equations read dW/dt = \[A, W\], Euler's equations of a
 //! top whose rotations are the unitary N×N matrices; W is its angular momentum, A its angular velocity. So the energy and every
@@ -130,6 +130,10 @@ impl TruncatedFluid {
     /// let wave = TruncatedFluid::new(5, &[([1, 0], Complex::new(1.0, 0.0))])?;
     /// // A single wave does not change.
     /// assert_eq!(wave.rate().energy(), 0.0);
+    /// // Two waves, 2 cos y and 2 cos 2x: −u·∇ω of Euler's fluid has cos (2x + y) grow by 3 a second, and so it is with many modes.
+    /// let one = Complex::new(1.0, 0.0);
+    /// let two = TruncatedFluid::new(31, &[([0, 1], one), ([2, 0], one)])?;
+    /// assert!((two.rate().vorticity([2, 1]) / 1.5 - 1.0).norm() < 0.03);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     // ANCHOR: bracket
@@ -140,7 +144,7 @@ impl TruncatedFluid {
             let sum: C = self
                 .each()
                 .map(|(k, omega)| {
-                    let wedge = f64::from(k[0] * m[1] - k[1] * m[0]);
+                    let wedge = f64::from(m[0] * k[1] - m[1] * k[0]);
                     let partner = self.vorticity([m[0] - k[0], m[1] - k[1]]);
                     let sine = (TAU * wedge / n).sin();
                     omega * partner * (sine / length_squared(k))
@@ -234,13 +238,13 @@ impl TruncatedFluid {
         fluid
     }
 
-    /// A = (iN/4π) Σ ω_m/|m|² J_m, the angular velocity that belongs to the angular momentum W: dW/dt = \[A, W\].
+    /// A = −(iN/4π) Σ ω_m/|m|² J_m, the angular velocity that belongs to the angular momentum W: dW/dt = \[A, W\].
     fn angular_velocity(&self) -> DMatrix<C> {
         let mut stream = self.clone();
         for place in 1..stream.modes.len() {
             stream.modes[place] /= length_squared(self.wave_vector(place));
         }
-        stream.matrix(SquareRoot::OfUnity) * C::new(0.0, self.size as f64 / (4.0 * PI))
+        stream.matrix(SquareRoot::OfUnity) * C::new(0.0, -(self.size as f64) / (4.0 * PI))
     }
 
     /// Advances by one step of `step` seconds and keeps energy and every tr Wᵖ, whatever the step (5.2).

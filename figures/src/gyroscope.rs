@@ -88,7 +88,7 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
     let words = words!(
         "The weight's torque pushes the tip of L sideways, so the axle goes round instead of down: at {pace} rad/s, {beside}.",
         "A wheel of 0.1 kg at $\\ell = 4$ cm from its support, $I_3 = 6 \\cdot 10^{{-5}}$ kg m², {spun} turns a second, axle {lean}° from the vertical: $Mg\\ell/L_3 = {law:.4}$ \
-         rad/s. Orange: $L$ now and {STEP} s later, and $dL$, the change; purple: the torque $N$ of the weight for as long.",
+         rad/s. Orange: $L$ now and {STEP} s later, and $dL$, the change; purple: the torque $N$ of the weight times the same {STEP} s.",
         "A wheel on an axle that is held at one end on a stand, {lean} degrees from the vertical. An orange arrow, the angular momentum, lies along the axle; the weight points down from the \
          wheel; the purple torque is level and points across the axle, and the orange arrow half a second later has moved that way, along a dotted circle round the vertical."
     );

@@ -105,7 +105,7 @@ pub fn circle(values: &Values) -> Result<Figure> {
     let [size, radius] = [4, 2].map(|digits| number(k, digits));
     let words = words!(
         "The top scribbles; its constant {does}.",
-        "Three drawings of {seconds} s from {from}, $MgC_1/I_3=1$. Left: $w=\\Omega_1+i\\Omega_2$. Middle: \
+        "Three drawings of {seconds} s from {from} and $z=(2,-1,2)/3$, $MgC_1/I_3=1$. Left: $w=\\Omega_1+i\\Omega_2$. Middle: \
          $K=w^2-(z_1+iz_2)$ of the same motion, always {size} from the origin. Right: the same expression if \
          $I_1=I_2={named}\\,I_3$; dashed, where it should be. {told}",
         "Three panels. Left, a tangle of loops: the horizontal path of the angular velocity in the body. Middle, one clean \
@@ -196,7 +196,7 @@ pub fn bands(values: &Values) -> Result<Figure> {
     let (begun, count) = (spun(values), real.len());
     let words = words!(
         "{claim}",
-        "$P(s)=-4(s-e_1)\\cdots(s-e_5)$ for the motion from {begun}, heights on a logarithmic scale beyond 0.01; discs: its real roots. {told}",
+        "$P(s)=-4(s-e_1)\\cdots(s-e_5)$ for the motion from {begun} and $z=(2,-1,2)/3$, heights on a logarithmic scale beyond 0.01; discs: its real roots. {told}",
         "The graph of a polynomial of degree five with {count} real roots. It is positive to the left of the smallest root, where \
          the second separation variable comes and goes, and between two further roots, where the first swings; both stretches \
          are marked on the axis."

@@ -45,10 +45,14 @@ impl<N: Number> Landen<N> {
         let root = k1 * inverse1;
         let k2 = root * root;
         let sum2 = one.add_alike((k1_complement.square_root() * inverse1).scaled(2.0));
-        let k3 = (k2.leading() / sum2.leading()).powi(2);
-        let last = k3 * k3;
+        let root = k2.quotient(sum2);
+        let k3 = root * root;
+        let square3 = k3 * k3;
+        let last = square3.leading();
         // (1 + k′₃)(1 + k′₄)/4 with k₄ = k₃²/4; the next term is 10⁻³⁰.
-        let rest = Dd::from(-0.25 * last * (1.0 + 0.3125 * last));
+        let rest = square3
+            .scaled(-0.25)
+            .add_alike(Dd::from(-5.0 / 64.0 * last * last));
         let mean = (sum0 * sum1 * sum2).scaled(0.125);
         let mean = mean.add_alike(mean * rest);
         // l = (1 − √k′)/(2(1 + √k′)); q = l + 2l⁵ + 15l⁹ + 150l¹³ + 1707l¹⁷ + …
@@ -57,8 +61,9 @@ impl<N: Number> Landen<N> {
         let l2 = l * l;
         let l4 = l2 * l2;
         let x = l4.leading();
-        let tail = x * x * (15.0 + x * (150.0 + x * (1707.0 + x * 20_910.0)));
-        let series = one.add_alike(l4.scaled(2.0)).add_alike(Dd::from(tail));
+        let tail = x * x * x * (150.0 + x * (1707.0 + x * (20_910.0 + x * 268_616.0)));
+        let second = (l4 * l4).times(15.0).add_alike(Dd::from(tail));
+        let series = one.add_alike(l4.scaled(2.0)).add_alike(second);
         let nome_over_square = l_over_square * series;
         Self {
             sums: [sum0, sum1, sum2],

@@ -134,7 +134,7 @@ impl Budget {
             spent: evaluations.min(self.most),
             most: self.most,
             time,
-            whole,
+            whole: begun as f64 + whole,
         })
     }
 }

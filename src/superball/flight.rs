@@ -499,7 +499,7 @@ impl Flight {
             let common = self.common(&motion);
             (t * common, [common; 2])
         } else {
-            let condition = "tangential restitution must be below 1 for a motion after infinitely many bounces, each of which reverses the contact speed";
+            let condition = "tangential restitution, 1 if none is given, must be below 1 for a motion after infinitely many bounces, each of which reverses the contact speed";
             return refused(condition, tangential);
         };
         Ok(InFlight {

@@ -152,7 +152,7 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
     let (others_give_up, others_measured, others_seen) = match measured {
         true => (
             "; the usual formulas give up half-way",
-            "Measured: the formulas of 6.6 with four libraries' functions, two integrators with tolerance $10^{-12}$, each from its last answer right to a thousandth.",
+            "Measured: the formulas of 6.6 with four libraries' functions, two integrators with tolerance $10^{-12}$, each drawn from the last point at which it was right to a thousandth.",
             format!(
                 " The answers of well-known libraries end with a cross near ten to the minus {}, where the formulas of 6.6 return no \
                  number any more; two integrators leave the line there and never see a racket wait for more than {} seconds.",

@@ -142,8 +142,8 @@ pub fn polhodes(values: &Values) -> Result<Figure> {
     let yours = Curve::new(moments, angle, [1.0, 1.0])?;
     let period = number(yours.period / TAU, 2);
     let about = match yours.sector {
-        Sector::AroundSmallest => format!("goes round $x_1$ in {period}"),
-        Sector::AroundLargest => format!("goes round $x_3$ in {period}"),
+        Sector::AroundSmallest => format!("goes round $x_1$ in the time of {period}"),
+        Sector::AroundLargest => format!("goes round $x_3$ in the time of {period}"),
         _ => "lies on the separatrix, and takes longer than any number of".to_owned(),
     };
 

@@ -44,7 +44,8 @@ pub fn solution(values: &Values) -> Result<Figure> {
     let largest = [0, 1, 2].map(greatest).into_iter().fold(0.0, f64::max);
     let in_a_period = &states[..(STEPS as f64 / LENGTH) as usize];
     let near = |omega: &&[f64; 3]| omega[1].abs() > NEARLY * most;
-    let percent = 100 * in_a_period.iter().filter(near).count() / in_a_period.len();
+    // Half percents, rounded up to whole ones.
+    let percent = (200 * in_a_period.iter().filter(near).count() / in_a_period.len()).div_ceil(2);
     let rests = percent > 50;
     if let Some(last) = (1..=STEPS).rfind(|&k| states[k - 1][1] * states[k][1] <= 0.0)
         && period.is_some()

@@ -223,7 +223,7 @@ pub fn nutations(values: &Values) -> Result<Figure> {
     let [slow, fast] = numbers([slow, fast], 4);
     let words = words!(
         "Two momenta decide whether the nose draws waves, cusps, loops or a circle.",
-        "The tutorial's pictures k, l, m and n: every top starts 60° from the vertical, at a turning point, with $I_1 = Mg\\ell = 1$. Dashed: cusps. Solid: pure precession, \
+        "The tutorial's pictures k, l, m and n: every top starts 60° from the vertical, at a turning point, with $I_1 = Mg\\ell = 1$. Dashed: cusps. Dotted: the nose passes through a pole, $L_3 = \\pm L_{{\\text{{vert}}}}$. Solid: pure precession, \
          slow ({slow} at $L_3 = 3$) on the left, fast ({fast} at $L_3 = 2$) on the right. The ring is yours, $L_{{\\text{{vert}}}} = {vertical}$ and $L_3 = {axial}$: it draws \
          {kind}, between {least}° and {greatest}°.",
         "A half plane, the vertical angular momentum to the right and the axial one upwards, with nine spheres on it, each with \

@@ -73,7 +73,7 @@ pub fn animated(_: &Values) -> Result<Figure> {
     let words = words!(
         "Thrown, it sleeps at the end of its string; a jerk makes the string grip, and it climbs on the spin it has left.",
         "To scale: radius 29 mm, axle radius {axle} mm, a string of {length} cm with a loop at its end, thrown at {THROW} m/s, asleep for {ASLEEP} s under a friction of \
-         {friction} mN m; one second in {SLOWNESS}. Greatest spin {fastest:.0} rad/s.",
+         {friction} mN m; {SLOWNESS} times slower than in life. Greatest spin {fastest:.0} rad/s.",
         "On the left a yo-yo on its string, with a spoke that shows its spin. It runs down, spins in place at the end of the string, and climbs back to the \
          hand on the other side of the string. On the right its depth and its spin against time, with a marker that moves along: the depth rises to a \
          plateau, the sleep, and returns; the spin rises on the way down, declines slowly in the sleep, drops a little at the jerk, and declines on the way up, \

@@ -3,12 +3,13 @@
 use std::collections::HashMap;
 
 use super::icosphere::Mesh;
-use crate::error::{Error, Result, each_finite, not_empty};
+use crate::error::{Error, Result, each_finite, not_empty, refused};
 
 /// The mesh of an STL file, text or binary. Corners with the same coordinates become one vertex.
 ///
 /// # Errors
-/// [`Error::AtPlace`] for a corner whose coordinates are not numbers, [`Error::Empty`] for a file without a triangle.
+/// [`Error::AtPlace`] for a corner whose coordinates are not numbers, [`Error::Empty`] for a file without a triangle, [`Error::Condition`] for one that is
+/// neither text nor of the length that its count of triangles asks for.
 ///
 /// ```
 /// use spinning_bodies::inertia::mesh_of_stl;
@@ -37,6 +38,11 @@ pub fn mesh_of_stl(bytes: &[u8]) -> Result<Mesh> {
         }
         corners
     };
+    let text = bytes.trim_ascii_start().starts_with(b"solid");
+    if corners.is_empty() && !text && !bytes.is_empty() {
+        let condition = "an STL file must be text that begins with `solid`, or have 84 bytes and 50 for each triangle that it counts";
+        return refused(condition, bytes.len() as f64);
+    }
     not_empty("the list of triangles", &corners)?;
     let mut known = HashMap::new();
     let mut vertices = Vec::new();

@@ -347,7 +347,10 @@ fn mesh(file: &Reader<'_>, Mesh { file: name }: Mesh) -> Option<Shape> {
         _ => return file.wrong(KEY, &format!(" must end in .stl or .obj, got {name}")),
     };
     let solid = mesh.and_then(|(at, triangles)| mesh_mass_properties(&at, &triangles, 1.0));
-    let solid = file.right(KEY, solid)?;
+    let solid = match solid {
+        Ok(solid) => solid,
+        Err(error) => return file.wrong(KEY, &format!(": {name}: {error}")),
+    };
     let made = move |mass: f64| {
         let inertia = solid.inertia().matrix() * (mass / solid.mass());
         MassProperties::new(mass, solid.center(), InertiaMatrix::from_matrix(inertia)?)

@@ -167,6 +167,12 @@ impl Falling {
     fn told(&self, &[fall, velocity, tilt, sum, lost]: &[f64; 5]) -> [f64; 5] {
         [fall, velocity, tilt, sum - self.pace * tilt, lost]
     }
+
+    /// The pace, rad/s; without a lever nothing turns the cat, and the fall alone has a rate.
+    fn fastest(&self) -> f64 {
+        let turning = Some(self.pace).filter(|&pace| pace > 0.0);
+        size(turning.unwrap_or(self.speed / self.cat.cat.gyration))
+    }
 }
 
 /// The components: fall, velocity, tilt from [`rest`](PaperCat::rest), its rate plus the pace times the tilt, loss. The sum is small only near balance, where its
@@ -183,9 +189,7 @@ impl Flow<5> for Falling {
         // The error of a cat near balance is relative to its distance from balance.
         let near = self.cat.leaning().abs().clamp(1e-8, 1.0);
         let length = self.cat.cat.gyration;
-        // Without a lever nothing turns it, and the fall alone has a rate.
-        let turning = Some(self.pace).filter(|&pace| pace > 0.0);
-        let rate = size(turning.unwrap_or(self.speed / length));
+        let rate = self.fastest();
         let speed = length * rate;
         [length, speed, near, near * rate, speed * speed]
     }
@@ -211,7 +215,7 @@ impl Flow<5> for Falling {
 
     fn distance(&self, ((), a): &((), [f64; 5]), ((), b): &((), [f64; 5])) -> f64 {
         let energy = size(self.speed * self.speed);
-        let scales = [self.height, size(self.speed), 1.0, size(self.pace), energy];
+        let scales = [self.height, size(self.speed), 1.0, self.fastest(), energy];
         apart(&self.told(a), &self.told(b), &scales)
     }
 }

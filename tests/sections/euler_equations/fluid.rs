@@ -94,7 +94,7 @@ fn s5_2_any_step_keeps_the_invariants() {
 
 #[test]
 fn s5_2_towards_the_ideal_fluid() {
-    // The sine bracket against Fourier's own, Σ (n∧m)/|n|² ω_n ω_{m−n}: the difference falls as 1/N².
+    // The sine bracket against Fourier's own, Σ (m∧n)/|n|² ω_n ω_{m−n}: the difference falls as 1/N².
     let difference = |size: usize| {
         let start = fluid(size);
         let told = start.rate();
@@ -104,7 +104,7 @@ fn s5_2_towards_the_ideal_fluid() {
                 .into_iter()
                 .filter(|n| (0..2).all(|k| i32::abs(m[k] - n[k]) <= 1))
                 .map(|n: [i32; 2]| {
-                    let wedge = f64::from(n[0] * m[1] - n[1] * m[0]);
+                    let wedge = f64::from(m[0] * n[1] - m[1] * n[0]);
                     let length = f64::from(n[0] * n[0] + n[1] * n[1]);
                     start.vorticity(n)
                         * start.vorticity([m[0] - n[0], m[1] - n[1]])

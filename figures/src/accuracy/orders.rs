@@ -15,7 +15,7 @@ const METHODS: [(&str, Stroke, f64, Point); 6] = [
     ("rk4", GENERAL, 0.72, [8.0, -22.0]),
     ("rotations-4", GENTLE, 0.0, [-10.0, -2.0]),
     ("rotations-6", GENTLE, 0.0, [-10.0, -2.0]),
-    ("moser-veselov-6", DISCRETE, 0.70, [42.0, 7.0]),
+    ("moser-veselov-6", DISCRETE, 0.70, [36.0, 3.0]),
     ("moser-veselov-10", DISCRETE, 0.0, [10.0, -8.0]),
 ];
 

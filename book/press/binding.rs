@@ -10,10 +10,14 @@ use mdbook_driver::book::BookItem;
 use mdbook_driver::config::Config;
 use mdbook_renderer::RenderContext;
 use serde_json::json;
-use std::fs::File;
+use std::fmt::Debug;
 use std::io::Read;
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use toml::Table;
+use tracing::field::Field;
+use tracing::span::{Attributes, Id, Record};
+use tracing::{Event, Level, Metadata, Subscriber};
 
 /// Builds the book of the workspace at `root` into `folder` and returns the path of its first page. The book is
 /// built in a temporary folder beside and takes its place by renaming, so that a failure leaves the old one. A link is followed.
@@ -38,25 +42,44 @@ pub fn render(input: impl Read, draw: impl FnOnce() -> Result<Vec<Drawing>>) -> 
 fn bind_as(settings: Config, root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<PathBuf> {
     let folder = &followed(folder).map_err(Error::file(folder))?;
     whole(folder, |new| {
-        // mdBook reports a missing include in no other way.
-        let log = new.with_extension("log");
-        let subscriber = tracing_subscriber::fmt()
-            .with_max_level(tracing::Level::WARN)
-            .without_time()
-            .with_ansi(false)
-            .with_target(false)
-            .with_writer(File::create(&log).map_err(Error::file(&log))?)
-            .finish();
+        let warnings = Arc::new(Warnings::default());
         let build = || build(settings, root, new, drawings);
-        tracing::subscriber::with_default(subscriber, build)?;
-        let warnings = std::fs::read_to_string(&log).map_err(Error::file(&log))?;
-        let warnings: Vec<&str> = warnings.lines().map(str::trim).collect();
-        match warnings.join("; ") {
+        tracing::subscriber::with_default(Arc::clone(&warnings), build)?;
+        match warnings.told().join("; ") {
             none if none.is_empty() => Ok(()),
             warnings => Err(Error::Input(format!("mdBook warns: {warnings}"))),
         }
     })?;
     Ok(folder.join("index.html"))
+}
+
+/// The warnings of mdBook, which reports a missing include in no other way.
+#[derive(Default)]
+struct Warnings(Mutex<Vec<String>>);
+
+impl Warnings {
+    fn told(&self) -> MutexGuard<'_, Vec<String>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Subscriber for Warnings {
+    fn enabled(&self, about: &Metadata<'_>) -> bool {
+        *about.level() <= Level::WARN && about.is_event()
+    }
+
+    fn event(&self, event: &Event<'_>) {
+        event.record(&mut |_: &Field, value: &dyn Debug| self.told().push(format!("{value:?}")));
+    }
+
+    fn new_span(&self, _: &Attributes<'_>) -> Id {
+        Id::from_u64(1)
+    }
+
+    fn record(&self, _: &Id, _: &Record<'_>) {}
+    fn record_follows_from(&self, _: &Id, _: &Id) {}
+    fn enter(&self, _: &Id) {}
+    fn exit(&self, _: &Id) {}
 }
 
 /// The book with its chapters typeset; the typesetter keeps their pieces.

@@ -1,11 +1,11 @@
 //! Draws the figures, writes their files, and compares a fresh drawing with the committed one.
 
 use crate::pictures::{self, Copying};
+use crate::progress::on_all_processors;
 use crate::writer::{ending, write_if_changed};
 use crate::{Error, Result};
 use figures::on_your_table::{Paper, Sheet};
 use figures::{Entry, Figure, Look, Parameter, Values};
-use rayon::prelude::*;
 use serde_json::{Value as Json, json};
 use spinning_bodies::scene::files;
 use std::collections::BTreeSet;
@@ -159,13 +159,14 @@ fn cell(name: &str) -> String {
 
 /// Draws figures with these values on all processors; `done` is called after each. The order of the entries is kept.
 pub fn draw(entries: &[Entry], values: &Values, done: impl Fn() + Sync) -> Result<Vec<Drawing>> {
-    let draw = |&entry: &Entry| {
+    let draw = |n: usize| {
+        let entry = entries[n];
         let drawn = entry.draw(values);
         done();
         let figure = drawn.map_err(|e| Error::Failed(format!("figure {}: {e}", entry.name)))?;
         Ok(Drawing { entry, figure })
     };
-    entries.par_iter().with_max_len(1).map(draw).collect()
+    on_all_processors(entries.len(), draw).into_iter().collect()
 }
 
 /// Writes `FOLDER/NAME.svg`, or another form, for each drawing; files that hold the picture already are left alone. Returns how many changed.

@@ -1,6 +1,7 @@
-//! The progress of a long run, on standard error: a bar on a terminal, elsewhere a line now and then.
+//! Long work: on all processors, and its progress on standard error, a bar on a terminal, elsewhere a line now and then.
 
 use std::io::{IsTerminal, Write, stderr};
+use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
@@ -53,6 +54,22 @@ pub fn counted<T>(parts: usize, what: &str, work: impl FnOnce(&(dyn Fn() + Sync)
     };
     let count = || _ = done.fetch_add(1, Ordering::Relaxed);
     watched(how_far, || work(&count))
+}
+
+/// The parts of a work, in their order, done on all processors: each takes the next part as soon as it is free.
+pub fn on_all_processors<T: Send>(parts: usize, part: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    let next = AtomicUsize::new(0);
+    let taken = || Some(next.fetch_add(1, Ordering::Relaxed)).filter(|&n| n < parts);
+    let some = || Vec::from_iter(std::iter::from_fn(|| taken().map(|n| (n, part(n)))));
+    let mut all = std::thread::scope(|scope| {
+        let processors = std::thread::available_parallelism().map_or(1, usize::from);
+        let threads = Vec::from_iter((0..processors).map(|_| scope.spawn(some)));
+        let done = threads.into_iter().map(|thread| thread.join());
+        done.flat_map(|done| done.unwrap_or_else(|panic| resume_unwind(panic)))
+            .collect::<Vec<_>>()
+    });
+    all.sort_by_key(|&(n, _)| n);
+    all.into_iter().map(|(_, done)| done).collect()
 }
 
 /// Steps of a bar.

@@ -19,11 +19,14 @@ pub struct ConvexBody {
     pub(super) center: Vector3<f64>,
 }
 
-/// The inverse, formed in units of the matrix's size: a product of three entries may leave the range of doubles.
+/// The inverse, by Cramer's rule in units of its size: a product of three entries may leave the range of doubles.
 #[inline]
 pub(super) fn inverse(matrix: &Matrix3<f64>) -> Option<Matrix3<f64>> {
     let unit = power_of_two_below(matrix.trace()).recip();
-    (matrix * unit).try_inverse().map(|m| m * unit)
+    let [a, b, c] = [0, 1, 2].map(|n| matrix.column(n) * unit);
+    let cofactors = Matrix3::from_columns(&[b.cross(&c), c.cross(&a), a.cross(&b)]);
+    let determinant = a.dot(&cofactors.column(0));
+    (determinant != 0.0).then(|| cofactors.transpose() / determinant * unit)
 }
 
 impl ConvexBody {

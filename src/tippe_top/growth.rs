@@ -185,14 +185,18 @@ const MOST_SWEEPS: usize = 1000;
 /// is mirrored in an oblique plane, which leaves them as they are; where that stalls as well, they are refused.
 fn eigenvalues<const N: usize>(matrix: &SMatrix<f64, N, N>) -> Result<[Complex<f64>; N]> {
     // Of any size, which is compiled once.
-    let found = |matrix: SMatrix<f64, N, N>| {
-        let matrix = DMatrix::from_column_slice(N, N, matrix.as_slice());
+    let matrix = DMatrix::from_column_slice(N, N, matrix.as_slice());
+    let found = |matrix: DMatrix<f64>| {
         let schur = Schur::try_new(matrix, f64::EPSILON, MOST_SWEEPS)?;
         <[_; N]>::try_from(schur.complex_eigenvalues().as_slice()).ok()
     };
-    let normal = SVector::<f64, N>::from_fn(|i, _| 1.0 / (1.0 + i as f64));
-    let mirror = SMatrix::identity() - normal * normal.transpose() * (2.0 / normal.norm_squared());
-    let values = found(*matrix).or_else(|| found(mirror * matrix * mirror));
+    let mirrored = |matrix: &DMatrix<f64>| {
+        let normal = DMatrix::from_fn(N, 1, |i, _| 1.0 / (1.0 + i as f64));
+        let square = normal.norm_squared();
+        let mirror = DMatrix::identity(N, N) - &normal * normal.transpose() * (2.0 / square);
+        &mirror * matrix * &mirror
+    };
+    let values = found(matrix.clone()).or_else(|| found(mirrored(&matrix)));
     // Their squares may leave the range of doubles where the matrix does not.
     let values = values.filter(|values| values.iter().all(|value| value.is_finite()));
     let condition = "the eigenvalues of the linearised equations must be found, of size";

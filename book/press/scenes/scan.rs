@@ -6,13 +6,13 @@ use std::path::Path;
 
 use figures::Figure;
 use figures::own::{Quantity, diagram, map};
-use rayon::prelude::*;
 use serde_json::{Value as Json, json};
 use spinning_bodies::scene::{Column, files};
 
 use super::output::Format;
 use super::plot::quantity;
 use super::{Motion, source, stem};
+use crate::progress::on_all_processors;
 use crate::writer::tell;
 use crate::{Error, Result};
 
@@ -269,13 +269,12 @@ impl Scan {
     /// Warnings go to standard error.
     fn ran(&self, done: impl Fn() + Sync) -> (Vec<Point>, Result<()>) {
         self.warn();
-        let points = (0..self.points()).into_par_iter().map(|point| {
+        let points: Vec<Point> = on_all_processors(self.points(), |point| {
             let varied = self.varied(point);
             let outcome = self.outcome(&varied);
             done();
             (varied, outcome)
         });
-        let points: Vec<Point> = points.collect();
         let refusals = || points.iter().filter_map(|point| point.1.as_ref().err());
         let (refused, all) = (refusals().count(), points.len());
         let ran = match refusals().next() {

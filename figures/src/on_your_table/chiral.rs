@@ -109,7 +109,7 @@ pub fn section(_: &Values) -> Result<Figure> {
         "Two circles, each with a large empty ellipse inside that nearly touches it, and whose dashed long axis leans. In both the centre of mass C lies a little below the centre K of the circle."
     );
     let drawn = figure("printed-top", 300.0, words, |pen| {
-        let inverse = (map * map.transpose()).try_inverse();
+        let ellipsoid = (map * map.transpose()).cholesky();
         for (k, across) in [Vector::x(), Vector::y()].into_iter().enumerate() {
             let center = [150.0 + 300.0 * k as f64, 138.0];
             let scale = 122.0;
@@ -118,7 +118,7 @@ pub fn section(_: &Values) -> Result<Figure> {
             let angles = (0..120).map(|n| TAU * f64::from(n) / 120.0);
             let outline = angles.filter_map(|angle| {
                 let way = along(angle);
-                let reach = scale / (way.dot(&(inverse? * way))).sqrt();
+                let reach = scale / way.dot(&ellipsoid.as_ref()?.solve(&way)).sqrt();
                 Some(polar(middle, reach, angle))
             });
             let outline: Vec<Point> = outline.collect();

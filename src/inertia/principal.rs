@@ -206,7 +206,7 @@ fn refine_small_moments<N: Number>(
     if sizes[apart] < NEEDLE * sizes[low].max(sizes[high]) {
         // v (1 − v (trace − v)/squares) = cube/squares; the other two moments lie so close that 4 · whole · slope is at most 3/4.
         let whole = cube.ratio(squares);
-        let slope = (moments[low] + moments[high]) / squares.narrow().value();
+        let slope = N::from_double(moments[low] + moments[high]).ratio(squares);
         moments[apart] = 2.0 * whole / (1.0 + (1.0 - 4.0 * whole * slope).sqrt());
         return;
     }

@@ -90,12 +90,11 @@ fn the_smallest_moment_of_a_needle_is_right_to_its_own_digits() {
 /// Of a graded matrix, D A D with a diagonal D and a well-conditioned A, each moment is right to its own digits, and each axis is the one of its moment.
 #[test]
 fn every_moment_of_a_graded_matrix_is_right_to_its_own_digits() {
-    let (mut seen, mut worst) = (0, 0.0_f64);
+    let mut seen = 0;
     for (_, a, exact) in table().filter(|(kind, ..)| *kind == "graded") {
         let found = principal_axes_of(&a).unwrap();
         for (moment, exact) in found.moments.into_iter().zip(exact) {
             let off = ((Dd::from(moment) - exact).value() / exact.value()).abs();
-            worst = worst.max(off);
             observed!(off, 0.0..=2e-15, "{a}: {moment:e} is off by {off:e}");
         }
         // Where all three moments are a million apart, each axis is that of the diagonal entry next to its moment.
@@ -132,9 +131,7 @@ fn principal_axes_of_a_hundred_thousand_matrices() {
         let a = r * diagonal * r.transpose();
         let a = a * 0.5 + a.transpose() * 0.5;
         let found = assert_promises(kind, &a, eigenvalues(a.into()));
-        for (worst, found) in worst.iter_mut().zip(found) {
-            *worst = worst.max(found);
-        }
+        worst = core::array::from_fn(|k| worst[k].max(found[k]));
     }
     // Two-sided: observed on the reference platform, moments, axes, residual.
     for (worst, observed) in worst.into_iter().zip([9.0e-16, 9.0e-16, 9.5e-16]) {
@@ -145,10 +142,15 @@ fn principal_axes_of_a_hundred_thousand_matrices() {
 #[test]
 fn principal_axes_do_not_know_the_unit() -> Result<()> {
     let mut uniform = Uniform(101);
-    for _ in 0..200 {
+    for n in 0..200 {
         let s = [0; 3].map(|_| uniform.next());
         let body = InertiaMatrix::diagonal(s[1] + s[2], s[2] + s[0], s[0] + s[1])?;
-        let a = body.rotated(&uniform.attitude()).matrix();
+        let mut a = body.rotated(&uniform.attitude()).matrix();
+        if n % 2 == 1 {
+            // A needle that is bent by next to nothing.
+            a = Matrix3::from_diagonal(&Vector3::new(1e-3 * s[1], 1.0, 1.0 + s[2]));
+            (a.m12, a.m21) = (1e-90, 1e-90);
+        }
         let plain = principal_axes_of(&a)?;
         // 2^±664 is about 10^±200.
         for power in [-664, -332, 332, 664] {
@@ -166,8 +168,7 @@ fn principal_axes_of_degenerate_matrices() -> Result<()> {
     let frame = |diagonal: [f64; 3]| principal_axes_of(&Matrix3::from_diagonal(&diagonal.into()));
     for moment in [0.0, 1.0, 1e-200, 5e-324, 1e300] {
         let sphere = frame([moment; 3])?;
-        assert_eq!(sphere.axes, Matrix3::identity());
-        assert_eq!(sphere.moments, [moment; 3]);
+        assert!(sphere.axes == Matrix3::identity() && sphere.moments == [moment; 3]);
     }
     let graded = frame([1e40, 1e-40, 1.0])?;
     assert_eq!(graded.moments, [1e-40, 1.0, 1e40]);

@@ -35,6 +35,18 @@ impl Number for DoubleDouble {
     }
 
     #[inline(always)]
+    fn product(a: f64, b: f64) -> Self {
+        let (high, low) = quick::exact_product(a, b);
+        Self::new(high, low)
+    }
+
+    #[inline]
+    fn times(self, factor: f64) -> Self {
+        let leading = Self::product(self.high(), factor);
+        Self::ordered_sum(leading.high(), leading.low() + self.low() * factor)
+    }
+
+    #[inline(always)]
     fn quick_product(self, b: Self) -> Self {
         let (high, error) = quick::exact_product(self.high(), b.high());
         let cross = self.high() * b.low() + self.low() * b.high();

@@ -58,7 +58,7 @@ pub(crate) trait Number: Operators + From<DoubleDouble> {
         (self - other).leading() > 0.0
     }
 
-    /// a b, exactly, for doubles whose product and trailing word stay in range.
+    /// a b, exactly, for doubles below 10³⁰⁰ whose product and trailing word stay in range.
     #[inline]
     fn product(a: f64, b: f64) -> Self {
         Self::from_double(a).times(b)

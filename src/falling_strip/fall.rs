@@ -275,24 +275,27 @@ impl Fall {
                 continue;
             }
             // By bisection on the cubic through values and rates.
-            let still = |t| Ok((self.between(from, to, t)[component] > 0.0) == falling);
+            let between = self.between(from, to);
+            let still = |t| Ok((between(t)[component] > 0.0) == falling);
             let [time, _] = halved([from.0, to.0], 1e-12 * (to.0 - from.0), still)?;
-            let at = (time, self.between(from, to, time));
+            let at = (time, between(time));
             crossings.push(Passage { at, falling });
         }
         Ok(crossings)
     }
 
-    /// The state between two samples, by the cubic through their values and rates.
-    fn between(&self, (begin, from): &Sample, (end, to): &Sample, time: f64) -> [f64; 7] {
+    /// The state at a time between two samples, by the cubic through their values and rates.
+    fn between(&self, (begin, from): &Sample, (end, to): &Sample) -> impl Fn(f64) -> [f64; 7] {
         let step = end - begin;
-        let s = (time - begin) / step;
         let rates = [from, to].map(|state| self.equations.rate(0.0, state));
-        core::array::from_fn(|i| {
-            let rise = to[i] - from[i];
-            let bend = [step * rates[0][i] - rise, rise - step * rates[1][i]];
-            from[i] + s * rise + s * (1.0 - s) * ((1.0 - s) * bend[0] + s * bend[1])
-        })
+        move |time| {
+            let s = (time - begin) / step;
+            core::array::from_fn(|i| {
+                let rise = to[i] - from[i];
+                let bend = [step * rates[0][i] - rise, rise - step * rates[1][i]];
+                from[i] + s * rise + s * (1.0 - s) * ((1.0 - s) * bend[0] + s * bend[1])
+            })
+        }
     }
 }
 

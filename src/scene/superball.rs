@@ -107,7 +107,7 @@ impl Tabulated for Bouncing {
             "velocity", "m/s", "velocity along the floor" => state.ball.motion.velocity;
             "climb", "m/s", "velocity upward" => state.ball.climb;
             "rim_speed", "m/s", "radius times angular velocity, positive as in rolling" => state.ball.motion.rim_speed;
-            "bounces", "1", "bounces so far" => state.ball.bounces as f64;
+            "bounces", "1", "bounces so far; of infinitely many, those told apart" => state.ball.bounces as f64;
             "energy", "J", "kinetic energy, and of the weight above the floor" => state.energy;
         }
     }

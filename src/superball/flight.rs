@@ -19,7 +19,7 @@ pub struct InFlight {
     pub climb: f64,
     /// Velocity along the floor and rim speed, m/s.
     pub motion: Motion<f64>,
-    /// Bounces so far.
+    /// Bounces so far; of infinitely many, those that could be told apart from the end.
     pub bounces: u64,
 }
 

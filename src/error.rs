@@ -128,7 +128,7 @@ pub enum Error {
     /// A motion lost a quantity that its scene conserves, or let one rise that can only fall.
     #[error(
         "the ledger is violated: {quantity} drifted by {} relative to its scale, more than the {} allowed",
-        Number(*drift), Number(*allowed)
+        estimated(*drift), Number(*allowed)
     )]
     Ledger {
         /// Name of the quantity.
@@ -141,7 +141,7 @@ pub enum Error {
     /// No method at hand reaches the accuracy asked for.
     #[error(
         "accuracy {} was asked for, but in double precision this motion allows no better than {}",
-        Number(*asked), Number(*reached)
+        Number(*asked), estimated(*reached)
     )]
     Accuracy {
         /// Relative accuracy asked for.
@@ -152,7 +152,7 @@ pub enum Error {
     /// A run has used up its budget of evaluations, or would need it many times over.
     #[error(
         "after {spent} of the {most} evaluations allowed, the motion has come to t = {time:?} s; at this pace the run would take {} of them: ask for a looser accuracy, an earlier end, fewer effects or another solver",
-        Number(whole.round())
+        estimated(*whole)
     )]
     Budget {
         /// Evaluations used.
@@ -183,7 +183,7 @@ pub enum Error {
     /// A motion that amplifies rounding beyond the accuracy asked for.
     #[error(
         "accuracy {} is out of reach, {} was reached: rounding adds up, and in this motion a small change of the start grows {} times; a looser accuracy or an earlier end may do",
-        Number(*asked), Number(*reached), Number(*growth)
+        Number(*asked), estimated(*reached), estimated(*growth)
     )]
     Amplified {
         /// Accuracy asked for.
@@ -226,6 +226,11 @@ impl fmt::Display for Number {
             write!(f, "{value:e}")
         }
     }
+}
+
+/// A number that is known to a digit or two, rounded to three.
+fn estimated(value: f64) -> Number {
+    Number(format!("{value:.2e}").parse().unwrap_or(value))
 }
 
 /// The result of every function in this library that can fail.

@@ -451,7 +451,7 @@ impl OnTable<'_> {
     }
 
     /// A twin's laws and start: its reaction and the couple of the tug are a little greater, its push and its rim speed a little less; the speeds of the
-    /// sheet are changed in turn, and its velocity and its inertia factor are greater for `sense` 1, less for −1.
+    /// sheet are changed in turn, and its velocity and its inertia factor are greater for `sense` 1, less for −1. What starts without slip does so in a twin too.
     fn twin(&self, sense: f64) -> (Laws, Moment) {
         let (mut laws, mut start) = (self.laws.clone(), self.start);
         laws.sheet = laws.sheet.map(|sheet| sheet.moved(sense * MOVED));
@@ -460,7 +460,10 @@ impl OnTable<'_> {
         laws.load.twist *= 1.0 + 0.6 * MOVED;
         laws.kappa *= 1.0 + 0.5 * sense * MOVED;
         let faster = 0.8 * sense * MOVED * start.velocity;
-        let slower = -0.9 * MOVED * start.rim_speed;
+        let slower = match start.slip {
+            0.0 => faster,
+            _ => -0.9 * MOVED * start.rim_speed,
+        };
         start.velocity += faster;
         start.rim_speed += slower;
         start.slip += faster - slower;

@@ -53,7 +53,7 @@ impl Turn {
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive), [`Error::Negative`](crate::Error::Negative); [`Error::Condition`](crate::Error::Condition) if the spin is less than after
-    /// a fall of one radius of the axle: then the yo-yo swings rather than turns.
+    /// a fall of one radius of the axle: the yo-yo would climb no higher than that, and is said to hang.
     ///
     /// ```
     /// use spinning_bodies::yo_yo::{Turn, YoYo};

@@ -30,9 +30,13 @@ pub(super) enum Inertia {
 }
 
 impl Matter {
-    /// The key of the matrix.
+    /// The key of the inertia.
     pub fn key(&self) -> &'static str {
-        self.moments.map_or("body.inertia", |_| "body.moments")
+        match (&self.shape, self.moments) {
+            (Some(_), _) => "body.shape",
+            (None, Some(_)) => "body.moments",
+            (None, None) => "body.inertia",
+        }
     }
 
     pub fn inertia(&self, file: &Reader<'_>) -> Option<Inertia> {
@@ -51,7 +55,8 @@ impl Matter {
                 let expected = "`moments` or `inertia` in kg m², or a `shape`";
                 file.missing("body.moments", expected)
             }
-            (Some(_), ..) => file.wrong(self.key(), FOLLOWS),
+            (Some(_), Some(_), _) => file.wrong("body.moments", FOLLOWS),
+            (Some(_), ..) => file.wrong("body.inertia", FOLLOWS),
             (None, Some(_), Some(_)) => file.exclude("body.moments", "inertia"),
         }
     }
@@ -259,7 +264,7 @@ section! { Racket
 // Sizes of a ball without a cap; the origin is the centre of the ball.
 section! { WithoutCap
     radius: f64, "the radius in m", Positive;
-    cut: f64, "the place of the cut on axis 3 in m from the centre of the ball, which is the origin; what is above is missing";
+    cut: f64, "the place of the cut on axis 3 in m from the centre of the ball, which is the origin; what is above is missing, but on a table it stands and rolls on the whole ball";
 }
 
 fn without_cap(file: &Reader<'_>, WithoutCap { radius, cut }: WithoutCap) -> Option<Shape> {

@@ -12,7 +12,7 @@ use crate::scene::shape::{Cat, Crawler, PaperCat, Skater, Swivel};
 tables! { SwivelKeys
     [body]
     lower: f64, "a moment in kg m²", Positive;
-    upper: f64, "a moment in kg m²", Positive;
+    upper: f64, "a moment until `four_phases` give others, in kg m²", Positive;
     [initial]
     angular_momentum: f64 = 0.0, "an angular momentum in kg m²/s";
     [effects]
@@ -222,7 +222,7 @@ keys! { Strokes
 }
 
 section! { GroundFriction
-    coefficient: Coulomb, "a number";
+    coefficient: Coulomb, "a number", NotNegative;
     gravity: Gravity, "an acceleration in m/s²", Positive;
 }
 

@@ -1,5 +1,7 @@
 //! `kind = "meteorite"`, `"roller"`, `"spool"`, `"superball"`: bodies that strike, skid, roll and bounce (4.2 to 4.6).
 
+use core::f64::consts::PI;
+
 use nalgebra::Vector3;
 
 use super::body::{Matter, Round, not_beyond};
@@ -18,7 +20,7 @@ section! { RoundKeys
 section! { Friction
     friction: Option<f64>, "the coefficient of friction of what slides, a ratio", NotNegative;
     static_friction: Option<f64>, "the coefficient of friction of what rolls, a ratio", NotNegative;
-    rolling_resistance: Option<RollingResistance>, "the coefficient of rolling resistance, a ratio";
+    rolling_resistance: Option<RollingResistance>, "the coefficient of rolling resistance, a ratio", NotNegative;
 }
 
 impl RoundKeys {
@@ -58,7 +60,7 @@ tables! { RollerKeys
     sheet_friction: Option<Coulomb>, "the coefficient of friction on the sheet, a ratio", NotNegative;
     sheet_times: Option<Vec<f64>>, "a list of times in s";
     sheet_speeds: Option<Vec<f64>>, "a list of speeds in m/s";
-    sheet_margin: Option<f64>, "the way from the ball to the edge in m", Positive;
+    sheet_margin: Option<f64>, "the way back from the ball to the edge, toward −x, in m", Positive;
 }
 
 impl RollerKeys {
@@ -128,7 +130,7 @@ tables! { SpoolKeys
     gravity: f64, "an acceleration in m/s²", Positive;
     friction: Friction;
     tension: Option<f64>, "a force in N", NotNegative;
-    tug_angle: Option<f64>, "the angle of the string above the horizontal in rad";
+    tug_angle: Option<f64>, "the angle of the string above the horizontal in rad", From(0.0, PI);
 }
 
 pub fn spool(file: &Reader<'_>, given: SpoolKeys) -> Option<AnyScene> {
@@ -168,8 +170,8 @@ tables! { BallKeys
     [effects]
     gravity: Option<Gravity>, "an acceleration in m/s²";
     ceiling: Option<f64>, "the height of the ceiling, less the diameter, in m", Positive;
-    restitution: Option<f64>, "the coefficient of restitution upward, a ratio";
-    tangential_restitution: Option<f64>, "the coefficient of restitution along the floor, a ratio";
+    restitution: Option<f64>, "the coefficient of restitution upward, a ratio", From(0.0, 1.0);
+    tangential_restitution: Option<f64>, "the coefficient of restitution along the floor, a ratio", From(-1.0, 1.0);
     grip: Option<Coulomb>, "the coefficient of friction at a bounce, a ratio";
 }
 

@@ -13,19 +13,19 @@ tables! { TableTopKeys
     stands_on: Shapeless<StandsOn>;
     [initial]
     tilt: Option<f64>, "the angle of the third axis to the vertical in rad";
-    azimuth: Option<f64>, "an angle in rad";
+    azimuth: Option<f64>, "the azimuth of the vertical along the body's axes in rad";
     vertical_spin: Option<f64>, "an angular velocity about the vertical in rad/s";
     axial_spin: Option<f64>, "an angular velocity about the third axis in rad/s";
     attitude: Option<Attitude>, "a unit quaternion w x y z";
     omega: Option<BodyVector>, "an angular velocity in rad/s";
-    velocity: Option<[f64; 3]>, "a velocity in m/s";
+    velocity: Option<[f64; 3]>, "a level velocity in m/s";
     [effects]
     gravity: Option<Gravity>, "an acceleration in m/s²", Positive;
     friction_law: Option<Law>, "";
     friction: Option<f64>, "a coefficient of friction, s/m for the viscous law", NotNegative;
     friction_slip: Option<f64>, "the speed in m/s below which friction fades", Positive;
-    rolling_resistance: Option<f64>, "a coefficient in m s", NotNegative;
-    pivoting_resistance: Option<f64>, "a coefficient in m s", NotNegative;
+    rolling_resistance: Option<f64>, "the couple over reaction and level part of Ω, in m s", NotNegative;
+    pivoting_resistance: Option<f64>, "the couple over reaction and vertical part of Ω, in m s", NotNegative;
 }
 
 // The surface of a body given without a shape.
@@ -120,7 +120,17 @@ impl TableTopKeys {
                 file.wrong("initial.vertical_spin", told)
             }
         }?;
-        let velocity = self.velocity.map_or(start.velocity, Into::into);
+        let velocity = match (self.velocity, self.friction_law) {
+            (Some(_), Some(Law::NoSlip)) => {
+                let told = " follows from the angular velocity where nothing slips";
+                return file.wrong("initial.velocity", told);
+            }
+            (Some([.., climb]), _) if climb != 0.0 => {
+                let told = " must be level, its third number 0: the body begins on the table";
+                return file.wrong("initial.velocity", told);
+            }
+            (given, _) => given.map_or(start.velocity, Into::into),
+        };
         Some(Start { velocity, ..start })
     }
 

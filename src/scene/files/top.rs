@@ -15,10 +15,10 @@ tables! { TopKeys
     angular_momentum: Option<BodyVector>, "an angular momentum in kg m²/s";
     [effects]
     gravity: Option<Gravity>, "an acceleration in m/s²";
-    pivot_friction: Option<PivotFriction>, "a coefficient in N m s";
-    bearing_friction: Option<BearingFriction>, "a coefficient in N m s";
-    air_drag: Option<AirDrag>, "a coefficient in N m s²";
-    tip_friction: Option<TipFriction>, "a torque in N m";
+    pivot_friction: Option<PivotFriction>, "a coefficient in N m s", NotNegative;
+    bearing_friction: Option<BearingFriction>, "a coefficient in N m s", NotNegative;
+    air_drag: Option<AirDrag>, "a coefficient in N m s²", NotNegative;
+    tip_friction: Option<TipFriction>, "a torque in N m", NotNegative;
 }
 
 pub fn top(file: &Reader<'_>, given: TopKeys) -> Option<AnyScene> {

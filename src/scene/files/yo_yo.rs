@@ -17,7 +17,7 @@ tables! { YoYoKeys
     throw: f64 = 0.0, "a speed in m/s", NotNegative;
     [effects]
     gravity: Option<Gravity>, "an acceleration in m/s²", Positive;
-    turn_loss: Option<TurnLoss>, "the part of the spin that a turn leaves", NotNegative;
+    turn_loss: Option<TurnLoss>, "the part of the spin that a turn leaves", From(0.0, 1.0);
     hand: Option<Hand>, "the work of the hand at a turn in J", NotNegative;
     sleep: Option<Sleep>, "a time in s", NotNegative;
     axle_friction: Option<AxleFriction>, "a torque in N m", NotNegative;

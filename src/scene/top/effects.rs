@@ -1,5 +1,7 @@
 //! The top, the effects on it, and its state.
 
+use nalgebra::Matrix3;
+
 use super::body::{Body, Start};
 use crate::error::refused;
 use crate::precise::power_of_two_below;
@@ -131,10 +133,13 @@ impl Top {
         match effect.into() {
             Effect::Gravity(gravity) => self.gravity = Some(gravity),
             Effect::PivotFriction(friction) => self.pivot_friction = Some(friction),
-            Effect::BearingFriction(_) if self.body.own.is_some() => {
-                let condition = "bearing friction is for bodies whose own axes are principal axes, all three products of inertia zero";
-                let angle = self.body.own.map_or(0.0, |own| own.quaternion().angle());
-                return refused(condition, angle);
+            Effect::BearingFriction(_) if let Some(own) = self.body.own => {
+                let condition = "bearing friction is for bodies whose own axes are principal axes, without products of inertia in kg m²";
+                let turn = own.quaternion().to_rotation_matrix();
+                let moments = Matrix3::from_diagonal(&self.body.moments.into());
+                let matrix = turn * moments * turn.inverse();
+                let [xy, xz, yz] = [matrix.m12, matrix.m13, matrix.m23].map(f64::abs);
+                return refused(condition, xy.max(xz).max(yz));
             }
             Effect::BearingFriction(friction) => self.bearing_friction = Some(friction),
             Effect::AirDrag(drag) => self.air_drag = Some(drag),

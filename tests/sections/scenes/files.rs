@@ -96,6 +96,11 @@ fn what_is_wrong_is_told_once() {
     let table_top = "kind = \"table-top\"\n[body]\nmass = 1\nshape = \"ball\"\nradius = 0.1\n\
                      [initial]\ntilt = 0.1\nomega = [1, 2, 3]\n[run]\nuntil = 1\n";
     let angles = "goes with `attitude`, not with `tilt`";
+    let moving = |more| table_top.replace("tilt = 0.1", &format!("velocity = [1, 0, {more}"));
+    let (climbing, rolling) = (
+        moving("2]"),
+        moving("0]").replace("[run]", "[effects]\nfriction_law = \"no-slip\"\n[run]"),
+    );
     let (timeless, blind) = (
         RACKET.replace("[0.0, 5.0]", "[]"),
         format!("{RACKET}columns = []\n"),
@@ -103,6 +108,8 @@ fn what_is_wrong_is_told_once() {
     for (text, line, words) in [
         (roller, 4, "did you mean `radius`?"),
         (table_top, 8, angles),
+        (&climbing, 7, "must be level"),
+        (&rolling, 7, "follows from the angular velocity"),
         (&timeless, 6, "1 to "),
         (&blind, 7, "must name one number at least"),
     ] {

@@ -45,6 +45,19 @@ fn a_lifted_spool_is_refused() {
     refused!(reel().with(Tug::new(2.1, 1.4).unwrap()), NotPositive);
 }
 
+/// The force that rolling takes lies between what holds a spool and what slows one that slides.
+#[test]
+fn a_spool_that_rolls_rolls_on() {
+    let (tension, angle) = (0.5, 0.5_f64);
+    let rolling = TuggedSpool::new(spool(), 9.81).unwrap().moving(0.3, 0.3);
+    let tugged = rolling.with(Tug::new(tension, angle).unwrap()).unwrap();
+    let scene = tugged.with(Coulomb::with_grip(0.1, 0.3).unwrap()).unwrap();
+    let (t, motion) = scene.simulate(&Request::at([1.5]).unwrap()).unwrap().rows[0];
+    let acceleration = tension * (angle.cos() - 0.4) / (0.2 * 1.5);
+    let place = 0.3 * t + 0.5 * acceleration * t * t;
+    assert!((motion.moment.position - place).abs() < 1e-15);
+}
+
 /// At the critical angle pull and twist balance, and what is left is rounding: that is no reason to refuse an answer.
 #[test]
 fn a_spool_at_the_critical_angle_stays() {

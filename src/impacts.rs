@@ -162,7 +162,7 @@ pub struct Strike {
 /// two balances with V' eliminated, solved for the *change* of Ω: even the change by a pebble keeps all its digits.
 /// `at` is not required to lie on a surface, nor the meteorite to come from outside: see [`Strike::closing_speed`].
 ///
-/// Observed error: 3 ulp of the largest component against exact rationals; as many times more where μ|x|² exceeds the moments, for a point far out, and
+/// Observed error: 3 ulp of the largest component against exact rationals; as many times more where μ|x|² exceeds the moments, for a point far out, where the moments differ, and
 /// where |x||w| exceeds |x∧w|, for a hit towards the centre.
 /// Cost: one 3×3 Cholesky solution.
 ///

@@ -4,7 +4,7 @@ use nalgebra::Complex;
 
 use super::constants::{Constants, Root};
 use crate::error::{Result, finite, not_negative, positive};
-use crate::precise::{DoubleDouble, Number};
+use crate::precise::{DoubleDouble, Number, power_of_two_below};
 
 /// The kind of motion, by the position of the five roots e₁ … e₅. All but [`General`](Self::General) and [`EulerSymmetric`](Self::EulerSymmetric) are Appelrot's
 /// classes of *particularly remarkable* motions: they have a double root, at which s₁ or s₂ may rest, or come to rest in infinite time, and the
@@ -130,19 +130,19 @@ impl Diagram {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn cubic_double(&self, energy: f64) -> Result<Option<[f64; 2]>> {
-        let l1 = finite("the energy", energy)? / 3.0;
-        let excess = (self.k - self.c) * (self.k + self.c);
+        // In a unit in which no cube leaves the range of doubles.
+        let unit = power_of_two_below(finite("the energy", energy)?.abs().max(self.greatest()));
+        let [c, k, l1] = [self.c / unit, self.k / unit, energy / unit / 3.0];
+        let excess = (k - c) * (k + c);
         let s_squared = (excess + 3.0 * l1 * l1) / 12.0;
         if s_squared < 0.0 {
             return Ok(None);
         }
         let s = s_squared.sqrt();
         let rest = l1 * (l1 * l1 - excess);
-        let square = self.c * self.c;
         // h = (2l)².
-        Ok(Some(
-            [s, -s].map(|s| 4.0 * (rest - 8.0 * s_squared * s) / square),
-        ))
+        let h = |s: f64| 4.0 * (rest - 8.0 * s_squared * s) / (c * c) * unit;
+        Ok(Some([h(s), h(-s)]))
     }
 
     /// The five roots at a point of the diagram, 1/s².
@@ -158,21 +158,26 @@ impl Diagram {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn roots(&self, energy: f64, h: f64) -> Result<[Complex<f64>; 5]> {
-        let wide = DoubleDouble::from;
-        let l1 = wide(finite("the energy", energy)?) / wide(3.0);
-        let l = wide(not_negative("the square of L_vert/I3", h)?)
-            .square_root()
-            .scaled(0.5);
-        let k = wide(self.k);
-        let d = DoubleDouble::product(self.c, self.c) - k * k;
+        let energy = finite("the energy", energy)?;
+        let h = not_negative("the square of L_vert/I3", h)?;
+        let unit = power_of_two_below(energy.abs().max(h).max(self.greatest()));
+        let wide = |number: f64| DoubleDouble::from(number / unit);
+        let l1 = wide(energy) / DoubleDouble::from(3.0);
+        let l = wide(h).square_root().scaled(0.5);
+        let [c, k] = [self.c, self.k].map(wide);
+        let d = c * c - k * k;
         let constants = Constants {
-            c: wide(self.c),
+            c,
             l1,
             l,
             k,
             d,
             upright: false,
         };
-        Ok(constants.roots().map(|root| root.value()))
+        Ok(constants.roots().map(|root| root.value() * unit))
+    }
+
+    fn greatest(&self) -> f64 {
+        self.c.max(self.k)
     }
 }

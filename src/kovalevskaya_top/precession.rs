@@ -45,6 +45,8 @@ const AGREEING: f64 = 1e-9;
 
 /// Where the sine of the tilt and K are both below this, the rounding of their directions would cost digits of the attitude.
 const POINTING: f64 = 1e-3;
+/// The sine of a tilt below which the azimuth of the third axis may be off by a quarter turn.
+const UPRIGHT: f64 = 1e-8;
 
 impl Precession {
     pub fn find(
@@ -162,7 +164,11 @@ impl Precession {
     ) -> [Complex; 3] {
         let functions = self.family.at(self.exact.halved(t), &self.places, [0, 0]);
         let [a, b, c, d] = functions.map(|[a, b]| a[0] + b[0]);
-        let [plus, minus] = [a * b, c * d].map(|product| product / product.norm());
+        let [plus, minus] = [a * b, c * d].map(|product| match product.norm() {
+            // Upright, to the last digit: it has no phase.
+            0.0 => product,
+            size => product / size,
+        });
         let turn = UnitQuaternion::new_unchecked(attitude).to_rotation_matrix();
         let [first, second, third] =
             [0, 1, 2].map(|axis| Complex::new(turn[(0, axis)], turn[(1, axis)]));
@@ -217,7 +223,9 @@ impl Precession {
         } else {
             third
         };
-        (about_third(angle) * upright, tilt.max(size))
+        // Where the third axis has no azimuth at all, half turns remain unknown.
+        let sharpness = if tilt < UPRIGHT { tilt } else { tilt.max(size) };
+        (about_third(angle) * upright, sharpness)
     }
 }
 

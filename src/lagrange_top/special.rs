@@ -436,7 +436,7 @@ pub struct Apsides {
 /// The advance of the apsides of a spherical pendulum between the angles a ≤ b, exactly and by the small-swing law (3/8)ab·π (7.6).
 ///
 /// Both angles in radians from the downward vertical; the ellipse turns in the direction of the bob. Independent of gravity. The exact
-/// advance is a difference from π, with an absolute error of some 10⁻¹⁵ rad. The law is too small by a fraction of about b²/6.
+/// advance is a difference from π, with an absolute error of some 10⁻¹⁵ rad, and of 10⁻¹⁵/(π − b)² where b is close to π. The law is too small by a fraction of about b²/6.
 /// Domain as [`pendulum_between`]. Cost: preparing one Lagrange top.
 ///
 /// # Errors

@@ -81,7 +81,7 @@ impl PaperCat {
     }
 
     /// Extra fall, m, before a cat at terminal speed rights itself, for each factor of ten by which its start is closer to upside down:
-    /// v_t ln 10/λ, where λ is the rate at which the deviation grows, mk²λ² + c v_t λ = mgd. For a positive lever; otherwise no deviation grows, and the result is infinite.
+    /// v_t ln 10/λ, where λ is the rate at which the deviation grows, mk²λ² + c v_t λ = mgd. For a positive lever in air; otherwise no deviation grows, and the result is infinite.
     ///
     /// ```
     /// use spinning_bodies::phenomena::PaperCat;
@@ -91,14 +91,18 @@ impl PaperCat {
     /// // With its weight above the centre of pressure it stays upside down.
     /// let heavy_back = PaperCat { lever: -6e-3, ..PaperCat::POSTCARD };
     /// assert_eq!(heavy_back.fall_per_decade(1.2, 9.81), f64::INFINITY);
+    /// assert_eq!(PaperCat::POSTCARD.fall_per_decade(0.0, 9.81), f64::INFINITY);
     /// ```
     pub fn fall_per_decade(&self, air: f64, g: f64) -> f64 {
         let speed = self.terminal_speed(air, g);
         let moment = self.mass * self.gyration.powi(2);
         let half = 0.5 * self.grip(air) * speed * self.damping / moment;
-        let stiffness = self.mass * g * self.lever.clamp(0.0, f64::INFINITY) / moment;
+        let stiffness = self.mass * g * self.lever.max(0.0) / moment;
         // The positive root, formed without a difference.
         let rate = stiffness / (half + (half * half + stiffness).sqrt());
-        speed * core::f64::consts::LN_10 / rate
+        match stiffness > 0.0 && speed < f64::INFINITY {
+            true => speed * core::f64::consts::LN_10 / rate,
+            false => f64::INFINITY,
+        }
     }
 }

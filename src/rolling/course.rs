@@ -34,7 +34,7 @@ impl Course {
     /// The course of a body of inertia factor `kappa`, from `start`, up to the time `until` (s), under the friction of the table, rolling resistance
     /// and a sheet, each if it is there.
     ///
-    /// `start.slip` is used as given; it must be V − RΩ − (speed of the ground). Each stretch is a closed form, so that only rounding
+    /// `start.slip` is used as given; it must be V − RΩ − (speed of the ground before any jump at time 0). Each stretch is a closed form, so that only rounding
     /// remains. Observed difference from DOP853 with events: 3e-15 of the largest speed. Cost: a few microseconds a course.
     ///
     /// # Errors

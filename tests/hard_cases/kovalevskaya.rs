@@ -136,6 +136,15 @@ fn appelrots_classes_in_their_diagram() {
     let flat = Diagram::new(1.0, 0.0).expect("a diagram");
     let roots = flat.roots(0.9, 0.5).expect("roots");
     assert_eq!(roots[3], roots[4]);
+    // Units that cubes leave: at powers of two the same bits.
+    let [here, far] = [1.0, 2f64.powi(400)].map(|unit| {
+        let scaled = Diagram::new(unit, 0.4 * unit).expect("a diagram");
+        let roots = scaled.roots(1.5 * unit, 0.7 * unit).expect("roots");
+        let curve = scaled.cubic_double(2.0 * unit).expect("finite");
+        let curve = curve.expect("real").map(|h| h / unit);
+        (roots.map(|root| root / unit), curve)
+    });
+    assert_eq!(here, far);
     assert!(Diagram::new(0.0, 1.0).is_err() && Diagram::new(1.0, -1.0).is_err());
     assert!(flat.roots(f64::NAN, 1.0).is_err() && flat.cubic_double(f64::INFINITY).is_err());
 }
@@ -160,6 +169,18 @@ fn delaunays_case_stays_delaunays() {
         let [motion, attitude] = compared(&top, &[1.0, 10.0]);
         observed!(motion, 4e-16..=2e-14, "{motion:e} {attitude:e}");
         observed!(attitude, 9e-16..=4e-14, "{motion:e} {attitude:e}");
+    }
+}
+
+#[test]
+fn a_moment_after_an_upright_start_nothing_has_turned() {
+    for n in 1..60 {
+        let x = f64::from(n);
+        let top = top([x.sin(), (2.0 * x).cos(), (3.0 * x).sin()], [0.0, 0.0, 1.0]);
+        let attitude = |t| top.at(t).expect("a state").attitude;
+        for t in [5.6e-17, 1e-15, -1e-14, 1e-13] {
+            assert!(attitude(t).angle_to(&attitude(0.0)) < 1e-12, "{n} {t}");
+        }
     }
 }
 

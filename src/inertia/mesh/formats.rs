@@ -21,7 +21,8 @@ use crate::error::{Error, Result, each_finite, not_empty, refused};
 pub fn mesh_of_stl(bytes: &[u8]) -> Result<Mesh> {
     let count = bytes.get(80..84).and_then(|count| count.try_into().ok());
     let count = count.map_or(0, |count| u32::from_le_bytes(count) as usize);
-    let corners: Vec<Result<[f64; 3]>> = if bytes.len() == 84 + 50 * count {
+    let binary = bytes.len() == 84 + 50 * count;
+    let corners: Vec<Result<[f64; 3]>> = if binary {
         let coordinate = |at: &[u8]| <[u8; 4]>::try_from(at).map_or(f32::NAN, f32::from_le_bytes);
         // A triangle has fifty bytes: twelve for its normal, 36 for its corners, two without a meaning.
         let triangles = bytes[84..].chunks_exact(50);
@@ -29,7 +30,7 @@ pub fn mesh_of_stl(bytes: &[u8]) -> Result<Mesh> {
         let corner = |corner: &[u8]| [0, 4, 8].map(|k| f64::from(coordinate(&corner[k..k + 4])));
         corners.map(|at| checked(corner(at))).collect()
     } else {
-        // Line breaks carry no meaning: a file may be a single line. The solid's name, which may be any words, comes before the first facet.
+        // Line breaks carry no meaning: a file may be a single line. The solid's name, of any words but `facet`, comes before the first facet.
         let text = String::from_utf8_lossy(bytes);
         let mut words = text.split_whitespace().skip_while(|word| *word != "facet");
         let mut corners = Vec::new();
@@ -39,7 +40,7 @@ pub fn mesh_of_stl(bytes: &[u8]) -> Result<Mesh> {
         corners
     };
     let text = bytes.trim_ascii_start().starts_with(b"solid");
-    if corners.is_empty() && !text && !bytes.is_empty() {
+    if corners.is_empty() && !binary && !text && !bytes.is_empty() {
         let condition = "an STL file must be text that begins with `solid`, or have 84 bytes and 50 for each triangle that it counts";
         return refused(condition, bytes.len() as f64);
     }
@@ -76,9 +77,10 @@ pub fn mesh_of_stl(bytes: &[u8]) -> Result<Mesh> {
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn mesh_of_obj(text: &str) -> Result<Mesh> {
-    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+    let (mut vertices, mut triangles, mut faces) = (Vec::new(), Vec::new(), 0);
     for line in text.lines() {
-        let mut words = line.split_whitespace();
+        let said = line.split('#').next().unwrap_or_default();
+        let mut words = said.split_whitespace();
         let kind = words.next();
         if kind == Some("v") {
             vertices.push(at_place(vertices.len(), coordinates(words))?);
@@ -88,13 +90,13 @@ pub fn mesh_of_obj(text: &str) -> Result<Mesh> {
                 number if number < 0 => u32::try_from(vertices.len() as i64 + number).ok(),
                 number => u32::try_from(number - 1).ok(),
             };
-            let corners: Option<Vec<u32>> = words.map(index).collect();
-            let corners = corners
-                .filter(|corners| corners.len() >= 3)
-                .ok_or(Error::Empty {
-                    quantity: "the list of a face's vertices",
-                });
-            let corners = at_place(triangles.len(), corners)?;
+            let numbers: Vec<Option<u32>> = words.map(index).collect();
+            let condition = "a face must have three vertices or more, numbered from 1 or, negative, back from the last";
+            let known = numbers.iter().flatten().count() as f64;
+            let corners: Option<Vec<u32>> = numbers.into_iter().collect();
+            let corners = corners.filter(|corners| corners.len() >= 3);
+            let corners = at_place(faces, corners.map_or_else(|| refused(condition, known), Ok))?;
+            faces += 1;
             let fan = corners[1..].windows(2);
             triangles.extend(fan.map(|pair| [corners[0], pair[0], pair[1]]));
         }

@@ -294,6 +294,13 @@ fn s4_6_a_ball_that_lies_on_the_floor() {
         assert_eq!(touches.exact(1.25).unwrap().bounces, 1);
     }
     let effects = (WEIGHT, None, None);
+    for room in (1..200).map(|n| 0.03 * f64::from(n)) {
+        let drop = thrown(room, 0.0, 1.0, 0.0);
+        let ball = Flight::new(0.4, room, effects, drop).unwrap();
+        // Down, up, and half-way down again.
+        let end = ball.followed(&[2.5 * (2.0 * room / 9.81).sqrt()]).unwrap()[0];
+        assert_eq!(end.bounces, 1, "{room}");
+    }
     let lies = |v, w| Flight::new(0.4, 1.0, effects, thrown(0.0, 0.0, v, w)).unwrap();
     let rolls = lies(0.5, 0.5).exact(3.0).unwrap();
     assert_eq!((rolls.height, rolls.climb, rolls.bounces), (0.0, 0.0, 0));

@@ -6,6 +6,7 @@ use super::body::MassProperties;
 use super::matrix::{InertiaMatrix, SLACK_OF_SUMS};
 use crate::error::{Error, Result, not_empty, positive};
 use crate::frame::BodyVector;
+use crate::precise::{Extended, Number, shifted};
 
 mod formats;
 mod icosphere;
@@ -13,7 +14,7 @@ mod sums;
 
 pub use formats::{mesh_of_obj, mesh_of_stl};
 pub use icosphere::{Mesh, icosphere};
-use sums::{PAIRS, Scale, Sums, Surface};
+use sums::{PAIRS, Sums, Surface};
 
 /// Mass properties of the homogeneous body that a closed triangle mesh encloses (2.6, 2.7).
 ///
@@ -56,42 +57,43 @@ pub fn mesh_mass_properties(
     let first = triangles.first().ok_or(Error::Empty {
         quantity: "the list of triangles",
     })?;
-    let surface = Surface {
+    // A number out of range is refused by the sums, as for every other triangle.
+    let apex = vertices.get(first[0] as usize).copied().unwrap_or_default();
+    let mut surface = Surface {
         vertices,
         triangles,
-        // A number out of range is refused by the sums, as for every other triangle.
-        apex: vertices.get(first[0] as usize).copied().unwrap_or_default(),
+        apex,
     };
-    let mut scale = Scale::ONE;
-    let mut total = surface.sums(scale)?;
+    let scaled;
+    let mut exponent = 0;
+    let mut total = surface.sums()?;
     if total.edges != 0 {
         surface.all_finite()?;
         return Err(Error::OpenMesh);
     }
     if !total.in_normal_range() {
         surface.all_finite()?;
-        scale = Scale::fitting(&surface);
-        total = surface.sums(scale)?;
+        (scaled, exponent) = surface.scaled();
+        (surface.vertices, surface.apex) = (&scaled, [0.0; 3]);
+        total = surface.sums()?;
     }
-    require_volume(&total, scale, &surface)?;
-    mass_properties(&total, scale, surface.apex, density)
+    require_volume(&total, exponent, &surface)?;
+    mass_properties(&total, exponent, apex, density)
 }
 
-/// Refuses a mesh whose volume is negative, or no greater than rounding can make that of a flat one.
-fn require_volume(total: &Sums, scale: Scale, surface: &Surface) -> Result<()> {
+/// Refuses a mesh whose volume is negative, or no greater than rounding can make that of a flat one. Lengths are in 2^exponent metres.
+fn require_volume(total: &Sums, exponent: i32, surface: &Surface) -> Result<()> {
     let determinant = total.determinant;
     let refuse = |hint| {
-        Err(Error::NoVolume {
-            volume: scale.restore(determinant / 6.0, 3),
-            hint,
-        })
+        let volume = shifted(determinant / 6.0, 3 * exponent);
+        Err(Error::NoVolume { volume, hint })
     };
     // Only a body that is very thin for its size can be a flat mesh plus rounding; the mean square distance from the
     // apex, (tr S)/V, tells the size.
     let size = (total.trace() / determinant).abs().sqrt();
     // False for NaN, from a determinant of zero, too.
     let clearly_solid = determinant.abs() > 1e-6 * size * size * size;
-    if !clearly_solid && determinant.abs() <= surface.largest_rounding_of_volume(scale) {
+    if !clearly_solid && determinant.abs() <= surface.largest_rounding_of_volume() {
         return refuse("; its triangles lie in one plane");
     }
     if determinant < 0.0 {
@@ -103,7 +105,7 @@ fn require_volume(total: &Sums, scale: Scale, surface: &Surface) -> Result<()> {
 /// Mass, centre and inertia about the centre, from the ten sums.
 fn mass_properties(
     total: &Sums,
-    scale: Scale,
+    exponent: i32,
     apex: [f64; 3],
     density: f64,
 ) -> Result<MassProperties> {
@@ -116,9 +118,13 @@ fn mass_properties(
     let [xx, yy, zz] = [0, 1, 2].map(|k| about_center(k).max(0.0));
     let [xy, xz, yz] = [3, 4, 5].map(about_center);
     let matrix = Matrix3::new(yy + zz, -xy, -xz, -xy, zz + xx, -yz, -xz, -yz, xx + yy);
-    let mass = positive("the mass", scale.restore_times(density, volume, 3))?;
-    let inertia = matrix.map(|entry| scale.restore_times(density, entry, 5));
-    let center = Vector3::from(apex) + Vector3::from(c.map(|c| scale.restore(c, 1)));
+    // In range wherever the result is.
+    let density = Extended::from_double(density);
+    let (digits, unit) = (density.digits.high(), density.exponent);
+    let weighed = |value: f64, degree: i32| shifted(value * digits, degree * exponent + unit);
+    let mass = positive("the mass", weighed(volume, 3))?;
+    let inertia = matrix.map(|entry| weighed(entry, 5));
+    let center = Vector3::from(apex) + Vector3::from(c.map(|c| shifted(c, exponent)));
     MassProperties::new(
         mass,
         BodyVector::from_components(center),

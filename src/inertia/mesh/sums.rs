@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::error::{Error, Result, each_finite};
-use crate::precise::{Extended, Number, power, shifted};
+use crate::precise::{exponent_of, power, power_of_two_below};
 
 /// Triangles gathered in registers before they are added to the next level.
 const BLOCK: usize = 128;
@@ -55,70 +55,6 @@ impl Sums {
     }
 }
 
-/// The unit in which the sums are formed: coordinates are multiplied by `shrink`, then their difference by 2^-exponent.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Scale {
-    /// 1, or 1/4 for coordinates whose difference would overflow.
-    shrink: f64,
-    /// 2^-exponent as a product of two factors, since it may itself be out of range.
-    factors: [f64; 2],
-    /// The unit is 2^exponent metres.
-    exponent: i32,
-}
-
-impl Scale {
-    /// The metre.
-    pub(super) const ONE: Self = Self {
-        shrink: 1.0,
-        factors: [1.0; 2],
-        exponent: 0,
-    };
-
-    /// The power of two next to the size of the mesh. All coordinates and indices must have been checked.
-    pub(super) fn fitting(surface: &Surface) -> Self {
-        let pairs = || {
-            let corners = surface.corners();
-            corners.flat_map(|corner| corner.into_iter().zip(surface.apex))
-        };
-        let farthest = pairs().fold(0.0, |m: f64, (x, _)| m.max(x.abs()));
-        let (shrink, undo) = if farthest > 1e300 {
-            (0.25, 2)
-        } else {
-            (1.0, 0)
-        };
-        let size = pairs().fold(0.0, |m: f64, (x, o)| m.max((x * shrink - o * shrink).abs()));
-        if size == 0.0 {
-            return Self::ONE;
-        }
-        let exponent = Extended::from_double(size).exponent;
-        let half = exponent / 2;
-        Self {
-            shrink,
-            factors: [power(-half), power(half - exponent)],
-            exponent: exponent + undo,
-        }
-    }
-
-    /// A sum of degree `degree` in the lengths, converted back to metres.
-    pub(super) fn restore(self, value: f64, degree: i32) -> f64 {
-        self.restore_times(1.0, value, degree)
-    }
-
-    /// The same, times a positive density: in range wherever the result is.
-    pub(super) fn restore_times(self, density: f64, value: f64, degree: i32) -> f64 {
-        let density = Extended::from_double(density);
-        let exponent = self.exponent * degree + density.exponent;
-        shifted(value * density.digits.high(), exponent)
-    }
-
-    /// Corner minus apex, in this unit.
-    #[inline(always)]
-    fn relative(self, corner: [f64; 3], apex: [f64; 3]) -> [f64; 3] {
-        let [f, g] = self.factors;
-        [0, 1, 2].map(|i| (corner[i] * self.shrink - apex[i] * self.shrink) * f * g)
-    }
-}
-
 /// A mesh, and the vertex that is the apex of all its tetrahedra.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Surface<'a> {
@@ -129,23 +65,17 @@ pub(super) struct Surface<'a> {
 
 impl Surface<'_> {
     /// One pass over the triangles.
-    pub(super) fn sums(&self, scale: Scale) -> Result<Sums> {
-        let apex = self.apex;
-        if scale.exponent == 0 && scale.shrink == 1.0 {
-            self.gather(|corner| [0, 1, 2].map(|i| corner[i] - apex[i]))
-        } else {
-            self.gather(|corner| scale.relative(corner, apex))
-        }
-        .ok_or_else(|| self.bad_index())
+    pub(super) fn sums(&self) -> Result<Sums> {
+        self.gathered().ok_or_else(|| self.bad_index())
     }
 
     /// Three levels of summation: triangles into blocks, blocks into groups, groups into the total; `None` if a triangle names a vertex that does not exist.
-    fn gather(&self, relative: impl Fn([f64; 3]) -> [f64; 3] + Copy) -> Option<Sums> {
+    fn gathered(self) -> Option<Sums> {
         let mut total = Sums::default();
         for group in self.triangles.chunks(BLOCK * BLOCKS) {
             let mut sum = Sums::default();
             for block in group.chunks(BLOCK) {
-                sum.add(&block_sums(self.vertices, block, relative)?);
+                sum.add(&block_sums(self.vertices, self.apex, block)?);
             }
             total.add(&sum);
         }
@@ -176,34 +106,52 @@ impl Surface<'_> {
         each_finite("a coordinate of a vertex", self.corners().flatten())
     }
 
+    /// The vertices from the apex in a unit next to the size of the mesh, 2^exponent metres. All coordinates and indices must have been checked.
+    pub(super) fn scaled(&self) -> (Vec<[f64; 3]>, i32) {
+        let greater = |most: f64, x: f64| most.max(x.abs());
+        let farthest = self.corners().flatten().fold(0.0, greater);
+        // The difference of two coordinates may overflow, that of their quarters cannot.
+        let (shrink, undo) = if farthest > 1e300 {
+            (0.25, 2)
+        } else {
+            (1.0, 0)
+        };
+        let relative =
+            |corner: [f64; 3]| [0, 1, 2].map(|i| corner[i] * shrink - self.apex[i] * shrink);
+        let distances = self.corners().flat_map(relative);
+        let size = distances.fold(f64::MIN_POSITIVE, greater);
+        let exponent = exponent_of(power_of_two_below(size));
+        // In two factors, since it may itself be out of range.
+        let [f, g] = [exponent / 2, exponent - exponent / 2].map(|part| power(-part));
+        let vertices = self.vertices.iter().copied().map(relative);
+        let scaled = vertices.map(|corner| corner.map(|x| x * f * g));
+        (scaled.collect(), exponent + undo)
+    }
+
     /// Bound on the rounding error of six times the volume: 8 eps times the sum of |p| |q| |r|, whichever way the mesh is turned.
     ///
     /// The products of a determinant add up to at most 2/√3 of |p| |q| |r|. Three roundings each, one for each difference of coordinates, make 6 eps.
-    pub(super) fn largest_rounding_of_volume(&self, scale: Scale) -> f64 {
-        let mut bound = 0.0;
-        for corners in self.triangles {
-            let [p, q, r] = corners.map(|index| {
-                let corner = self.vertices[index as usize];
-                Vector3::from(scale.relative(corner, self.apex)).norm()
-            });
-            bound += p * q * r;
-        }
-        8.0 * f64::EPSILON * bound
+    pub(super) fn largest_rounding_of_volume(&self) -> f64 {
+        let apex = Vector3::from(self.apex);
+        let distance = |index: u32| (Vector3::from(self.vertices[index as usize]) - apex).norm();
+        let products = self.triangles.iter().map(|corners| {
+            let [p, q, r] = corners.map(distance);
+            p * q * r
+        });
+        8.0 * f64::EPSILON * products.sum::<f64>()
     }
 }
 
 /// The sums over one block of triangles.
 #[inline(always)]
-fn block_sums(
-    vertices: &[[f64; 3]],
-    block: &[[u32; 3]],
-    relative: impl Fn([f64; 3]) -> [f64; 3],
-) -> Option<Sums> {
+fn block_sums(vertices: &[[f64; 3]], apex: [f64; 3], block: &[[u32; 3]]) -> Option<Sums> {
+    let from_apex = |index: u32| {
+        let corner = vertices.get(index as usize)?;
+        Some([0, 1, 2].map(|i| corner[i] - apex[i]))
+    };
     let mut sums = Sums::default();
     for &[a, b, c] in block {
-        let p = relative(*vertices.get(a as usize)?);
-        let q = relative(*vertices.get(b as usize)?);
-        let r = relative(*vertices.get(c as usize)?);
+        let (p, q, r) = (from_apex(a)?, from_apex(b)?, from_apex(c)?);
         let d = p[0] * (q[1] * r[2] - q[2] * r[1])
             + p[1] * (q[2] * r[0] - q[0] * r[2])
             + p[2] * (q[0] * r[1] - q[1] * r[0]);
@@ -215,11 +163,12 @@ fn block_sums(
         for (sum, (i, j)) in sums.second.iter_mut().zip(PAIRS) {
             *sum += d * (s[i] * s[j] + p[i] * p[j] + q[i] * q[j] + r[i] * r[j]);
         }
+        let (ab, bc, ca) = (edge(a, b), edge(b, c), edge(c, a));
         sums.edges = sums
             .edges
-            .wrapping_add(edge(a, b))
-            .wrapping_add(edge(b, c))
-            .wrapping_add(edge(c, a));
+            .wrapping_add(ab)
+            .wrapping_add(bc)
+            .wrapping_add(ca);
     }
     Some(sums)
 }

@@ -4,7 +4,7 @@ use nalgebra::Quaternion;
 
 use super::evaluation::{Body, Pull, State};
 use super::preparation::{
-    Exact, FASTEST, GivenIntegrals, Prepared, Start, moderate, prepare, prepare_from_integrals,
+    Exact, FASTEST, Prepared, Start, moderate, prepare, prepare_from_integrals,
 };
 use super::roots::{Nutation, Roots};
 use crate::elliptic::Parameter;
@@ -188,13 +188,9 @@ impl LagrangeTop {
             return refused(condition, l3);
         }
         let weight = body.weight_moment.abs();
-        let integrals = GivenIntegrals {
-            l3,
-            l_vert,
-            above_top: twice_above(-weight),
-            above_bottom: twice_above(weight),
-        };
-        let (start, prepared) = prepare_from_integrals(body, integrals)?.ok_or(Error::Condition {
+        let above = [-weight, weight].map(twice_above);
+        let found = prepare_from_integrals(body, [l3, l_vert], above)?;
+        let (start, prepared) = found.ok_or(Error::Condition {
             condition: "the energy must be at least the least that a motion with these L3 and L_vert can have",
             value: given,
         })?;

@@ -138,19 +138,12 @@ pub(super) fn prepare<N: Number>(body: Body, start: Start, exact: &Exact) -> Res
     top.prepared(still, drifts, (q, start.omega / unit))
 }
 
-/// The integrals of a top: L₃, L_vert, and twice the energy above that of the same spin with C right above the pivot, and right below.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct GivenIntegrals {
-    pub(super) l3: f64,
-    pub(super) l_vert: f64,
-    pub(super) above_top: Extended,
-    pub(super) above_bottom: Extended,
-}
-
-/// The same from the integrals, with the start at the lower turning point of C and φ = ψ = 0; `None` if no motion has these integrals.
+/// The same from L₃, L_vert, and twice the energy above that of the same spin with C right above the pivot and right below; with the start at the lower
+/// turning point of C and φ = ψ = 0. `None` if no motion has these integrals.
 pub(super) fn prepare_from_integrals(
     body: Body,
-    given: GivenIntegrals,
+    [l3, l_vert]: [f64; 2],
+    [above_top, above_bottom]: [Extended; 2],
 ) -> Result<Option<(Start, Prepared)>> {
     let number = Extended::from_double;
     let pull = Pull::of(body.weight_moment);
@@ -160,12 +153,12 @@ pub(super) fn prepare_from_integrals(
         Pull::Up => -1.0,
     };
     let over_transverse = |x: Extended| x.quotient(number(body.transverse));
-    let sum = |l3: f64| sum_of_products(&[[side, given.l_vert], [1.0, l3]]);
+    let sum = |l3: f64| sum_of_products(&[[side, l_vert], [1.0, l3]]);
     let weight = number(body.weight_moment.abs());
-    let squares = [weight, given.above_top, given.above_bottom].map(over_transverse);
-    let rates = [number(given.l3), sum(-given.l3), sum(given.l3)].map(over_transverse);
+    let squares = [weight, above_top, above_bottom].map(over_transverse);
+    let rates = [number(l3), sum(-l3), sum(l3)].map(over_transverse);
     // Zero for a needle.
-    let axial_rate = number(given.l3).quotient(number(body.axial));
+    let axial_rate = number(l3).quotient(number(body.axial));
     let [gravity, _, above_bottom] = squares;
     if above_bottom.leading() < 0.0 {
         return Ok(None);

@@ -24,25 +24,14 @@ pub enum Orientation {
     Clockwise,
 }
 
-/// Torques of the gas on the three sides about the hinge A, per unit pressure × height, m²; anticlockwise is positive.
+/// The torque or the lever arm of the gas on each side of the box.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SideTorques {
-    /// Of the gas on AR.
+pub struct BySide {
+    /// On AR.
     pub ar: f64,
-    /// Of the gas on RB.
+    /// On RB.
     pub rb: f64,
-    /// Of the gas on AB.
-    pub ab: f64,
-}
-
-/// Lever arms about the hinge A, m, each positive if the gas on that side pushes the same way as in a right-angled box.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Arms {
-    /// AR/2.
-    pub ar: f64,
-    /// RB/2 − AR cos γ, with γ the angle at R: RB/2 at a right angle, negative where the gas on RB pushes the other way.
-    pub rb: f64,
-    /// AB/2.
+    /// On AB.
     pub ab: f64,
 }
 
@@ -55,14 +44,13 @@ type Edge = [DoubleDouble; 2];
 /// needle nor a tiny or huge triangle loses digits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GasBox {
-    orientation: Orientation,
     /// From A to R.
     ar: Edge,
     /// From R to B.
     rb: Edge,
     /// From A to B.
     ab: Edge,
-    /// Twice the area, positive.
+    /// Twice the area, positive if the corners run anticlockwise.
     area: Extended,
 }
 
@@ -86,20 +74,10 @@ impl GasBox {
         };
         let (ar, rb, ab) = (edge(a, r)?, edge(r, b)?, edge(a, b)?);
         let area = wedge(ar, rb);
-        let orientation = if area.leading() > 0.0 {
-            Orientation::Anticlockwise
-        } else if area.leading() < 0.0 {
-            Orientation::Clockwise
-        } else {
+        if area.is_zero() {
             return refused("the triangle must enclose an area", 0.0);
-        };
-        Ok(Self {
-            orientation,
-            ar,
-            rb,
-            ab,
-            area: area.magnitude(),
-        })
+        }
+        Ok(Self { ar, rb, ab, area })
     }
 
     /// The box with sides AR and RB (m) and the angle `gamma` between them at R (radians), A at the origin, R on the x-axis.
@@ -129,7 +107,11 @@ impl GasBox {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn orientation(&self) -> Orientation {
-        self.orientation
+        if self.area.leading() > 0.0 {
+            Orientation::Anticlockwise
+        } else {
+            Orientation::Clockwise
+        }
     }
 
     /// The lengths AR, RB, AB, m. One rounding each.
@@ -144,7 +126,7 @@ impl GasBox {
         [self.ar, self.rb, self.ab].map(|edge| length(edge).value())
     }
 
-    /// Torques of the gas on the sides about A, from the pressure integrated along each: −(midpoint − A)·(edge) if the corners
+    /// Torques of the gas on the sides about the hinge A, per unit pressure × height, m², anticlockwise positive; from the pressure integrated along each: −(midpoint − A)·(edge) if the corners
     /// run anticlockwise (9.1). They are −½AR², −(½RB² − AR·RB cos γ) and +½AB², and their sum vanishes.
     ///
     /// Each is rounded once, needles and RB at its change of sign included; infinite beyond the greatest double.
@@ -158,13 +140,10 @@ impl GasBox {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     // ANCHOR: side-torques
-    pub fn side_torques(&self) -> SideTorques {
-        let sense = match self.orientation {
-            Orientation::Anticlockwise => 1.0,
-            Orientation::Clockwise => -1.0,
-        };
-        let half = |product: Extended| product.times(0.5 * sense).value();
-        SideTorques {
+    pub fn side_torques(&self) -> BySide {
+        let sense = self.area.leading();
+        let half = |product: Extended| product.times(0.5).signed(sense).value();
+        BySide {
             ar: half(-dot(self.ar, self.ar)),
             rb: half(-self.rb_product()),
             ab: half(dot(self.ab, self.ab)),
@@ -172,7 +151,9 @@ impl GasBox {
     }
     // ANCHOR_END: side-torques
 
-    /// Lever arms about A: torque over side (9.1, 9.2). Accuracy as [`Self::side_torques`].
+    /// Lever arms about the hinge A, m: torque over side (9.1, 9.2), each positive if the gas on that side pushes the same way as in a right-angled box. They are
+    /// AR/2, RB/2 − AR cos γ, with γ the angle at R, and AB/2: the second is negative where the gas on RB pushes the other way. Accuracy as
+    /// [`Self::side_torques`].
     ///
     /// ```
     /// use spinning_bodies::pythagoras::GasBox;
@@ -181,15 +162,12 @@ impl GasBox {
     /// assert_eq!((arms.ar, arms.rb, arms.ab), (1.5, 2.0, 2.5));
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
-    pub fn arms(&self) -> Arms {
-        Arms {
-            ar: length(self.ar).times(0.5).value(),
-            rb: self
-                .rb_product()
-                .quotient(length(self.rb))
-                .times(0.5)
-                .value(),
-            ab: length(self.ab).times(0.5).value(),
+    pub fn arms(&self) -> BySide {
+        let half = |length: Extended| length.times(0.5).value();
+        BySide {
+            ar: half(length(self.ar)),
+            rb: half(self.rb_product().quotient(length(self.rb))),
+            ab: half(length(self.ab)),
         }
     }
 
@@ -218,7 +196,7 @@ impl GasBox {
     pub fn angle_at_r(&self) -> f64 {
         let size = length(self.ar) * length(self.rb);
         let cosine = -dot(self.ar, self.rb).quotient(size).value();
-        self.area.quotient(size).value().atan2(cosine)
+        self.area.magnitude().quotient(size).value().atan2(cosine)
     }
 
     /// Twice (midpoint of RB − A)·(B − R), which is AB² − AR².

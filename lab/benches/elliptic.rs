@@ -28,7 +28,7 @@ fn main() -> Result<()> {
     if only_tested() {
         return Ok(());
     }
-    let columns = ["GSL", "prepared", "and am", "from scratch", "batch"];
+    let columns = ["GSL", "prepared", "and am", "from scratch"];
     head(
         "sn, cn, dn; ns each; from scratch the parameter is made from m and mc within the clock",
         &columns,
@@ -232,24 +232,18 @@ type Group = (Parameter, Vec<f64>);
 
 fn measure(name: &str, groups: &[Group]) -> Result<()> {
     let moduli: Vec<Modulus> = groups.iter().map(|(p, _)| Modulus::new(*p)).collect();
-    let [mut sn, mut cn, mut dn] = [const { [0.0; ARGUMENTS] }; 3];
     let seconds = in_turn([
         &mut filled(&moduli, groups, |modulus, _, u| modulus.sn_cn_dn(u)),
         &mut filled(&moduli, groups, |modulus, _, u| modulus.jacobi(u)),
         &mut filled(&moduli, groups, |_, [m, mc], u| {
             sn_cn_dn(u, Parameter::new(m, mc)?)
         }),
-        &mut || {
-            for (modulus, (_, arguments)) in moduli.iter().zip(groups) {
-                let _ = black_box(modulus.jacobi_batch(arguments, &mut sn, &mut cn, &mut dn));
-            }
-        },
     ]);
-    let [prepared, with_am, scratch, batch] =
+    let [prepared, with_am, scratch] =
         seconds.map(|seconds| 1e9 * seconds / (ARGUMENTS * MODULI) as f64);
     let peers = (0..5).filter_map(|_| peer(groups));
     let gsl = peers.reduce(f64::min).unwrap_or(f64::NAN);
-    numbers(name, &[gsl, prepared, with_am, scratch, batch]);
+    numbers(name, &[gsl, prepared, with_am, scratch]);
     Ok(())
 }
 

@@ -1,10 +1,10 @@
-//! The Jacobi functions and the amplitude: of one argument, of one argument from scratch, and of many.
+//! The Jacobi functions and the amplitude: of a prepared modulus, or from scratch.
 
 use super::landen;
 use super::modulus::{Modulus, Reduction};
 use super::parameter::{Parameter, Side};
 use super::theta::{Corrections, Series};
-use crate::error::{Result, same_length, within};
+use crate::error::{Result, within};
 use crate::precise::DoubleDouble;
 use crate::precise::quick::{self, QUARTER_PARTS, ROUNDER, in_quadrant, polynomial, reduced};
 
@@ -72,19 +72,14 @@ impl Modulus {
         Ok((sn, cn, dn))
     }
 
-    /// `high + low` times the rate, the product rounded: on the circular side, where it stays below 0.8, half an
-    /// ulp of the angle is half an ulp of the result.
-    #[inline(always)]
-    pub(super) fn turned_by(&self, high: f64, low: f64) -> (f64, f64) {
-        let product = high * self.rate.high();
-        (product, high * self.rate.low() + low * self.rate.high())
-    }
-
     #[inline(always)]
     fn evaluate(&self, u: f64) -> Result<Jacobi> {
         if !self.reduction.refuses(u) {
-            let (rounded, [high, low], lucky) = self.reduction.apply(u);
-            if lucky {
+            // The words are in order unless the argument is unlucky. Adding −0 is free, adding +0 is not.
+            let Reduction { inverse, parts } = self.reduction;
+            let (rounded, [high, low]) = reduced([u, -0.0], inverse, parts);
+            // Written so that NaN counts as unlucky.
+            if high.abs() >= FEW_BITS_LEFT * u.abs() {
                 return Ok(self.at(rounded.to_bits(), rounded - ROUNDER, (high, low)));
             }
         }
@@ -144,15 +139,20 @@ impl Modulus {
     fn at(&self, bits: u64, quarters: f64, (high, low): (f64, f64)) -> Jacobi {
         match self.side() {
             Side::Circular => {
-                let (v, v_low) = self.turned_by(high, low);
-                let ([sn, cn, dn], ahead) = circular(&self.series, bits, v, v_low);
+                // The product stays below 0.8: half an ulp of it is half an ulp of the result.
+                let v = high * self.rate.high();
+                let v_low = high * self.rate.low() + low * self.rate.high();
+                let (sine, cosine) = quick::small_sine_cosine(v, v_low);
+                let (s, c) = in_quadrant(bits, sine, cosine);
+                let ([sn, cn, dn], ahead) = circular_at(&self.series.corrections, s, c);
                 let am = turned(quarters, v, quick::small_arcsine(ahead) + v_low);
                 Jacobi { sn, cn, dn, am }
             }
             Side::Hyperbolic => {
                 let (v, v_low) = self.multiplied(high, low);
                 let odd = bits & 1 != 0;
-                let [sn, cn, dn] = hyperbolic(&self.series, bits, v, v_low);
+                let argument = Hyperbolic::new(self.series.root, v, v_low);
+                let [sn, cn, dn] = hyperbolic_at(&self.series, bits, &argument);
                 let (sine, cosine) = if odd { (cn, sn) } else { (sn, cn) };
                 let angle = quick::angle(sine.abs(), cosine.abs());
                 let am = turned(quarters, angle.copysign(v), 0.0);
@@ -190,31 +190,14 @@ const FEW_BITS_LEFT: f64 = 1.0 / (1_u64 << 50) as f64;
 const SAME_QUARTER: f64 = 1.0 / (1_u128 << 96) as f64;
 
 impl Reduction {
-    /// Whether an argument has too many quarter periods. NaN passes, and is then found unlucky by [`Self::apply`].
+    /// Whether an argument has too many quarter periods. NaN passes, and is then found unlucky.
     #[inline(always)]
     pub(super) fn refuses(&self, u: f64) -> bool {
         u.abs() * self.inverse > quick::EXACT_COUNT
     }
-
-    /// The count of quarter periods with [`ROUNDER`] added, the argument less these, and whether enough of its bits are left.
-    #[inline(always)]
-    fn apply(&self, u: f64) -> (f64, [f64; 2], bool) {
-        // The words are in order unless the argument is unlucky. Adding −0 is free, adding +0 is not.
-        let (rounded, [high, low]) = reduced([u, -0.0], self.inverse, self.parts);
-        // Written so that NaN counts as unlucky.
-        (rounded, [high, low], high.abs() >= FEW_BITS_LEFT * u.abs())
-    }
 }
 
-/// sn, cn and dn at v = `high + low` after a number of quarter turns given by the two lowest bits, and the sine of the amplitude's lead over v.
-#[inline(always)]
-fn circular(series: &Series, bits: u64, high: f64, low: f64) -> ([f64; 3], f64) {
-    let (sine, cosine) = quick::small_sine_cosine(high, low);
-    let (s, c) = in_quadrant(bits, sine, cosine);
-    circular_at(&series.corrections, s, c)
-}
-
-/// The same from the sine and the cosine of v.
+/// sn, cn and dn from the sine and the cosine of v after a number of quarter turns, and the sine of the amplitude's lead over v.
 #[inline(always)]
 pub(super) fn circular_at(set: &Corrections, s: f64, c: f64) -> ([f64; 3], f64) {
     let (s2, c2) = (s * s, c * c);
@@ -248,41 +231,14 @@ fn turned(quarters: f64, v: f64, ahead: f64) -> f64 {
     all.high() + rest
 }
 
-/// Beyond m = 1/2: sn, cn and dn at v = `high + low` from the nearest multiple of K; the two lowest bits count the multiples.
+/// Beyond m = 1/2: sn, cn and dn from the hyperbolic functions of v, counted from the nearest multiple of K; the two lowest bits count the multiples.
 #[inline(always)]
-fn hyperbolic(series: &Series, bits: u64, high: f64, low: f64) -> [f64; 3] {
-    let argument = SignedHyperbolic::new(series.root, high, low);
-    hyperbolic_at(series, bits, &argument)
-}
-
-/// sinh and cosh of |v|, the sign of v as a bit, and z = 4 √q′ sinh² v.
-pub(super) struct SignedHyperbolic {
-    pub(super) sign: u64,
-    pub(super) scaled: ScaledHyperbolic,
-    pub(super) z: f64,
-}
-
-impl SignedHyperbolic {
-    /// At v = `high + low`; `root` is 2q′^{1/4}.
-    #[inline(always)]
-    pub(super) fn new(root: f64, high: f64, low: f64) -> Self {
-        let sign = high.to_bits() & (1 << 63);
-        let (high, low) = (high.abs(), f64::from_bits(low.to_bits() ^ sign));
-        let scaled = ScaledHyperbolic::new(high, low);
-        let root = quick::lesser(root * scaled.growth * scaled.sine, 2.0);
-        Self {
-            sign,
-            scaled,
-            z: root * root,
-        }
-    }
-}
-
-/// The functions from the hyperbolic functions of v.
-#[inline(always)]
-pub(super) fn hyperbolic_at(series: &Series, bits: u64, argument: &SignedHyperbolic) -> [f64; 3] {
+pub(super) fn hyperbolic_at(series: &Series, bits: u64, argument: &Hyperbolic) -> [f64; 3] {
     let odd = (bits & 1).wrapping_neg();
-    let SignedHyperbolic { sign, scaled, z } = argument;
+    let Hyperbolic {
+        sign, growth, z, ..
+    } = argument;
+    let (sinh, cosh) = (argument.sine, argument.cosine);
     let set = &series.corrections;
     let [on_sn, on_cn, on_dn] = [&set.sn, &set.cn, &set.dn].map(|p| polynomial(p, *z));
     // A quarter period exchanges the theta functions: dn's becomes the denominator, the denominator dn's, and sn's and cn's change places.
@@ -292,12 +248,12 @@ pub(super) fn hyperbolic_at(series: &Series, bits: u64, argument: &SignedHyperbo
         [on_dn, on_cn - on_dn, on_sn - on_dn, -on_dn]
     };
     let inverse = 1.0 / (polynomial(&set.denominator, *z) + exchanged);
-    let upper = series.complementary_modulus * scaled.growth;
-    let below = 1.0 / scaled.cosine;
-    let sech = below * scaled.decay[0] * scaled.decay[1];
-    let s = quick::select(odd, 1.0, scaled.sine / scaled.cosine);
-    let c = quick::select(odd, upper * scaled.sine, sech);
-    let d = quick::select(odd, upper * scaled.cosine, sech);
+    let upper = series.complementary_modulus * growth;
+    let below = 1.0 / cosh;
+    let sech = below * argument.decay[0] * argument.decay[1];
+    let s = quick::select(odd, 1.0, sinh / cosh);
+    let c = quick::select(odd, upper * sinh, sech);
+    let d = quick::select(odd, upper * cosh, sech);
     let sn = s + s * (on_sn * inverse);
     let cn = c + c * (on_cn * inverse);
     let dn = d + d * (on_dn * inverse);
@@ -312,20 +268,27 @@ pub(super) fn hyperbolic_at(series: &Series, bits: u64, argument: &SignedHyperbo
     ]
 }
 
-/// sinh x and cosh x for x ≥ 0, both divided by the power of two 2^j next to e^x.
-pub(super) struct ScaledHyperbolic {
+/// sinh and cosh of x = |v|, both divided by the power of two 2^j next to e^x.
+pub(super) struct Hyperbolic {
+    /// The sign of v as a bit.
+    pub(super) sign: u64,
     pub(super) sine: f64,
     pub(super) cosine: f64,
     /// 2^j, or the greatest power of two that a double holds.
     pub(super) growth: f64,
     /// 2^−j as a product, so that it may be less than the least double.
     pub(super) decay: [f64; 2],
+    /// 4 √q′ sinh² v.
+    pub(super) z: f64,
 }
 
-impl ScaledHyperbolic {
+impl Hyperbolic {
+    /// At v = `high + low`; `root` is 2q′^{1/4}.
     #[inline(always)]
-    fn new(high: f64, low: f64) -> Self {
+    pub(super) fn new(root: f64, high: f64, low: f64) -> Self {
         const LN2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
+        let sign = high.to_bits() & (1 << 63);
+        let (high, low) = (high.abs(), f64::from_bits(low.to_bits() ^ sign));
         // Beyond 760 the hyperbolic secant is zero.
         let low = if high > 760.0 { 0.0 } else { low };
         let high = quick::lesser(high, 760.0);
@@ -344,89 +307,16 @@ impl ScaledHyperbolic {
         let tiny = quick::power_of_two(ROUNDER - quick::lesser(2.0 * j, 1022.0));
         // sinh x = (2^j e^−g − 2^−j e^g)/2, and likewise cosh.
         let (less, more) = (1.0 - tiny, 1.0 + tiny);
+        let sine = 0.5 * (less + (less * c - more * s));
+        let growth = quick::power_of_two(ROUNDER + quick::lesser(j, 1023.0));
+        let root = quick::lesser(root * growth * sine, 2.0);
         Self {
-            sine: 0.5 * (less + (less * c - more * s)),
+            sign,
+            sine,
             cosine: 0.5 * (more + (more * c - less * s)),
-            growth: quick::power_of_two(ROUNDER + quick::lesser(j, 1023.0)),
+            growth,
             decay,
+            z: root * root,
         }
-    }
-}
-
-/// Arguments evaluated by the common path before those are sought that need more.
-const CHUNK: usize = 64;
-
-impl Modulus {
-    /// sn, cn and dn of every argument, into slices of the same length.
-    ///
-    /// The values are those of [`Modulus::jacobi`] to the last bit.
-    ///
-    /// Cost: 6–12 ns an argument, for any number of them from about 64 on, with the instructions that every processor of
-    /// the family has. A chunk of 64 in which one argument lies beyond 2²⁵ quarter periods, or unluckily close to a
-    /// multiple of K, costs as much as single calls.
-    ///
-    /// # Errors
-    ///
-    /// If the slices differ in length, or at the first argument that [`Modulus::jacobi`] refuses; the slices are
-    /// then partly written.
-    ///
-    /// ```
-    /// use spinning_bodies::elliptic::{Modulus, Parameter};
-    /// let modulus = Modulus::new(Parameter::from_complement(1e-3)?);
-    /// let u = [0.0, 0.5, 1.0, 1.5];
-    /// let [mut sn, mut cn, mut dn] = [[0.0; 4]; 3];
-    /// modulus.jacobi_batch(&u, &mut sn, &mut cn, &mut dn)?;
-    /// assert_eq!(sn[2], modulus.jacobi(1.0)?.sn);
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn jacobi_batch(
-        &self,
-        u: &[f64],
-        sn: &mut [f64],
-        cn: &mut [f64],
-        dn: &mut [f64],
-    ) -> Result<()> {
-        for length in [sn.len(), cn.len(), dn.len()] {
-            same_length(u.len(), length)?;
-        }
-        for start in (0..u.len()).step_by(CHUNK) {
-            let range = start..u.len().min(start + CHUNK);
-            let (u, sn) = (&u[range.clone()], &mut sn[range.clone()]);
-            let (cn, dn) = (&mut cn[range.clone()], &mut dn[range]);
-            let rare = match self.side() {
-                Side::Circular => self.chunk(u, [sn, cn, dn], |bits, high, low| {
-                    let (v, v_low) = self.turned_by(high, low);
-                    circular(&self.series, bits, v, v_low).0
-                }),
-                Side::Hyperbolic => self.chunk(u, [sn, cn, dn], |bits, high, low| {
-                    let (v, v_low) = self.multiplied(high, low);
-                    hyperbolic(&self.series, bits, v, v_low)
-                }),
-            };
-            if rare {
-                for (i, &u) in u.iter().enumerate() {
-                    let value = self.jacobi(u)?;
-                    (sn[i], cn[i], dn[i]) = (value.sn, value.cn, value.dn);
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// Evaluates a chunk by the common path; returns whether some argument needs more.
-    #[inline(always)]
-    fn chunk(
-        &self,
-        u: &[f64],
-        [sn, cn, dn]: [&mut [f64]; 3],
-        at: impl Fn(u64, f64, f64) -> [f64; 3],
-    ) -> bool {
-        let mut rare = 0_u64;
-        for (((&u, sn), cn), dn) in u.iter().zip(sn).zip(cn).zip(dn) {
-            let (rounded, [high, low], lucky) = self.reduction.apply(u);
-            rare |= u64::from(!lucky | self.reduction.refuses(u));
-            [*sn, *cn, *dn] = at(rounded.to_bits(), high, low);
-        }
-        rare != 0
     }
 }

@@ -9,7 +9,7 @@
     reason = "a lane is its index: all rows are read and written at it"
 )]
 
-use super::jacobi::{ScaledHyperbolic, SignedHyperbolic, circular_at, hyperbolic_at};
+use super::jacobi::{Hyperbolic, circular_at, hyperbolic_at};
 use super::modulus::Modulus;
 use super::parameter::Side;
 use super::theta::Theta;
@@ -99,7 +99,7 @@ pub(crate) struct Places<const W: usize> {
     pub(crate) bits: [u64; W],
     /// The rest times π/(2K), or π/(2K′) beyond m = 1/2.
     angle: [[f64; W]; 2],
-    /// Sine and cosine of πu/(2K), quarters included; or sinh and cosh of the rest, scaled as in [`ScaledHyperbolic`].
+    /// Sine and cosine of πu/(2K), quarters included; or sinh and cosh of the rest, scaled as in [`Hyperbolic`].
     pub(crate) sine: [f64; W],
     pub(crate) cosine: [f64; W],
     sign: [u64; W],
@@ -194,15 +194,11 @@ impl<const W: usize> Places<W> {
             }
             Side::Hyperbolic => {
                 for i in 0..W {
-                    let SignedHyperbolic { sign, scaled, z } =
-                        SignedHyperbolic::new(series.root, self.angle[0][i], self.angle[1][i]);
-                    self.sign[i] = sign;
-                    self.sine[i] = scaled.sine;
-                    self.cosine[i] = scaled.cosine;
-                    self.growth[i] = scaled.growth;
-                    self.decay[0][i] = scaled.decay[0];
-                    self.decay[1][i] = scaled.decay[1];
-                    self.z[i] = z;
+                    let at = Hyperbolic::new(series.root, self.angle[0][i], self.angle[1][i]);
+                    (self.sign[i], self.z[i]) = (at.sign, at.z);
+                    (self.sine[i], self.cosine[i]) = (at.sine, at.cosine);
+                    self.growth[i] = at.growth;
+                    (self.decay[0][i], self.decay[1][i]) = (at.decay[0], at.decay[1]);
                 }
                 for i in 0..W {
                     let functions = hyperbolic_at(series, self.bits[i], &self.argument(i));
@@ -226,15 +222,13 @@ impl<const W: usize> Places<W> {
     }
 
     #[inline(always)]
-    fn argument(&self, i: usize) -> SignedHyperbolic {
-        SignedHyperbolic {
+    fn argument(&self, i: usize) -> Hyperbolic {
+        Hyperbolic {
             sign: self.sign[i],
-            scaled: ScaledHyperbolic {
-                sine: self.sine[i],
-                cosine: self.cosine[i],
-                growth: self.growth[i],
-                decay: [self.decay[0][i], self.decay[1][i]],
-            },
+            sine: self.sine[i],
+            cosine: self.cosine[i],
+            growth: self.growth[i],
+            decay: [self.decay[0][i], self.decay[1][i]],
             z: self.z[i],
         }
     }

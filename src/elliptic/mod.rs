@@ -15,7 +15,7 @@
 //! | | |
 //! |---|---|
 //! | [`Parameter`], [`Characteristic`] | m and mc in 0…1; n and nc of any size, or an m outside 0…1 in the integrals |
-//! | [`Modulus`] | prepared once; then sn, cn, dn, am of one argument or of many |
+//! | [`Modulus`] | prepared once; then sn, cn, dn, am of any argument |
 //! | [`complete_first`] K, [`complete_first_excess`] K − π/2, [`complete_second`] E, [`complete_d`] D, [`complete_b`] B, [`complete_third`] Π | complete integrals |
 //! | [`incomplete_first`] F, [`incomplete_second`] E, [`incomplete_third`] Π | at any angle |
 //! | [`inverse_sn`], [`inverse_cn`], [`inverse_dn`], [`inverse_cn_sn`] | the argument that belongs to a value |

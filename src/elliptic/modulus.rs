@@ -17,8 +17,8 @@ use crate::precise::{DoubleDouble, Number, RIGHT_ANGLE};
 ///
 /// Cost on one core of a server, beside GSL's `gsl_sf_elljac_e` in the same run (`cargo bench -p lab --bench
 /// elliptic`): `new` 30–110 ns; then 16–28 ns for sn, cn, dn of one argument (0.30–0.36 of GSL's time), 24–46 ns with the
-/// amplitude (0.43–0.59), 6–12 ns in a batch (0.11–0.16). From scratch, [`Parameter::new`] and [`sn_cn_dn`](super::sn_cn_dn), 80–160 ns: 1.3–1.8,
-/// and 1.9–2.0 next to m = 1. For tiny m GSL takes only 34 ns; there the four ratios are 0.49, 0.71, 0.19 and 1.5.
+/// amplitude (0.43–0.59). From scratch, [`Parameter::new`] and [`sn_cn_dn`](super::sn_cn_dn), 80–160 ns: 1.3–1.8,
+/// and 1.9–2.0 next to m = 1. For tiny m GSL takes only 34 ns; there the three ratios are 0.49, 0.71 and 1.5.
 ///
 /// Source: Digital Library of Mathematical Functions, 20.2, 22.2 and 19.8; the range reduction is our own.
 ///

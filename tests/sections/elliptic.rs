@@ -68,23 +68,6 @@ fn jacobi_functions_are_right_to_the_last_places_everywhere() -> Result<()> {
 }
 
 #[test]
-fn a_batch_gives_what_single_calls_give() -> Result<()> {
-    let arguments = jacobi_rows().map(|row| row.u).filter(|u| u.abs() < 1e15);
-    let arguments: Vec<f64> = arguments.collect();
-    let [mut sn, mut cn, mut dn] = [0; 3].map(|_| vec![0.0; arguments.len()]);
-    for row in jacobi_rows().step_by(37) {
-        let modulus = row.modulus;
-        modulus.jacobi_batch(&arguments, &mut sn, &mut cn, &mut dn)?;
-        for (i, &u) in arguments.iter().enumerate() {
-            let alone = modulus.jacobi(u)?;
-            let batch = [sn[i], cn[i], dn[i]];
-            assert_eq!(batch, [alone.sn, alone.cn, alone.dn], "{} at {u}", row.line);
-        }
-    }
-    Ok(())
-}
-
-#[test]
 fn the_amplitude_grows_across_every_multiple_of_k() -> Result<()> {
     for mc in [1e-300, 1e-16, 0.01, 0.1, 0.5, 1.0] {
         let modulus = Modulus::new(Parameter::from_complement(mc)?);
@@ -381,9 +364,6 @@ fn bad_input_is_refused_by_name_and_number() -> Result<()> {
         for p in [0.0, 0.3, 0.8, 1.0] {
             let p = Parameter::from_parameter(p)?;
             refused!(Modulus::new(p).jacobi(bad), NotFinite, "argument u");
-            let [mut sn, mut cn, mut dn] = [[0.0; 2]; 3];
-            let batch = Modulus::new(p).jacobi_batch(&[1.0, bad], &mut sn, &mut cn, &mut dn);
-            assert!(batch.is_err());
             assert!(incomplete_first(bad, p).is_err());
             assert!(incomplete_second(bad, p).is_err());
             assert!(incomplete_third(bad, c, p).is_err());
@@ -416,12 +396,9 @@ fn bad_input_is_refused_by_name_and_number() -> Result<()> {
     let told = text(Parameter::new(0.5, 0.4).err());
     assert_eq!(told, "m + mc must be 1 to within 4 eps, got 0.9");
     let p = Parameter::from_parameter(0.3)?;
-    // Beyond 2⁵³ quarter periods, and a slice too short.
+    // Beyond 2⁵³ quarter periods.
     refused!(Modulus::new(p).jacobi(1e17), OutOfRange, "argument u");
     assert!(Modulus::new(p).jacobi(1e15).is_ok());
-    let [mut cn, mut dn] = [[0.0]; 2];
-    let batch = Modulus::new(p).jacobi_batch(&[1.0], &mut [], &mut cn, &mut dn);
-    assert!(batch.is_err());
     assert!(incomplete_first(1e16, p).is_err());
     assert!(inverse_sn(1.1, p).is_err());
     assert!(inverse_cn(-1.1, p).is_err());
@@ -498,11 +475,6 @@ proptest! {
                 if let (Ok((sn, cn, dn)), Ok(other)) = (sn_cn_dn(u, p), modulus.sn_cn_dn(u)) {
                     prop_assert_eq!((sn, cn, dn), other);
                 }
-            }
-            let mut batch = [[0.0; 4]; 3];
-            let [s, c, d] = &mut batch;
-            if modulus.jacobi_batch(&x, s, c, d).is_ok() {
-                values.extend(batch.as_flattened().iter().map(|x| Ok(*x)));
             }
             for value in values.into_iter().flatten() {
                 prop_assert!(!value.is_nan(), "{x:?} {p:?}");

@@ -209,8 +209,7 @@ fn third_kind(nc: Dd, mc: Dd) -> Dd {
 struct Angle {
     halves: f64,
     negative: bool,
-    sine: Dd,
-    cosine: Dd,
+    pair: [Dd; 2],
 }
 
 impl Angle {
@@ -224,22 +223,17 @@ impl Angle {
             quarters += more;
             rest = rest.less_right_angles(more);
         }
-        let (sine, cosine) = sine_cosine(rest.magnitude());
-        Ok(if quarters % 2.0 == 0.0 {
-            Self {
-                halves: 0.5 * quarters,
-                negative: rest.high() < 0.0,
-                sine,
-                cosine,
-            }
-        } else {
+        let mut pair = sine_cosine(rest.magnitude());
+        let odd = quarters % 2.0 != 0.0;
+        if odd {
             // Short of the right angle on from the multiple of π before it, beyond it back from the next: next to it the cosine has all its digits.
-            Self {
-                halves: 0.5 * (quarters + 1.0_f64.copysign(rest.high())),
-                negative: rest.high() > 0.0,
-                sine: cosine,
-                cosine: sine,
-            }
+            quarters += 1.0_f64.copysign(rest.high());
+            pair.reverse();
+        }
+        Ok(Self {
+            halves: 0.5 * quarters,
+            negative: (rest.high() < 0.0) != odd,
+            pair,
         })
     }
 
@@ -270,7 +264,7 @@ const SINE: [Dd; 8] = [
 ];
 
 /// Sine and cosine of 0 ≤ x ≤ π/4, with relative error 10⁻³¹: terms up to 1/15! in two words, the rest in one.
-fn sine_cosine(x: Dd) -> (Dd, Dd) {
+fn sine_cosine(x: Dd) -> [Dd; 2] {
     let square = x.quick_product(x);
     let fourth = square.quick_product(square);
     let y = square.high();
@@ -289,7 +283,7 @@ fn sine_cosine(x: Dd) -> (Dd, Dd) {
     let even = chain(SINE[6], [4, 2, 0]);
     let odd = chain(SINE[7] + Dd::from(tail), [5, 3, 1]);
     let sine = (even + square.quick_product(odd)) * x;
-    (sine, (Dd::from(1.0) - sine * sine).square_root())
+    [sine, (Dd::from(1.0) - sine * sine).square_root()]
 }
 
 /// Which integral.
@@ -303,7 +297,7 @@ enum Kind {
 /// An integral from 0 to any φ: its value at the rest of φ, plus twice the complete integral for each multiple of π.
 fn at_angle(kind: Kind, phi: f64, parameter: Characteristic) -> Result<f64> {
     let angle = Angle::new(phi)?;
-    let rest = within_quarter(kind, [angle.sine, angle.cosine], parameter)?;
+    let rest = within_quarter(kind, angle.pair, parameter)?;
     let half = if angle.halves == 0.0 {
         Dd::from(0.0)
     } else {

@@ -630,30 +630,21 @@ impl FreeBody {
     }
 }
 
-/// L_i/I_i before rounding; zero along an axis whose moment is zero.
-fn omega_of(moments: [f64; 3], l: &[Extended; 3]) -> [f64; 3] {
-    core::array::from_fn(|k| {
-        if moments[k] == 0.0 {
-            0.0
-        } else {
-            l[k].quotient(Extended::from_double(moments[k])).value()
-        }
-    })
-}
-
 /// Rotation with constant Ω about L: at the rate 2E/|L| = Σ L_i²/I_i / |L|.
 fn steady(moments: [f64; 3], l: &[Extended; 3]) -> Result<Motion> {
     let (mut square, mut twice_energy) = (Extended::zero(), Extended::zero());
-    for (moment, component) in moments.iter().zip(l) {
+    let mut omega = [0.0; 3];
+    for (k, component) in l.iter().enumerate() {
         if !component.is_zero() {
-            let term = component.square();
+            let (term, moment) = (component.square(), Extended::from_double(moments[k]));
             square = square.add_alike(term);
-            twice_energy = twice_energy.add_alike(term.quotient(Extended::from_double(*moment)));
+            twice_energy = twice_energy.add_alike(term.quotient(moment));
+            omega[k] = component.quotient(moment).value();
         }
     }
     if square.is_zero() {
         return Ok(Motion::Steady {
-            omega: [0.0; 3],
+            omega,
             rate: DoubleDouble::from(0.0),
             direction: [0.0, 0.0, 1.0],
         });
@@ -662,7 +653,7 @@ fn steady(moments: [f64; 3], l: &[Extended; 3]) -> Result<Motion> {
     let rate = twice_energy.quotient(size);
     finite("the rate of the motion", rate.value())?;
     Ok(Motion::Steady {
-        omega: omega_of(moments, l),
+        omega,
         rate: rate.narrow(),
         direction: core::array::from_fn(|k| l[k].quotient(size).value()),
     })

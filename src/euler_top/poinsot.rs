@@ -38,7 +38,9 @@ pub struct Poinsot {
     l: [f64; 3],
     /// The numbers of these axes in the order given.
     axes: [usize; 3],
-    units: Units,
+    /// Exponents of the powers of two that were divided out of Ω and of L. The powers themselves may overflow where the results do not.
+    unit_of_omega: i32,
+    unit_of_l: i32,
     /// The axis that the polhode circles, decided once.
     pub sector: Sector,
     /// Semi-axes √(2E/I_i) of the ellipsoid Θ: ⟨Ix, x⟩ = 2E, rad/s, in the order of the given axes (6.2).
@@ -53,13 +55,6 @@ pub struct Poinsot {
 
 /// Thinner bodies are rods: their products of components would overflow.
 const LEAST_RATIO: f64 = 1e-100;
-
-/// Exponents of the powers of two that were divided out. The powers themselves may overflow where the results do not.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Units {
-    omega: i32,
-    l: i32,
-}
 
 impl Poinsot {
     /// The picture for these principal moments (kg m², in the order of the axes) and this angular momentum (J s).
@@ -93,10 +88,8 @@ impl Poinsot {
             moments: axes.map(|k| moments[k] / unit_of_moments),
             l: axes.map(|k| given[k] / unit),
             axes,
-            units: Units {
-                omega: exponent_of(unit) - exponent_of(unit_of_moments),
-                l: exponent_of(unit),
-            },
+            unit_of_omega: exponent_of(unit) - exponent_of(unit_of_moments),
+            unit_of_l: exponent_of(unit),
             sector: Sector::Point,
             semi_axes: [0.0; 3],
             plane_distance: 0.0,
@@ -105,7 +98,7 @@ impl Poinsot {
         picture.decide();
         let root = norm([0, 1, 2].map(|k| picture.l[k] / picture.moments[k].sqrt()));
         let semi_axes = picture.moments.map(|i| root / i.sqrt());
-        picture.semi_axes = picture.unsorted(semi_axes, picture.units.omega);
+        picture.semi_axes = picture.unsorted(semi_axes, picture.unit_of_omega);
         picture.plane_distance = picture.in_units(root * (root / norm(picture.l)));
         Ok(picture)
     }
@@ -167,7 +160,7 @@ impl Poinsot {
     pub fn polhode(&self, s: f64) -> BodyVector {
         let l = self.point(s);
         let omega = [0, 1, 2].map(|k| l[k] / self.moments[k]);
-        BodyVector::from_components(self.unsorted(omega, self.units.omega).into())
+        BodyVector::from_components(self.unsorted(omega, self.unit_of_omega).into())
     }
 
     /// The same point of the polhode as L in body axes, J s, where the sphere of radius |L| cuts the ellipsoid Σ L_i²/(2EI_i) = 1 (6.3).
@@ -180,7 +173,7 @@ impl Poinsot {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn polhode_of_l(&self, s: f64) -> BodyVector {
-        BodyVector::from_components(self.unsorted(self.point(s), self.units.l).into())
+        BodyVector::from_components(self.unsorted(self.point(s), self.unit_of_l).into())
     }
 
     /// The parameter of the given L on its own polhode, radians in −π…π; [`Self::polhode`] is its inverse.
@@ -222,7 +215,7 @@ impl Poinsot {
 
     /// A rate converted to rad/s.
     fn in_units(&self, rate: f64) -> f64 {
-        shifted(rate, self.units.omega)
+        shifted(rate, self.unit_of_omega)
     }
 
     /// Components in the order of the given axes, multiplied by 2^`exponent`.
@@ -322,6 +315,6 @@ impl Poinsot {
             share * share * (excess * square + l[k] * (l[k] / i[k]))
         };
         let sum = bracket(0) + bracket(1) + bracket(2);
-        shifted(sum / norm(self.l) / speed, -self.units.omega)
+        shifted(sum / norm(self.l) / speed, -self.unit_of_omega)
     }
 }

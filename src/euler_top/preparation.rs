@@ -126,18 +126,6 @@ fn separation<N: Number>(i: [f64; 3], order: [usize; 3], start: Start) -> N {
 /// 2⁻²⁰⁰: the fourth power of a greater number is a normal double.
 const FAR_BELOW: f64 = 6.223_015_277_861_142e-61;
 
-impl Constants {
-    /// Converts to SI the constants of a motion with `momentum` as the unit of L and 2^`exponent` as that of rates.
-    fn restore_units(&mut self, (momentum, exponent): (f64, i32)) {
-        for rate in [&mut self.course.rate, &mut self.turning_rate] {
-            *rate = DoubleDouble::from_parts(*rate, exponent);
-        }
-        for amplitude in &mut self.amplitudes {
-            *amplitude *= momentum;
-        }
-    }
-}
-
 /// The regime of the motion, decided here once from exact differences, and its constants if Ω moves in the body.
 pub(super) fn decide(moments: [f64; 3], start: Start) -> (Regime, Option<Constants>) {
     // Scaling by powers of two rounds nothing; then no square overflows or underflows, unless the numbers are far apart.
@@ -155,12 +143,15 @@ pub(super) fn decide(moments: [f64; 3], start: Start) -> (Regime, Option<Constan
     };
     let moments = moments.map(|i| i / unit_of_moments);
     let (regime, mut constants) = decide_with::<DoubleDouble>(moments, scaled);
-    let units = match start.quantity {
+    let (momentum, exponent) = match start.quantity {
         Quantity::AngularMomentum => (unit, exponent_of(unit) - exponent_of(unit_of_moments)),
         Quantity::Omega => (unit * unit_of_moments, exponent_of(unit)),
     };
     if let Some(constants) = &mut constants {
-        constants.restore_units(units);
+        for rate in [&mut constants.course.rate, &mut constants.turning_rate] {
+            *rate = DoubleDouble::from_parts(*rate, exponent);
+        }
+        constants.amplitudes = constants.amplitudes.map(|part| part * momentum);
     }
     (regime, constants)
 }
@@ -202,37 +193,32 @@ pub(super) fn decide_from<N: Number>(
         separation = exactly(i, order);
     }
     let sign = separation.leading();
-    let (axis, regime) = if sign < 0.0 {
-        ([order[2], order[1], order[0]], Regime::AroundSmallest)
-    } else if sign > 0.0 {
-        (order, Regime::AroundLargest)
-    } else {
-        (order, Regime::Separatrix)
-    };
     let regime = if i[0] == i[1] || i[1] == i[2] {
         Regime::Symmetric
+    } else if sign < 0.0 {
+        Regime::AroundSmallest
+    } else if sign > 0.0 {
+        Regime::AroundLargest
     } else {
-        regime
+        Regime::Separatrix
     };
-    let (c, distance, sense) = if sign < 0.0 {
-        ([c[2], c[1], c[0]], -separation, -1.0)
-    } else {
-        (c, separation, 1.0)
-    };
+    let (mut axis, mut c) = (order, c);
+    if sign < 0.0 {
+        axis.reverse();
+        c.reverse();
+    }
     let axes = Renumbering::new(axis, l.map(N::leading));
     let (i, l) = (axes.renumber(moments), axes.renumber(l));
-    let constants = constants(axes, i, l, c, distance, sense);
-    (regime, Some(constants))
+    (regime, Some(constants(axes, i, l, c, separation)))
 }
 
-/// The constants along the renumbered axes; `sense` is the sign of du/dt.
+/// The constants along the renumbered axes; du/dt has the sign of the separation.
 fn constants<N: Number>(
     axes: Renumbering,
     i: [f64; 3],
     l: [N; 3],
     c: [N; 3],
-    distance: N,
-    sense: f64,
+    separation: N,
 ) -> Constants {
     let squares = l.map(N::square);
     // L² − 2EI and 2EI − L² for the outer moments, as sums of terms of one sign.
@@ -241,7 +227,7 @@ fn constants<N: Number>(
     let size_squared = squares[0].add_alike(squares[1]).add_alike(squares[2]);
     let frequency = c[0] * steady;
     let m = (c[2] * wobble).quotient(frequency);
-    let mc = (c[1] * distance).quotient(frequency);
+    let mc = (c[1] * separation.magnitude()).quotient(frequency);
     let volume = N::from_double(i[0]).times(i[1]).times(i[2]);
     let lambda = frequency.square_root().quotient(volume);
     let base = size_squared.square_root().quotient(N::from_double(i[1]));
@@ -266,7 +252,7 @@ fn constants<N: Number>(
         dn: squares[2] * c[1],
         dn_whole: steady,
     });
-    let rate = lambda.signed(sense);
+    let rate = lambda.signed(separation.leading());
     let slope = rate * N::from(turning.slope);
     Constants {
         axes,

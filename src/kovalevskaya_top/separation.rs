@@ -301,13 +301,6 @@ impl Separation {
         let [turns1, turns2] = self.frequencies();
         (turns1 * first + turns2 * second).scaled(-2.0)
     }
-
-    /// Increase of the four integrals in a whole turn of a phase: real periods of the curve w² = P(s).
-    pub fn periods(&self) -> [f64; 4] {
-        let middle = self.roots[self.ends[2]].real.value() + self.half_way;
-        let [[a1, b1, _], [a2, b2, _]] = self.halves.map(|half| half.map(DoubleDouble::value));
-        [a1, b1 + middle * a1, a2, b2 + middle * a2].map(|half| 2.0 * half)
-    }
 }
 
 /// Pairs of roots, except e₄ and e₅.

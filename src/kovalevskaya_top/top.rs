@@ -366,10 +366,11 @@ impl KovalevskayaTop {
     /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
     /// # let (lever, omega) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(1.0, 0.5, 0.3));
     /// # let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(2.0, -1.0, 2.0))?;
-    /// // The second integrals grow with time, the first do not.
-    /// let [a1, b1, a2, b2] = top.periods().expect("separated");
-    /// let [n1, n2] = top.frequencies().expect("separated");
-    /// assert!((a1 * n1 - a2 * n2).abs() < 1e-14 && (b1 * n1 - b2 * n2 - 1.0).abs() < 1e-14);
+    /// // Constants of the motion: they are the same from any later state.
+    /// let later = top.omega_and_up(3.0)?;
+    /// let again = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, later.omega, later.up)?;
+    /// let ([n1, n2], [m1, m2]) = (top.frequencies().expect("separated"), again.frequencies().expect("separated"));
+    /// assert!((n1 - m1).abs() < 1e-13 && (n2 - m2).abs() < 1e-13);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn frequencies(&self) -> Option<[f64; 2]> {
@@ -414,23 +415,6 @@ impl KovalevskayaTop {
     pub fn roots(&self) -> [Complex<f64>; 5] {
         let square = self.unit * self.unit;
         self.constants.roots().map(|root| root.value() * square)
-    }
-
-    /// The increase of ∫ds₁/√P (s³), ∫s₁ds₁/√P (s), and of the same two for s₂, in a whole turn of the phase: real periods of the curve
-    /// w² = P(s); `None` where the motion is not separated.
-    ///
-    /// ```
-    /// # use spinning_bodies::{frame::BodyVector, kovalevskaya_top::*};
-    /// # let (lever, omega) = (BodyVector::new(1.0, 0.0, 0.0), BodyVector::new(1.0, 0.5, 0.3));
-    /// # let top = KovalevskayaTop::with_up([2.0, 2.0, 1.0], lever, omega, BodyVector::new(2.0, -1.0, 2.0))?;
-    /// let [a1, b1, a2, b2] = top.periods().expect("separated");
-    /// assert!(b1 / a1 > b2 / a2, "s₁ is the greater everywhere");
-    /// # Ok::<(), spinning_bodies::Error>(())
-    /// ```
-    pub fn periods(&self) -> Option<[f64; 4]> {
-        let [a1, b1, a2, b2] = self.separation()?.periods();
-        let cube = self.unit * self.unit * self.unit;
-        Some([a1 / cube, b1 / self.unit, a2 / cube, b2 / self.unit])
     }
 
     /// The same top as a [`HeavyTop`], for the general equations (5.1).

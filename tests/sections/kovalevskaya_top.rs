@@ -426,9 +426,9 @@ fn s8_2_the_separation_variables_obey_her_equations() -> Result<()> {
     Ok(())
 }
 
-/// Roots, periods and frequencies against values got by numerical quadrature elsewhere, eight digits.
+/// Roots and frequencies against values got by numerical quadrature elsewhere, eight digits.
 #[test]
-fn s8_2_roots_periods_and_frequencies() -> Result<()> {
+fn s8_2_roots_and_frequencies() -> Result<()> {
     let top = support::kovalevskaya::top([1.0, 0.5, 0.3], [0.6, 0.0, 0.8]);
     let near =
         |found: f64, expected: f64| near!(found, expected, 2e-9..=6e-9, "{found} {expected}");
@@ -438,18 +438,9 @@ fn s8_2_roots_periods_and_frequencies() -> Result<()> {
         near!(root.re, real, 1e-7..=6e-7, "{root}");
     }
     assert!((roots[1].im.abs() - 0.074_512).abs() < 3e-6 && roots[1] == roots[2].conj());
-    let periods = top.periods().expect("separated");
-    let values = [3.118_751_94, 2.265_750_91, 11.865_809_81, -5.663_377_63];
-    for (period, value) in periods.into_iter().zip(values) {
-        near(period, value);
-    }
     let [n1, n2] = top.frequencies().expect("separated");
     near(n1, 0.266_362_26);
     near(n2, 0.070_009_36);
-    // a₁n₁ = a₂n₂ and b₁n₁ − b₂n₂ = 1.
-    let [a1, b1, a2, b2] = periods;
-    near!(a1 * n1, a2 * n2, 0.0..=1e-15);
-    observed!((b1 * n1 - b2 * n2 - 1.0).abs(), 0.0..=1e-15);
     Ok(())
 }
 

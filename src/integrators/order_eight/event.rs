@@ -1,8 +1,11 @@
 //! Where within a step the quantity of an event falls through zero.
 
+use core::convert::Infallible;
+
 use super::tableau::{Between, Step, sum};
 use super::walk::Walk;
 use crate::integrators::{Event, System};
+use crate::search::halved;
 
 /// The quantity of an event along a run.
 pub(super) struct Watch<'a, const N: usize> {
@@ -14,9 +17,7 @@ pub(super) struct Watch<'a, const N: usize> {
 
 /// The time step of a difference quotient, as a fraction of a step.
 const PROBE: f64 = 1e-8;
-/// Most rounds of the search on the polynomial, and of Newton's method on true states. Bisection alone would need sixty of the first; at most
-/// four of the second were observed.
-const MOST_ROUNDS: usize = 100;
+/// Most rounds of Newton's method on true states; at most four were observed.
 const NEWTON: usize = 8;
 
 impl<'a, const N: usize> Watch<'a, N> {
@@ -80,7 +81,8 @@ impl<'a, const N: usize> Watch<'a, N> {
         until: f64,
     ) -> (f64, [f64; N]) {
         let reach = [until - 1.0 / f64::from(PLACES), until];
-        let mut part = self.on_the_polynomial(between, taken, reach);
+        let above = |part| Ok::<_, Infallible>(self.value_at(taken, between, part) > 0.0);
+        let Ok([_, mut part]) = halved(reach, 4.0 * f64::EPSILON * until, above);
         let mut state = walk.short(taken, part * taken.length);
         for _ in 0..NEWTON {
             let here = (self.event)(taken.at(part), &state);
@@ -103,40 +105,6 @@ impl<'a, const N: usize> Watch<'a, N> {
             }
         }
         (taken.at(part), state)
-    }
-
-    /// The zero by secants within a bracket, halving the value at an end that stays twice (the Illinois rule), and by bisection where that is slow.
-    fn on_the_polynomial(
-        &self,
-        between: &Between<N>,
-        taken: &Step<N>,
-        [mut low, mut high]: [f64; 2],
-    ) -> f64 {
-        let value = |part: f64| self.value_at(taken, between, part);
-        let (mut above, mut below) = (value(low), value(high));
-        let mut last = 0;
-        for round in 0..MOST_ROUNDS {
-            if high - low <= 4.0 * f64::EPSILON * high || below == 0.0 {
-                break;
-            }
-            let secant = low + (high - low) * (above / (above - below));
-            let part = if round % 4 == 3 || above <= 0.0 || !(secant > low && secant < high) {
-                0.5 * (low + high)
-            } else {
-                secant
-            };
-            let here = value(part);
-            if here > 0.0 {
-                (low, above) = (part, here);
-                below *= if last == 1 { 0.5 } else { 1.0 };
-                last = 1;
-            } else {
-                (high, below) = (part, here);
-                above *= if last == -1 { 0.5 } else { 1.0 };
-                last = -1;
-            }
-        }
-        high
     }
 }
 

@@ -1,5 +1,6 @@
 //! The constants of the motion, and the five roots that follow from them (8.2).
 
+use crate::lagrange_top::greatest_root;
 use crate::precise::{DoubleDouble, Number};
 
 type Wide = DoubleDouble;
@@ -76,7 +77,6 @@ impl Constants {
         [g2, g3]
     }
 
-    // ANCHOR: roots
     /// e₁, e₂, e₃, the roots of 4s³ − g₂s − g₃ with e₁ the greatest in magnitude, and e₄, e₅ = (l₁ ± k)/2.
     ///
     /// The sum of the three is zero, so the greatest in magnitude keeps its distance from the others. It is found by Newton's
@@ -86,26 +86,9 @@ impl Constants {
         if self.upright {
             return self.beside(self.fifth());
         }
-        let [g2, g3] = self.invariants();
-        let (quarter, rest) = (g2.scaled(0.25), g3.scaled(0.25));
-        let value = |s: Wide| (s * s - quarter) * s - rest;
-        let slope = |s: f64| 3.0 * s * s - quarter.high();
-        let bound = 2.0
-            * quarter
-                .high()
-                .abs()
-                .sqrt()
-                .max((0.5 * rest.high().abs()).cbrt());
-        let mut first = Wide::from(bound.copysign(rest.high()));
-        for _ in 0..60 {
-            let step = value(first).value() / slope(first.high());
-            // The last steps are down in the 106th bit, or 0/0 if all roots are zero.
-            if !step.is_finite() || step.abs() < 1e-32 * bound {
-                break;
-            }
-            first = first - Wide::from(step);
-        }
-        self.beside(first)
+        let [quarter, rest] = self.invariants().map(|g| g.scaled(0.25));
+        let first = greatest_root([Wide::from(0.0), -quarter, -rest.magnitude()]);
+        self.beside(first.signed(rest.high()))
     }
 
     /// All five roots, from one root of the cubic.
@@ -139,7 +122,6 @@ impl Constants {
         }
         roots
     }
-    // ANCHOR_END: roots
 
     /// e₅.
     fn fifth(&self) -> Wide {

@@ -23,6 +23,7 @@ pub use crate::frame::EulerAngles;
 pub use evaluation::State;
 pub use motion::LagrangeTop;
 pub(crate) use preparation::Exact;
+pub(crate) use roots::greatest_root;
 pub use roots::{Nutation, Roots};
 pub use special::{
     Apsides, Cycloid, Dip, FastSpin, PurePrecession, apsides, dip, fast_spin,

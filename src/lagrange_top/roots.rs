@@ -439,8 +439,8 @@ fn at_inflection<N: Number>([a, b, c]: [N; 3]) -> N {
     (a.square() * a).times(2.0 / 27.0) - (a * b).times(1.0 / 3.0) + c
 }
 
-/// The greatest root of y³ + a y² + b y + c, all of whose roots are real, if it stands alone: Newton's method from above.
-fn greatest_root<N: Number>([a, b, c]: [N; 3]) -> N {
+/// The greatest root of y³ + a y² + b y + c, if it stands alone: Newton's method from above. The others may be complex where it lies above the inflection.
+pub(crate) fn greatest_root<N: Number>([a, b, c]: [N; 3]) -> N {
     // Fujiwara's bound.
     let mut y = a
         .magnitude()

@@ -64,13 +64,6 @@ impl Start {
         velocity: [0.01, -0.01],
         omega: 0.0,
     };
-
-    /// Released nearly edge on and spinning, one turn in 2π time units.
-    pub const SPINNING: Self = Self {
-        tilt: 1.4,
-        velocity: [0.0, 0.0],
-        omega: 1.0,
-    };
 }
 
 /// A plate falling through a fluid, with all the terms, in units of its half width a, U = √(I* a g) and a/U.

@@ -1,7 +1,8 @@
 //! The symmetric free top, I₁ = I₂ (tutorial 6.5): exact rotation rate and attitude at any time.
 
-use crate::error::{Result, finite, not_negative, positive};
-use crate::frame::{Attitude, BodyVector, finite_vector};
+use super::motion::EulerTop;
+use crate::error::{Result, not_negative, positive};
+use crate::frame::{Attitude, BodyVector};
 use crate::inertia::PrincipalMoments;
 use crate::precise::{DoubleDouble, Number, power_of_two_below};
 
@@ -139,11 +140,10 @@ impl SymmetricTop {
     /// Attitude after `t` seconds, from body axes along the space axes at t = 0: the turn |L|t/I₁ about L after the turn
     /// −Ω₃(I₃/I₁ − 1)t about x₃ (6.5, seen from space).
     ///
-    /// Both angles are formed in 106 bits, as in [`Self::omega_at`]. The direction of L is rounded to doubles, so the error is a few units in the
-    /// last place of a radian at any time. A top at rest stays at rest.
+    /// From [`EulerTop`]: a few units in the last place of a radian at any time. A top at rest stays at rest.
     ///
     /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite) if Ω or t is not, or an angle overflows.
+    /// As those of [`EulerTop::from_omega`] and [`EulerTop::at`].
     ///
     /// ```
     /// use spinning_bodies::{euler_top::SymmetricTop, frame::BodyVector};
@@ -155,26 +155,9 @@ impl SymmetricTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn attitude_at(&self, omega0: BodyVector, t: f64) -> Result<Attitude> {
-        finite("the time", t)?;
-        let l = self.momentum_over_transverse(omega0);
-        let size = finite_vector("the angular velocity", l)?
-            .components()
-            .amax();
-        if size == 0.0 {
-            return Ok(Attitude::identity());
-        }
-        let unit = power_of_two_below(size);
-        let axial = DoubleDouble::from(omega0.z() / unit);
-        let l3 = axial + axial * self.excess;
-        let square = DoubleDouble::product(l.x() / unit, l.x() / unit)
-            + DoubleDouble::product(l.y() / unit, l.y() / unit)
-            + l3 * l3;
-        let about_l = half_turn(square.square_root().scaled(unit) * DoubleDouble::from(t))?;
-        let about_axis = half_turn(-self.wobble_angle(omega0.z(), t))?;
-        let direction = l.direction("the angular momentum")?.components() * about_l.0;
-        let turn = nalgebra::Quaternion::from_parts(about_l.1, direction)
-            * nalgebra::Quaternion::new(about_axis.1, 0.0, 0.0, about_axis.0);
-        Attitude::from_quaternion(turn.w, turn.i, turn.j, turn.k)
+        let moments = [self.transverse, self.transverse, self.axial];
+        let top = EulerTop::from_omega(moments, omega0, Attitude::identity())?;
+        Ok(top.at(t)?.attitude)
     }
 
     /// Rate at which the axis of symmetry circles L, seen from space: |L|/I₁, rad/s (6.5). Error: two units in the last place.
@@ -187,13 +170,8 @@ impl SymmetricTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn axis_rate_in_space(&self, omega: BodyVector) -> f64 {
-        self.momentum_over_transverse(omega).norm()
-    }
-
-    /// L/I₁.
-    fn momentum_over_transverse(&self, omega: BodyVector) -> BodyVector {
         let axial = self.axial / self.transverse * omega.z();
-        BodyVector::new(omega.x(), omega.y(), axial)
+        BodyVector::new(omega.x(), omega.y(), axial).norm()
     }
 
     /// The half-angles of the cones of 6.5: of Ω about the axis, of Ω about L, of the axis about L.
@@ -227,11 +205,4 @@ impl SymmetricTop {
     fn wobble_angle(&self, omega3: f64, t: f64) -> DoubleDouble {
         self.excess * DoubleDouble::product(omega3, t)
     }
-}
-
-/// Sine and cosine of half an angle.
-fn half_turn(angle: DoubleDouble) -> Result<(f64, f64)> {
-    let half = angle.scaled(0.5);
-    finite("the angle turned", half.value())?;
-    Ok(half.sin_cos())
 }

@@ -93,7 +93,7 @@ fn s6_5_precession_seen_from_space() {
         // Observed 4e-15 for the axis, 1e-14 rad for the attitude.
         let off = (attitude.to_space(axis) - turned.to_space(axis)).norm();
         observed!(off, 1e-15..=3e-14, "t = {t}");
-        let closed = top.attitude_at(OMEGA0, t).unwrap();
+        let closed = turned * Attitude::about_axis(axis, -top.wobble_rate(2.0) * t).unwrap();
         let off = closed.angle_to(&attitude);
         observed!(off, 3e-15..=6e-14);
     }

@@ -23,7 +23,6 @@ fn judged(kind: &str) -> ([f64; 2], [usize; 3]) {
     let (mut worst, mut seen) = ([0.0_f64; 2], [0; 3]);
     for (top, t, expected) in rows(kind) {
         let found = errors(&top.at(t).expect("a state"), &expected);
-        println!("{kind} {t} {:?}: {found:?}", top.method());
         worst = [0, 1].map(|i| worst[i].max(found[i]));
         let way = match top.method() {
             Method::Elliptic => 0,
@@ -32,7 +31,6 @@ fn judged(kind: &str) -> ([f64; 2], [usize; 3]) {
         };
         seen[way] += 1;
     }
-    println!("{kind}: {worst:?} {seen:?}");
     (worst, seen)
 }
 

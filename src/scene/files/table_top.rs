@@ -121,7 +121,7 @@ impl TableTopKeys {
             }
         }?;
         let velocity = match (self.velocity, self.friction_law) {
-            (Some(_), Some(Law::NoSlip)) => {
+            (Some(given), Some(Law::NoSlip)) if given != [0.0; 3] => {
                 let told = " follows from the angular velocity where nothing slips";
                 return file.wrong("initial.velocity", told);
             }

@@ -97,10 +97,8 @@ fn what_is_wrong_is_told_once() {
                      [initial]\ntilt = 0.1\nomega = [1, 2, 3]\n[run]\nuntil = 1\n";
     let angles = "goes with `attitude`, not with `tilt`";
     let moving = |more| table_top.replace("tilt = 0.1", &format!("velocity = [1, 0, {more}"));
-    let (climbing, rolling) = (
-        moving("2]"),
-        moving("0]").replace("[run]", "[effects]\nfriction_law = \"no-slip\"\n[run]"),
-    );
+    let law = "[effects]\nfriction_law = \"no-slip\"\n[run]";
+    let (climbing, rolling) = (moving("2]"), moving("0]").replace("[run]", law));
     let (timeless, blind) = (
         RACKET.replace("[0.0, 5.0]", "[]"),
         format!("{RACKET}columns = []\n"),

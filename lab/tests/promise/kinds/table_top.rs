@@ -250,7 +250,9 @@ fn tried(r: &mut Random, law: u8) -> Option<Scene> {
     let attitude = held(r.attitude());
     let spin = pace * r.scaled(0.1, 3.0);
     let omega = r.direction().map(|x| x * spin);
-    let [vx, vy] = [0; 2].map(|_| r.nil_or(50, |r| size * pace * r.within(-0.5, 0.5)));
+    // Of what rolls it follows.
+    let slides = if law > 1 { 0.0 } else { size * pace };
+    let [vx, vy] = [0; 2].map(|_| r.nil_or(50, |r| slides * r.within(-0.5, 0.5)));
     let mut text = format!("kind = \"table-top\"\n[body]\nmass = {mass:?}\n");
     line(&mut text, "radius", round.then_some(size));
     line(&mut text, "semi_axes", (!round).then_some(axes));

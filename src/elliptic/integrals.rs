@@ -523,8 +523,8 @@ pub fn incomplete_second(phi: f64, parameter: impl Into<Characteristic>) -> Resu
 ///
 /// Where Bulirsch's transformation does not apply, n < 0 and n > 1 are transformed to other characteristics, so that no sum cancels.
 ///
-/// Error 0.46 ε at most of 160 rows, 0.52 ε of 20 000 parameters: any n, nc and mc to ±10⁻³⁰⁰, n within an ulp of m. Cost 1.2–2.2 times that of K for n < 1, three
-/// times for mc from 10⁻¹⁰⁰ down, four times for m below 10⁻⁸, where K takes two products; beyond n = 1, where it is a principal value, 4–9 µs; and up to 0.1 ms where nc is beyond
+/// Error 0.46 ε at most of 160 rows, 0.52 ε of 20 000 parameters: any n, nc and mc to ±10⁻³⁰⁰, n within an ulp of m. Cost 1.2–2.2 times that of K for n < 1, three to four
+/// times for mc from 10⁻¹⁰⁰ down and for m below 10⁻⁸, where K takes two products; beyond n = 1, where it is a principal value, 4–9 µs; and up to 0.1 ms where nc is beyond
 /// 10^±60 or mc below 10⁻³⁰⁰.
 /// Source: Bulirsch (1969) for n < 1; Digital Library of Mathematical Functions, 19.7, 19.25.14; its sign of n.
 ///

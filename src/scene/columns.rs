@@ -27,7 +27,7 @@ pub struct Column {
     pub meaning: &'static str,
     /// Whether it is output by default.
     pub usual: bool,
-    /// Whether it is an angle modulo 2π, given between −π and π.
+    /// Whether it is an angle modulo 2π, given between −π and π, as its meaning says at the end.
     pub goes_round: bool,
 }
 
@@ -66,7 +66,7 @@ impl<S: 'static> Columns<S> {
                 unit,
                 meaning,
                 usual: false,
-                goes_round: false,
+                goes_round: meaning.ends_with("−π … π"),
             });
         }
         self
@@ -101,16 +101,12 @@ impl<S: 'static> Columns<S> {
 
     /// With the angles of an attitude added: tilt, precession, nutation, spin.
     pub(crate) fn angles(self, of: fn(&S) -> Attitude) -> Self {
-        let mut columns = self.and(columns! { |state: &S|
+        self.and(columns! { |state: &S|
             "tilt", "rad", "angle of axis 3 to the vertical" => of(state).euler_angles().theta;
             "nutation", "rad", "Euler's angle of axis 3 to the vertical: the tilt" => of(state).euler_angles().theta;
             "precession", "rad", "Euler's angle about the vertical, from x to the line of nodes, −π … π" => of(state).euler_angles().phi;
             "spin", "rad", "Euler's angle about axis 3, from the line of nodes to axis 1, −π … π" => of(state).euler_angles().psi;
-        });
-        for column in columns.columns.iter_mut().rev().take(2) {
-            column.goes_round = true;
-        }
-        columns
+        })
     }
 
     /// With an angular momentum (kg m²/s, along the axes of space) added, its size, and its angle to axis 3.
@@ -119,7 +115,10 @@ impl<S: 'static> Columns<S> {
         attitude: fn(&S) -> Attitude,
         l: impl Fn(&S) -> SpaceVector + Clone + Send + Sync + 'static,
     ) -> Self {
-        let along = ["kg m²/s", "angular momentum, along the axes of space"];
+        let along = [
+            "kg m²/s",
+            "angular momentum about the fixed point, or else the centre of mass, along the axes of space",
+        ];
         let columns = self.vector(["lx", "ly", "lz"], along, l.clone());
         columns.and(columns! { |state: &S|
             "l", "kg m²/s", "size of the angular momentum" => l(state).norm();

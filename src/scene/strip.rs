@@ -284,7 +284,7 @@ impl Scene for Strip {
         let moment = equations.plate.moment();
         columns! { |state: &StripState|
             "speed", "m/s", "size of the velocity" => state.vx.hypot(state.vy);
-            "descent", "rad", "angle of the velocity below the horizontal" => (-state.vy).atan2(state.vx);
+            "descent", "rad", "direction of the velocity, downward from the right, −π … π" => (-state.vy).atan2(state.vx);
             "potential", "J/m", "energy of the weight above the start" => weight * state.y;
             "l", "kg m/s", "angular momentum of the strip alone about its axis, a metre of its length" => moment * state.omega;
         }

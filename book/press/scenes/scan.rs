@@ -434,41 +434,51 @@ fn set(name: &str, text: &str, path: &str, value: f64) -> Result<String> {
     })
 }
 
-/// Between two rows the scene is computed at this many times, and between two of those again, in this many rounds; then a straight line is taken.
+/// Between two rows the scene is computed at this many times, and between two of those again, until a straight line between them tells the
+/// same time to this fraction of it, in at most this many rounds.
 const PARTS: usize = 64;
-const ROUNDS: usize = 3;
+const SAME: f64 = 1e-12;
+const ROUNDS: usize = 6;
 
 /// The first time at which a column reaches a level; the rows are times and the column's numbers. A jump over the level,
 /// as at a bounce, counts; an angle that goes round is at π and −π at once.
 fn crossing(motion: &Motion, name: &str, level: f64, rows: &[[f64; 2]]) -> Result<Option<f64>> {
     let mut columns = motion.scene.told();
     let goes_round = columns.any(|column| column.name == name && column.goes_round);
+    if goes_round && level.abs() > PI {
+        return Ok(None);
+    }
     // The position between two rows, as a fraction.
     let part = |a: f64, b: f64| {
         let leaps = goes_round && (b - a).abs() > PI;
         let b = if leaps { b - TAU.copysign(b - a) } else { b };
         let levels: &[f64] = if leaps { &[0.0, TAU, -TAU] } else { &[0.0] };
         let mut levels = levels.iter().map(|turn| level + turn);
-        let level = levels.find(|&level| a <= level && b > level || a >= level && b < level)?;
+        let level = levels.find(|&level| a < level && b >= level || a > level && b <= level)?;
         Some((level - a) / (b - a))
     };
     let first = |rows: &[[f64; 2]]| {
         let mut pairs = rows.array_windows();
         pairs.find_map(|&[from, to]| Some((from, to, part(from[1], to[1])?)))
     };
+    if let Some(row) = rows.first().filter(|row| row[1] == level) {
+        return Ok(Some(row[0]));
+    }
     let Some(mut found) = first(rows) else {
-        // In the only row, or in the last.
-        let there = rows.iter().find(|row| row[1] == level);
-        return Ok(there.map(|row| row[0]));
+        return Ok(None);
     };
+    let time = |(from, to, part): ([f64; 2], [f64; 2], f64)| from[0] + (to[0] - from[0]) * part;
     for _ in 0..ROUNDS {
         let (from, to, _) = found;
         let at = |k: usize| from[0] + (to[0] - from[0]) * (k as f64 / PARTS as f64);
         let table = motion.at(&(1..PARTS).map(at).collect::<Vec<_>>())?;
         let closer = [vec![from], table.numbers(["t", name])?, vec![to]].concat();
         let Some(closer) = first(&closer) else { break };
+        let before = time(found);
         found = closer;
+        if (time(found) - before).abs() <= SAME * before.abs() {
+            break;
+        }
     }
-    let ([from, _], [to, _], part) = found;
-    Ok(Some(from + (to - from) * part))
+    Ok(Some(time(found)))
 }

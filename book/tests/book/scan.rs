@@ -206,22 +206,32 @@ fn what_is_asked_of_a_motion_is_told() {
 #[test]
 fn a_jump_is_crossed_and_the_end_of_a_circle_is_not() {
     let ball = std::fs::read_to_string("scenes/superball.toml").unwrap();
-    let (over, tell) = ("initial.climb=-5..-4:2", "crossing:climb=0");
-    let (text, _) = told(&ball, &[over], &[tell], Format::Csv);
+    let over = "initial.climb=-5..-4:2";
+    let tells = [
+        "crossing:climb=0",
+        "crossing:bounces=1",
+        "crossing:bounces=0",
+    ];
+    let (text, _) = told(&ball, &[over], &tells, Format::Csv);
     for (line, climb) in text.lines().skip(1).zip([5.0_f64, 4.0]) {
-        let time: f64 = cells(line)[1].parse().unwrap();
         let falls = 2.0 * 0.3 / (climb + (climb * climb + 2.0 * 9.81 * 0.3).sqrt());
-        assert!((time / falls - 1.0).abs() < 1e-6, "{time} {falls}");
+        for time in &cells(line)[1..3] {
+            let time: f64 = time.parse().unwrap();
+            assert!((time / falls - 1.0).abs() < 1e-11, "{time} {falls}");
+        }
+        assert_eq!(cells(line)[3], "0.0");
     }
     // Upright, half of the turn counts as precession: t/2. It leaps from π to −π before it is at −3.
     let spun = "[body]\nmoments = [2.0, 2.0, 1.0]\n[initial]\nomega = [0.0, 0.0, 1.0]\n[run]\nuntil = 12.0\nsamples = 25\n";
-    let tells = ["crossing:precession=0.5", "crossing:precession=-3"];
+    let asked = [0.5, -3.0, 3.2].map(|level| format!("crossing:precession={level}"));
+    let tells = [&asked[0], &asked[1], &asked[2]].map(String::as_str);
     let (text, _) = told(spun, &["initial.omega.2=1..1:1"], &tells, Format::Csv);
     let line = cells(text.lines().nth(1).unwrap());
     for (cell, time) in line[1..3].iter().zip([1.0, 2.0 * (TAU - 3.0)]) {
         let crossed: f64 = cell.parse().unwrap();
         assert!((crossed - time).abs() < 1e-12, "{line:?}");
     }
+    assert_eq!(line[3], "");
 }
 
 #[test]

@@ -70,6 +70,10 @@ impl TopKeys {
                 let expected = "gravity acts on the centre of mass, a mass in kg";
                 file.missing("body.mass", expected)
             }
+            (_, None) if self.gravity.is_some() => {
+                let expected = "gravity acts on it, the place of the centre of mass in m";
+                file.missing("body.center_of_mass", expected)
+            }
             (mass, _) => Some((body, outline(mass.unwrap_or(1.0), BodyVector::zero()))),
         }
     }

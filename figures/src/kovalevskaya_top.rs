@@ -71,10 +71,11 @@ pub fn circle(values: &Values) -> Result<Figure> {
     let wrong = HeavyTop::new(AxisMoments::new(ratio, ratio, 1.0)?, LEVER)?;
     let mut state = at_start;
     let mut wandering = Vec::new();
-    let step = SECONDS / f64::from(SAMPLES) / 8.0;
+    // The motion is chaotic: with steps three times as long the last fifth would be none of its own.
+    let step = SECONDS / f64::from(SAMPLES) / 24.0;
     for _ in 0..=SAMPLES {
         wandering.push(traced(&state)[1]);
-        for _ in 0..8 {
+        for _ in 0..24 {
             state = wrong.step(&state, step);
         }
     }

@@ -152,7 +152,7 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
     } else if motions[2].velocity < 0.0 {
         "turns back, but not before it has met the table once more"
     } else {
-        "does not come back: after three bounces it still goes on"
+        "has not turned round: after three bounces it still goes on"
     };
     let plain = |text: &str| text.replace('\u{2212}', "-");
     let about_spin = match spin == 0.0 {

@@ -177,10 +177,10 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
     let rounds = number(near * spin / TAU, 1);
     let words = match never {
         true => words!(
-            "Equal parts of spin about the first and the third axis put this body on its separatrix: it swings over once and never flips again.",
+            "Equal parts of spin about the first and the third axis put this body on its separatrix: its spin about the middle axis grows to the full, and it never flips.",
             "For $I = {inertia}$ the throw $\\Omega(0) = {pace}(\\varepsilon, 1, \\varepsilon)$ rad/s has $L^2 = 2EI_2$ for every $\\varepsilon$, {thrown} as well: \
              the time from flip to flip is infinite. Move a moment a little, and the line is there.{beyond}",
-            "Empty axes for the time between two flips against the distance from the middle axis: for the moments {inertia} there is no second flip."
+            "Empty axes for the time between two flips against the distance from the middle axis: for the moments {inertia} there is no flip."
         ),
         false => words!(
             "Each decade closer to the middle axis buys the same {step} seconds before the flip{others_give_up}.",

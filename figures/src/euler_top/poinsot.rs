@@ -108,7 +108,7 @@ pub fn rolling(values: &Values) -> Result<Figure> {
     let about = match scene.sector {
         Sector::AroundSmallest => "the axis of the smallest moment, the long one",
         Sector::AroundLargest => "the axis of the largest moment, the short one",
-        _ => "both ends of the middle axis, on the separatrix",
+        _ => "neither axis but from one end of the middle axis to the other, on the separatrix",
     };
 
     let [inertia, spun] = [moments, start_omega].map(triple);

@@ -18,7 +18,7 @@ const ROOM: [f64; 4] = [130.0, 24.0, 470.0, 436.0];
 const REACH: [f64; 3] = [0.21, 0.36, 0.21];
 
 parameters! {
-    CROSSING: "crossing", r"\alpha", "°", "where the thick polhode crosses the plane of x₁ and x₃: 0° at x₁, 90° at x₃", [1.0, 89.0], 23.0, dragged(|values| {
+    CROSSING: "crossing", r"\alpha", "°", "where the thick polhode crosses the plane of x₁ and x₃, with the ellipsoid stretched to a sphere: 0° at x₁, 90° at x₃", [1.0, 89.0], 23.0, dragged(|values| {
         let (_, view, arms) = stage(values);
         let (sin, cos) = values.of(&CROSSING).to_radians().sin_cos();
         view.project(&(arms[0] * cos + arms[2] * sin))
@@ -153,13 +153,13 @@ pub fn polhodes(values: &Values) -> Result<Figure> {
         "Round the first and the third axis a polhode stays close; next to the second it dawdles, then runs across to the \
          far side.",
         "Polhodes of $L$ in the body on the ellipsoid $\\sum L_i^2/2EI_i = 1$ for $I = {inertia}$. Dots at equal times, {STEP:.1} of a radian at the rate $\\sqrt{{2E/I_2}}$. \
-         The separatrix, in ink, is two plane ellipses $\\Omega_3 = \\pm{steep}\\,\\Omega_1$. The thick polhode, from the ring at {thick}° between $x_1$ and $x_3$ (the \
+         The separatrix, in ink, is two plane ellipses $\\Omega_3 = \\pm{steep}\\,\\Omega_1$. The thick polhode, from the ring at {thick}° between $x_1$ and $x_3$ once the ellipsoid is stretched to a sphere (the \
          separatrix is at {crossing:.1}°), {about} turns at that rate.{beyond}",
         "An ellipsoid with its longest axis upright, its semi-axes as the roots of {inertia}, covered by closed curves: flat rings round the upright third axis, upright \
          rings round the first axis on the left. Two crossing ellipses, the separatrix, part them and meet on the second \
          axis, which points at the reader's right. Dots at equal times are wide apart where a curve swings across and \
-         crowd together next to the crossing: there the top dawdles, and from there it runs across to the far side. One curve, {thick} degrees from the \
-         first axis, is thick."
+         crowd together next to the crossing: there the top dawdles, and from there it runs across to the far side. One curve is thick, on a sphere {thick} degrees from the \
+         first axis."
     );
     let made = figure("polhodes", 448.0, words, |pen| {
         let outline = view.trace(&rim(&semi, &view.toward, 240));

@@ -89,7 +89,7 @@ pub fn cycloids(values: &Values) -> Result<Figure> {
         (true, true) => "Released from rest the nose follows a cycloid, the better the faster the spin.".to_owned(),
         (false, true) => "Released from rest the nose follows a cycloid, but of these three the fastest is not the best at it.".to_owned(),
         (_, false) => format!(
-            "Released from rest the nose comes back to upright cusps, but none of these tops is fast enough for a cycloid: the best leaves it by {} radii.",
+            "Released from rest the nose comes back to upright cusps, but none of these tops is fast enough for a cycloid: the best leaves it by {} radii in the first arch.",
             told(order[2])
         ),
     };
@@ -100,10 +100,10 @@ pub fn cycloids(values: &Values) -> Result<Figure> {
     let words = words!(
         "{claim}",
         "Tilt downwards, $\\varphi\\sin\\theta_0$ to the right, in units of the wheel's radius $a = I_1Mg\\ell\\sin\\theta_0/L_3^2$; $\\theta_0 = {tilt}$°, \
-         $I_1 = Mg\\ell = 1$. Dashed: the cycloid. Dots: eighths of a nutation. The nose leaves the cycloid \
+         $I_1 = Mg\\ell = 1$. Dashed: the cycloid. Dots: eighths of a nutation. In its first arch the nose leaves the cycloid \
          by {a}$\\,a$ at most for $L_3 = {slow}$, {b} for {medium}, {c} for {fast}.",
         "Three rows, each with two arches of a top's nose hanging from the level of its release at {tilt} degrees, and a dashed cycloid. The axial \
-         momenta are {upper}, {middle} and {lower} from top to bottom. The slower a top, the further it leaves its cycloid, by {a} radii at most. All touch the upper \
+         momenta are {upper}, {middle} and {lower} from top to bottom. The slower a top, the further it leaves its cycloid, by {a} radii at most in the first arch. All touch the upper \
          level in upright cusps, where the dots crowd."
     );
     let reaches = [0, 1, 2].map(|k: usize| rows[k].reach());

@@ -184,7 +184,7 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
     let words = words!(
         "With a dense core it {dense}; a hollow one {hollow}.",
         "Balls with $\\kappa = I/MR^2$ of {first} (dense core), {second} (solid) and {third} (hollow), thrown alike without spin, drawn without gravity. After floor, ceiling, floor their velocities are \
-         {last} of $V${exactly}. A solid ball that gets back less than {threshold} of its contact speed does not return at all.",
+         {last} of $V${exactly}. A solid ball that gets back less than {threshold} of its contact speed has not turned round by then.",
         "Zigzag paths between floor and table of three balls thrown from the left at one point of the floor. They go on by {turns} of a flight to the table, come down to the floor, and leave it \
          with velocities {last} of the first; negative ones lead back out to the left."
     );

@@ -119,7 +119,7 @@ pub fn rolling(values: &Values) -> Result<Figure> {
          is $2E/\\lvert L\\rvert = {distance:.4}$ from the centre $O$. The herpolhode stays between {inner:.4} and {outer:.4} from $L$, the polhode goes round {about}. $I = \
          {inertia}$ kg m², $\\Omega = {spun}$ rad/s.{beyond}",
         "An ellipsoid with a fine net of meridians touches a horizontal glass plane from below in one point, the tip of the \
-         angular velocity. Round {about}, runs a closed curve, the polhode; on the plane the point \
+         angular velocity. Round {about}, runs a curve, the polhode; on the plane the point \
          of contact winds round and round between two circles of radius {inner:.3} and {outer:.3} about the vertical angular \
          momentum: the herpolhode. One curve rolls on the other."
     );

@@ -90,12 +90,12 @@ pub fn mesh_of_obj(text: &str) -> Result<Mesh> {
                 number if number < 0 => u32::try_from(vertices.len() as i64 + number).ok(),
                 number => u32::try_from(number - 1).ok(),
             };
-            let numbers: Vec<Option<u32>> = words.map(index).collect();
-            let condition = "a face must have three vertices or more, numbered from 1 or, negative, back from the last";
-            let known = numbers.iter().flatten().count() as f64;
-            let corners: Option<Vec<u32>> = numbers.into_iter().collect();
-            let corners = corners.filter(|corners| corners.len() >= 3);
-            let corners = at_place(faces, corners.map_or_else(|| refused(condition, known), Ok))?;
+            let given = words.clone().count();
+            let corners: Vec<u32> = words.filter_map(index).collect();
+            if corners.len() < given.max(3) {
+                let condition = "a face must have three vertices or more, numbered from 1 or, negative, back from the last";
+                return at_place(faces, refused(condition, corners.len() as f64));
+            }
             faces += 1;
             let fan = corners[1..].windows(2);
             triangles.extend(fan.map(|pair| [corners[0], pair[0], pair[1]]));

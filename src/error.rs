@@ -182,16 +182,15 @@ pub enum Error {
     },
     /// A motion that amplifies rounding beyond the accuracy asked for.
     #[error(
-        "accuracy {} is out of reach, {} was reached: rounding adds up, and in this motion a small change of the start grows {} times; a looser accuracy or an earlier end may do",
-        Number(*asked), estimated(*reached), estimated(*growth)
+        "accuracy {} is out of reach, {} was reached: rounding adds up, and in this motion a small change of the start {}; a looser accuracy or an earlier end may do",
+        Number(*asked), estimated(*reached), grown(*growth)
     )]
     Amplified {
         /// Accuracy asked for.
         asked: f64,
         /// Error estimate of the best run.
         reached: f64,
-        /// By what factor a small change of the start was seen to grow; or, where measuring it would take too long, the angle turned in radians, by
-        /// which a change of the rates grows at least.
+        /// By what factor a small change of the start was seen to grow; not a number where measuring it would take too long.
         growth: f64,
     },
     /// An effect that has no meaning for a kind of scene.
@@ -231,6 +230,15 @@ impl fmt::Display for Number {
 /// A number that is known to a digit or two, rounded to three.
 fn estimated(value: f64) -> Number {
     Number(format!("{value:.2e}").parse().unwrap_or(value))
+}
+
+/// What a small change of the start does in a motion that has this growth.
+fn grown(growth: f64) -> String {
+    match growth {
+        more if more > 1.0 => format!("grows {} times", estimated(more)),
+        _ if growth.is_nan() => "may grow, which would take too long to measure".to_owned(),
+        _ => "does not grow".to_owned(),
+    }
 }
 
 /// The result of every function in this library that can fail.

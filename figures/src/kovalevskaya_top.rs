@@ -269,6 +269,8 @@ pub fn classes(values: &Values) -> Result<Figure> {
 
     let ends = diagram.cubic_double(greatest)?;
 
+    let inside = |[e, h]: &Point| (least..=greatest).contains(e) && (0.0..=highest).contains(h);
+    motions.retain(inside);
     let (count, radius) = (motions.len(), brief(size));
     let words = words!(
         "Where two roots meet, one kind of motion ends and another begins.",
@@ -278,10 +280,8 @@ pub fn classes(values: &Values) -> Result<Figure> {
          lowest energy and widens to the right; its edges, and borders inside it, are two parallel rising lines and a curve that touches them."
     );
 
-    let inside = |[e, h]: &Point| (least..=greatest).contains(e) && (0.0..=highest).contains(h);
     let places = [56.0, 478.0, 290.0, 36.0];
     let frame = Frame::linear([least, greatest], [0.0, highest], places);
-    motions.retain(inside);
     let made = figure("appelrot-classes", 338.0, words, |pen| {
         frame.draw_round(pen, ["energy *E*", "*L*_{vert}^{2}"]);
         for start in frame.trace(motions.iter().copied()) {

@@ -143,21 +143,22 @@ pub fn diagram(title: &str, panels: &[[Quantity; 2]]) -> Figure {
                 pen.line(zero, muted(AXIS).dashed());
             }
             let mut line: Vec<Point> = Vec::new();
-            let mut before = None;
+            let mut before = [f64::NAN; 2];
             let few = varied && across.values.len() <= FEW;
-            for (&x, &y_there) in across.values.iter().zip(&up.values) {
-                let jumps = before.is_some_and(|last: f64| (y_there - last).abs() > 3.2);
-                if (y.goes_round && jumps) || y_there.is_nan() {
+            for (&a, &b) in across.values.iter().zip(&up.values) {
+                let jumps = |along: usize, to: f64| (to - before[along]).abs() > 3.2;
+                let round = (x.goes_round && jumps(0, a)) || (y.goes_round && jumps(1, b));
+                if round || b.is_nan() {
                     pen.line(line.drain(..), stroke(y.role(), DATA));
                 }
-                if y_there.is_nan() {
+                if b.is_nan() {
                     continue;
                 }
                 if few {
-                    pen.disc(frame.at(x, y_there), 3.0, y.role(), 1.0);
+                    pen.disc(frame.at(a, b), 3.0, y.role(), 1.0);
                 }
-                line.push(frame.at(x, y_there));
-                before = Some(y_there);
+                line.push(frame.at(a, b));
+                before = [a, b];
             }
             pen.line(&line, stroke(y.role(), DATA));
         }
@@ -177,28 +178,25 @@ pub fn map(title: &str, [x, y]: &[Quantity; 2], told: &Quantity) -> Figure {
     let drawn = told.drawn();
     let there = || drawn.values.iter().copied().filter(|value| !value.is_nan());
     let [low, high] = extent(&there().collect::<Vec<_>>());
+    // Steps of ink; one where all values are the same.
+    let steps = if high > low { 8 } else { 1 };
     let step = |value: f64| {
-        let share = (value - low) / (high - low) * f64::from(STEPS);
+        let share = (value - low) / (high - low) * f64::from(steps);
         // NaN is the first step.
-        (share as u32).min(STEPS - 1)
+        (share as u32).min(steps - 1)
     };
     let shade = |step: u32| (5.0 + 10.0 * f64::from(step)) / 100.0;
-    let refused = drawn.values.len() - there().count();
+    let count = drawn.values.len();
+    let refused = count - there().count();
     let [across, up] = [x, y].map(|axis| axis.values.len());
     let [least, greatest] = extent(&told.values).map(short);
     let unit = if told.unit == "1" { "" } else { told.unit };
     let left_out = match refused {
         0 => String::new(),
-        _ => format!(
-            "; {refused} of {} points have none, and are crossed out",
-            told.values.len()
-        ),
+        _ => format!("; {refused} of {count} points have none, and are crossed out"),
     };
-    let details = format!("From {least} to {greatest} {unit}")
-        .trim_end()
-        .to_owned()
-        + &left_out
-        + ".";
+    let range = format!("From {least} to {greatest} {unit}");
+    let details = format!("{}{left_out}.", range.trim_end());
     let words = Words {
         claim: format!("{title}: {} over {} and {}.", told.name, x.name, y.name),
         alt: format!(
@@ -238,11 +236,11 @@ pub fn map(title: &str, [x, y]: &[Quantity; 2], told: &Quantity) -> Figure {
             pen.remark([left - 9.0, frame.y.at(value) + 5.0], End, &text);
         }
         pen.label([592.0, top - 12.0], End, &drawn.label);
-        for step in 0..STEPS {
-            let height = |step: u32| bottom + (top - bottom) * f64::from(step) / f64::from(STEPS);
+        for step in 0..steps {
+            let height = |step: u32| bottom + (top - bottom) * f64::from(step) / f64::from(steps);
             let [from, to] = [height(step), height(step + 1)];
             pen.fill(boxed([480.0, from], [500.0, to]), Ink, shade(step));
-            let value = low + (high - low) * f64::from(step) / f64::from(STEPS);
+            let value = low + (high - low) * f64::from(step) / f64::from(steps);
             pen.remark([506.0, from + 5.0], Start, &short(value));
         }
         pen.remark([506.0, top + 5.0], Start, &short(high));
@@ -251,9 +249,6 @@ pub fn map(title: &str, [x, y]: &[Quantity; 2], told: &Quantity) -> Figure {
     let rows = rows.map(|(k, &value)| vec![x.values[k / up], y.values[k % up], value]);
     made.data(told.name.clone(), "across | up | told", rows)
 }
-
-/// Steps of ink.
-const STEPS: u32 = 8;
 
 /// The cost of a method, and its error.
 pub type Curve = (String, Vec<Point>);
@@ -356,10 +351,11 @@ fn cross([one, other]: [[Point; 2]; 2]) -> bool {
 
 /// The corners of a staircase: the points that no cheaper one matches in accuracy. An error of zero is drawn as one rounding.
 pub(crate) fn corners(points: &[Point]) -> Vec<Point> {
-    let drawn = points
+    let is_there = |[price, error]: &&Point| *price > 0.0 && error.is_finite();
+    let points = points
         .iter()
-        .filter(|[price, error]| *price > 0.0 && error.is_finite());
-    let points = drawn.map(|&[price, error]| [price, error.max(1e-17)]);
+        .filter(is_there)
+        .map(|&[price, error]| [price, error.max(1e-17)]);
     let mut points: Vec<Point> = points.collect();
     points.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let mut best = f64::INFINITY;
@@ -374,12 +370,17 @@ pub(crate) fn corners(points: &[Point]) -> Vec<Point> {
 /// Round numbers along an axis and their texts, at this distance; powers of ten along an axis that has several.
 fn ticks(axis: &Axis, apart: f64) -> Vec<(f64, String)> {
     let [low, high] = axis.shown.map(f64::log10);
-    if axis.scale == Scale::Linear || high - low < 2.0 {
-        return axis.ticks(apart);
+    if axis.scale == Scale::Log && high - low >= 2.0 {
+        let length = (axis.ends[1] - axis.ends[0]).abs();
+        let every = ((high - low) * apart / length).ceil().max(1.0) as usize;
+        return powers((low.ceil() as i32..=high.floor() as i32).step_by(every));
     }
-    let length = (axis.ends[1] - axis.ends[0]).abs();
-    let every = ((high - low) * apart / length).ceil().max(1.0) as usize;
-    powers((low.ceil() as i32..=high.floor() as i32).step_by(every))
+    let (marks, scale) = (axis.ticks(apart), Scale::Linear);
+    if marks.len() > 1 {
+        marks
+    } else {
+        Axis { scale, ..*axis }.ticks(apart)
+    }
 }
 
 /// A number in four digits, however large or small.

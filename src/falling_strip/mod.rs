@@ -10,8 +10,8 @@
 //! | | published | paper |
 //! |---|---|---|
 //! | [`Coefficients`] | [`Coefficients::PUBLISHED`], fitted by the authors to one plate in water | [`Coefficients::PAPER`], our fit to falling paper |
-//! | flutter ends at I* | 1.2191 | 0.515 |
-//! | Froude number there | 0.979 | 0.636; Belmonte, Eisenberg and Moses measured 0.67 ± 0.05 |
+//! | flutter ends at I* | 1.2191 | 0.527 |
+//! | Froude number there | 0.979 | 0.643; Belmonte, Eisenberg and Moses measured 0.67 ± 0.05 |
 
 mod fall;
 mod plate;

@@ -1,6 +1,7 @@
 //! Two feet on a line, with a muscle between them: friction is what makes crawling possible (tutorial 1.1).
 
 use crate::error::{Result, positive};
+use crate::precise::DoubleDouble;
 
 /// Two feet, rear and front.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,7 +55,13 @@ impl Strokes {
     pub(crate) fn beginning(&self, number: u64) -> f64 {
         let (push, pull) = (self.push, self.pull);
         let within = [0.0, 0.5 * push, push, push + 0.5 * pull][(number % 4) as usize];
-        (number / 4) as f64 * self.cycle() + within
+        let cycles = (number / 4) as f64;
+        cycles.mul_add(self.cycle(), cycles * self.beyond_the_cycle() + within)
+    }
+
+    /// What the rounded duration of a cycle lacks, s: beside many cycles it is more than a rounding.
+    fn beyond_the_cycle(&self) -> f64 {
+        DoubleDouble::sum(self.push, self.pull).low()
     }
 
     /// The piece in which a time (s) lies.
@@ -76,7 +83,10 @@ impl Strokes {
         let mut ends = piece..=piece + 1;
         let since = match ends.find(|end| self.beginning(4 * cycles + end) == time) {
             Some(end) => self.beginning(end),
-            None => (-(cycles as f64)).mul_add(self.cycle(), time),
+            None => {
+                let cycles = -(cycles as f64);
+                cycles.mul_add(self.cycle(), time) + cycles * self.beyond_the_cycle()
+            }
         };
         // Counted from the end of the piece at which the rate is zero: the beginning of even pieces, the end of odd ones.
         let elapsed = since - self.beginning(piece + piece % 2);

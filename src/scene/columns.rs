@@ -144,7 +144,8 @@ impl<S: 'static> Columns<S> {
         let mut row = Vec::with_capacity(places.len());
         for &place in places {
             let (of, place) = &self.tellers[place];
-            row.push(of(state, *place));
+            // Nothing is told as −0.
+            row.push(of(state, *place) + 0.0);
         }
         row
     }

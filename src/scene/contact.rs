@@ -384,7 +384,7 @@ impl OnTheTable {
         let fallen = takeoff.height - self.table.body.height(&Pose::of(y)).0;
         let climb = (takeoff.climb.powi(2) + 2.0 * self.table.gravity * fallen).sqrt();
         let climbs = [climb, -climb].into_iter();
-        climbs.filter_map(|climb| self.table.landed(y, climb, &|_| Ok(())).ok())
+        climbs.filter_map(|climb| self.table.landed(0.0, y, climb, &|_| Ok(())).ok())
     }
 
     fn takeoff(&self, time: f64, y: &Numbers) -> TakeOff {
@@ -415,7 +415,7 @@ impl OnTheTable {
                     false => Ok(()),
                 }
             };
-            *y = self.table.jammed(y, &spent)?;
+            *y = self.table.jammed(t, y, &spent)?;
             mode = self.supported(y);
             // The impulse ends with the jam, so that hardly any lift may be left: then the slip is followed on.
             if self.jams(&mode, y, 0.0) {
@@ -656,7 +656,7 @@ impl OnTheTable {
         if let Some(time) = landing {
             let (_, climb) = takeoff.at(time, self.table.gravity);
             let spent = |evaluations| ahead.budget.spend(evaluations, time);
-            passage.end = self.table.landed(&passage.end, climb, &spent)?;
+            passage.end = self.table.landed(time, &passage.end, climb, &spent)?;
         }
         Ok(passage)
     }

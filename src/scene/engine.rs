@@ -462,9 +462,9 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
     let rounding = ROUNDING * (10.0 + angle);
     let mut efforts = Efforts::new(stepper, accuracy, angle, furthest(&times));
     if rounding > accuracy {
-        // No run would do. The growth is measured within a small budget; if that does not suffice, a change of the rates grows by the angle.
+        // No run would do. The growth is measured within a small budget, if that suffices.
         let growth = growth(&first, stepper, efforts.worse(), &times, &request.moment());
-        return Err(request.amplified(rounding, growth.unwrap_or(angle)));
+        return Err(request.amplified(rounding, growth.unwrap_or(f64::NAN)));
     }
     // Runs beside the better one, the looser one last.
     let mut others = vec![run(efforts.worse(), 1.0, &[])?.1];

@@ -223,6 +223,9 @@ impl Turnover {
     }
 }
 
+/// The greatest angle, rad, at which a motion begins that is computed by its angle: beyond, the angle has fewer digits than an answer.
+pub(super) const MOST_TURNED: f64 = 1e6;
+
 /// Succeeds if `value` does not exceed `most`.
 ///
 /// # Errors

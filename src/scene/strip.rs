@@ -1,7 +1,9 @@
 //! The scene `strip` (tutorial 4.10): a strip that falls through a fluid, seen along its length.
 
 use super::engine::ROUNDING;
+use super::path::MOST_TURNED;
 use super::prelude::*;
+use crate::error::within;
 use crate::falling_strip::{Equations, Plate, RotationalDamping};
 
 state! {
@@ -86,7 +88,12 @@ impl Strip {
     /// ```
     pub fn new(plate: Plate, start: StripStart) -> Result<Self> {
         each_finite("the velocity at the start", start.velocity)?;
-        finite("the angle at the start", start.angle)?;
+        within(
+            "the angle at the start",
+            start.angle,
+            -MOST_TURNED,
+            MOST_TURNED,
+        )?;
         finite("the angular velocity at the start", start.omega)?;
         let equations = Equations::new(plate);
         Ok(Self { equations, start })

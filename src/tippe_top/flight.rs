@@ -142,8 +142,15 @@ impl Table {
     /// v·n = 0, where K is the inverse effective mass of the point in contact. So an impact can only lose energy.
     ///
     /// # Errors
-    /// [`Error::Integration`](crate::Error::Integration) for an impact that is not finite; those of `spent`, which receives the evaluations of every step.
-    pub(crate) fn landed(&self, y: &Numbers, climb: f64, spent: Spent<'_>) -> Result<Numbers> {
+    /// [`Error::Integration`](crate::Error::Integration), with the time `t`, for a point that only a pull of the table would bring to rest, and for an impact that
+    /// is not finite; those of `spent`, which receives the evaluations of every step.
+    pub(crate) fn landed(
+        &self,
+        t: f64,
+        y: &Numbers,
+        climb: f64,
+        spent: Spent<'_>,
+    ) -> Result<Numbers> {
         let pose = Pose::of(y);
         let arm = self.body.arm(&pose.up);
         let contact = pose.level + pose.up * climb + pose.omega.cross(&arm);
@@ -153,6 +160,10 @@ impl Table {
             free: -pose.up,
             up: pose.up,
         };
+        if self.friction == Some(Friction::NoSlip) && yielding.pulls(&contact) {
+            let reason = "a landing without slip takes a level impulse where none presses the body to the table; let it slide by Coulomb's law";
+            return stopped(reason, t);
+        }
         let contact = yielding.after_impact(self.friction, &contact, spent)?;
         Ok(self.body.struck(y, &pose, climb, contact))
     }
@@ -162,12 +173,12 @@ impl Table {
     ///
     /// # Errors
     /// As for [`landed`](Self::landed).
-    pub(crate) fn jammed(&self, y: &Numbers, spent: Spent<'_>) -> Result<Numbers> {
+    pub(crate) fn jammed(&self, t: f64, y: &Numbers, spent: Spent<'_>) -> Result<Numbers> {
         let pose = Pose::of(y);
         let (_, climb) = self.body.height(&pose);
         let reach = self.body.center.norm() + self.body.surface.greatest();
         let speed = pose.level.norm() + pose.omega.norm() * reach;
-        self.landed(y, climb - NO_SLIP * speed, spent)
+        self.landed(t, y, climb - NO_SLIP * speed, spent)
     }
 
     /// The state after an impulse that brings the point in contact to rest.
@@ -179,6 +190,12 @@ impl Table {
 }
 
 impl Yielding {
+    /// Whether the impulse that takes this velocity from the point in contact points down.
+    fn pulls(&self, contact: &Vector3<f64>) -> bool {
+        let free = *contact;
+        Self { free, ..*self }.holding().dot(&self.up) < 0.0
+    }
+
     /// The velocity of the point in contact after an impact on the table; before it, it is `contact`.
     fn after_impact(
         &self,

@@ -125,7 +125,7 @@ fn s3_2_momentum_changes_by_the_outside_force_alone() -> Result<()> {
 
 /// Splits of 2.2 and 2.3, which 3.2 builds on, and the rigid body as a special case of particles.
 #[test]
-fn a_fast_swarm_keeps_its_digits() -> Result<()> {
+fn a_fast_swarm_keeps_its_digits() {
     // Three equal masses whose velocities differ by 0, δ and 3δ: ½Σ(v − V)² = 7δ²/3.
     let (fast, delta) = (2f64.powi(25), 2f64.powi(-20));
     let swarm = [0.0, 1.0, 3.0].map(|part| Particle {
@@ -133,9 +133,8 @@ fn a_fast_swarm_keeps_its_digits() -> Result<()> {
         position: V::new(part, 0.0, 0.0),
         velocity: V::new(fast + part * delta, 0.0, 0.0),
     });
-    let energy = Particles::new(swarm)?.energy_split().relative;
+    let energy = Particles::new(swarm).unwrap().energy_split().relative;
     close!(energy, 7.0 / 3.0 * delta * delta, 1e-15);
-    Ok(())
 }
 
 #[test]

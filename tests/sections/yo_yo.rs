@@ -213,8 +213,7 @@ fn s4_9_a_loop_lets_it_sleep() -> Result<()> {
         let times: Vec<f64> = (0..120).map(|k| 0.1 * f64::from(k)).collect();
         let request = Request::at(times)?.to_accuracy(1e-12)?;
         let rows = scene.simulate(&request)?.rows;
-        let asleep = rows.iter().filter(|(_, s)| s.phase == Phase::Asleep);
-        let asleep: Vec<_> = asleep.collect();
+        let asleep = Vec::from_iter(rows.iter().filter(|(_, s)| s.phase == Phase::Asleep));
         let (since, first) = asleep[0];
         for (t, state) in &asleep[1..] {
             // I ω' = −torque − c ω²: ω falls from the tangent of an angle in proportion to the time.

@@ -429,7 +429,7 @@ fn set(name: &str, text: &str, path: &str, value: f64) -> Result<String> {
         let alike = |number: &&str| !files::meant(key(path), [key(number)].into_iter()).is_empty();
         let near = files::meant(path, numbers.iter().map(String::as_str).filter(alike));
         Error::Input(format!(
-            "{name}: there is no number `{path}` to vary; keys are joined by dots, and places in a list count from 0{near}"
+            "{name}: no number `{path}` stands in it to be varied; keys are joined by dots, and places in a list count from 0{near}"
         ))
     })
 }

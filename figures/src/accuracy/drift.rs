@@ -64,8 +64,7 @@ pub fn energy_drift(_: &Values) -> Result<Figure> {
         let up = powers([-4, -6, -8, -10, -12, -14, -16]);
         frame.draw(pen, &across, &up, ["steps", "energy, relative error"]);
         for (k, (line, style, name)) in lines.iter().enumerate() {
-            let places = thinned(line).map(|[x, y]| frame.at(x, y.max(1e-16)));
-            let places: Vec<Point> = places.collect();
+            let places = Vec::from_iter(thinned(line).map(|[x, y]| frame.at(x, y.max(1e-16))));
             pen.line(&places, *style);
             if let Some(&end) = places.last() {
                 let beside = if k == 1 { 22.0 } else { -10.0 };

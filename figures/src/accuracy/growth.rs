@@ -5,13 +5,14 @@ use spinning_bodies::integrators::Effort;
 
 use super::problem::problem;
 
-use Hardness::{StepsATurn, Tolerance};
+use Hardness::{Steps, Tolerance};
 
 use crate::prelude::*;
 
 /// The effort of a method.
 enum Hardness {
-    StepsATurn(f64),
+    /// Steps a turn.
+    Steps(f64),
     Tolerance(f64),
 }
 
@@ -22,16 +23,10 @@ const RK4: Stroke = muted(DATA).dotted();
 const ROTATIONS: Stroke = inked(DATA).dashed();
 const DISCRETE: Stroke = inked(DATA);
 const LINES: [Line; 4] = [
-    ("rk4", StepsATurn(32.0), 4, RK4, [-8.0, -12.0]),
+    ("rk4", Steps(32.0), 4, RK4, [-8.0, -12.0]),
     ("dop853", Tolerance(1e-11), 4, muted(DATA), [10.0, 5.0]),
-    ("rotations-4", StepsATurn(8.0), 5, ROTATIONS, [-14.0, -10.0]),
-    (
-        "moser-veselov-10",
-        StepsATurn(16.0),
-        5,
-        DISCRETE,
-        [0.0, 52.0],
-    ),
+    ("rotations-4", Steps(8.0), 5, ROTATIONS, [-14.0, -10.0]),
+    ("moser-veselov-10", Steps(16.0), 5, DISCRETE, [0.0, 52.0]),
 ];
 
 /// Errors after 1, 10, … 10ⁿ turns, in one run that continues from each to the next.
@@ -43,7 +38,7 @@ fn errors(line: &Line, candidate: &Candidate, exact: &Candidate) -> Result<Vec<[
     let turns = (0..=*most).map(|k| 10.0_f64.powi(k));
     let times: Vec<f64> = turns.clone().map(|turns| turns * first.end()).collect();
     let effort = match hardness {
-        StepsATurn(count) => Effort::Step(first.end() / count * (1.0 + 1e-12)),
+        Steps(count) => Effort::Step(first.end() / count * (1.0 + 1e-12)),
         Tolerance(tolerance) => Effort::Tolerance(*tolerance),
     };
     let follow = |one: &Candidate, effort| one.method.follow(first.start(), &times, effort);

@@ -22,8 +22,7 @@ pub fn scan(ratios: &[f64], coefficients: Coefficients, time: f64) -> Result<Vec
 
 /// Regimes against the mass ratio, for both sets of coefficients and for paper. It takes three hundred long runs, so the figure has no parameters.
 pub fn regimes(_: &Values) -> Result<Figure> {
-    let ratios = (0..=150).map(|k| 0.25 * 48_f64.powf(f64::from(k) / 150.0));
-    let ratios: Vec<f64> = ratios.collect();
+    let ratios = Vec::from_iter((0..=150).map(|k| 0.25 * 48_f64.powf(f64::from(k) / 150.0)));
     let sets = [Coefficients::PAPER, Coefficients::PUBLISHED];
     let rows = tried(sets, |set| scan(&ratios, set, 200.0))?;
     let ends = [
@@ -71,12 +70,10 @@ pub fn regimes(_: &Values) -> Result<Figure> {
                 if k < row.len() && row[k].regime == row[from].regime {
                     continue;
                 }
+                // Half-way between two ratios; at the ends, the ratio there.
                 let edge = |i: usize| {
-                    if i == 0 || i == row.len() {
-                        LINE.at(ratios[i.min(row.len() - 1)])
-                    } else {
-                        0.5 * (LINE.at(ratios[i - 1]) + LINE.at(ratios[i]))
-                    }
+                    let two = [i.saturating_sub(1), i.min(row.len() - 1)];
+                    0.5 * two.map(|i| LINE.at(ratios[i])).iter().sum::<f64>()
                 };
                 let (left, right) = (edge(from), edge(k));
                 let (alpha, name) = match row[from].regime {
@@ -89,11 +86,8 @@ pub fn regimes(_: &Values) -> Result<Figure> {
                 if right - left > 56.0 {
                     // Next to the line of the measured values, not over it.
                     let at = 0.5 * (left + right);
-                    let at = if (at - middle).abs() < 40.0 {
-                        left + 50.0
-                    } else {
-                        at
-                    };
+                    let over = (at - middle).abs() < 40.0;
+                    let at = if over { left + 50.0 } else { at };
                     pen.note([at, y + 30.0], Middle, name);
                 }
                 from = k;

@@ -29,9 +29,9 @@ pub fn cat_animated(_: &Values) -> Result<Figure> {
     let words = words!(
         "Let go on its back, the cat lands on its feet, and nothing has pushed it.",
         "Two cylinders with $I/J = {RATIO:.0}$ that bend by up to {forward}° turn by {turn}°, with angular momentum 0 all the \
-         time. Slowed down about ten times; the fall itself is left out, for it changes nothing.",
+         time. Slowed down about twelve times; the fall itself is left out, for it changes nothing.",
         "A cat of two round halves with head, legs and tail lies in the air on its back, bends, lets the bend run once round its spine, \
-         straightens and has its feet below. Without motion: the cat half-way, bent to the side."
+         straightens and has its feet below. Without motion: the cat on its way, bent forward and to the side."
     );
     let still = figure(NAME, 280.0, words, |pen| {
         pen.remark([590.0, 268.0], End, "angular momentum 0");

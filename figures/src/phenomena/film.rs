@@ -72,8 +72,7 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
         let needed = needed.filter(|back| *back <= forward.min(90.0));
         curves.push((forward, points, needed));
     }
-    let least = curves[0].1[0][1];
-    let low = (least / 30.0).floor() * 30.0;
+    let low = (curves[0].1[0][1] / 30.0).floor() * 30.0;
     let frame = Frame::linear([0.0, 90.0], [low, 240.0], [LEFT, RIGHT, BOTTOM, TOP]);
     let needed = |k: usize| curves[k].2.map(|back| number(back, 2));
     let name = |forward: f64| short(forward, 1);
@@ -81,7 +80,8 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
         let (back, forward) = (needed(k)?, name(curves[k].0));
         Some(format!("{back}° back after {forward}° forward"))
     };
-    let listed: Vec<String> = [1, 2, 4].into_iter().filter_map(told).collect();
+    let chosen = [usize::from(curves[1].2.is_some()), 2, 4];
+    let listed: Vec<String> = chosen.into_iter().filter_map(told).collect();
     let half_turns = match listed.is_empty() {
         true => "None of these bends makes it half a turn".to_owned(),
         false => format!("Half a turn takes {}", listed.join(", ")),
@@ -94,7 +94,7 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
         "Turn of two cylinders with $I/J = {shape}$ when the bend swings once round, from $\\gamma$ forward to the back bend half-way. \
          {half_turns}.",
         "Five rising curves of the turn against the bend backward, for {names} degrees forward. A level line at half a \
-         turn cuts {cut} of them, further to the left the more the cat bends forward."
+         turn cuts {cut} of them."
     );
     let made = figure("back-bend", 384.0, words, |pen| {
         let mut turns = marks(&[0.0, 60.0, 120.0, 180.0, 240.0], "°");

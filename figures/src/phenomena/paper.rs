@@ -63,16 +63,18 @@ fn turned([x, y]: Point, center: Point, tilt: f64) -> Point {
     [center[0] + c * x + s * y, center[1] - s * x + c * y]
 }
 
-fn sheet(pen: &mut Pen, center: Point, tilt: f64) {
+/// The sheet, and drag as a part of its weight.
+fn sheet(pen: &mut Pen, center: Point, tilt: f64, drag: f64) {
     let mut outline: Vec<Point> = SHEET.to_vec();
     outline.extend([[50.0, -4.0], [-44.0, -4.0], [-48.0, 30.0]]);
-    let outline = outline.into_iter().map(|p| turned(p, center, tilt));
-    let outline: Vec<Point> = outline.collect();
+    let outline = Vec::from_iter(outline.into_iter().map(|p| turned(p, center, tilt)));
     pen.fill(&outline, Ink, 0.1);
     pen.outline(&outline, inked(SECONDARY));
     let push = turned([0.0, -44.0], center, tilt);
     pen.line([center, push], inked(SECONDARY).dotted());
-    pen.arrow([push[0], push[1] + 54.0], push, inked(DATA));
+    if drag > 0.0 {
+        pen.arrow([push[0], push[1] + 54.0 * drag], push, inked(DATA));
+    }
     pen.arrow(center, [center[0], center[1] + 54.0], inked(DATA));
     pen.dot(center, 4.5);
     pen.dot(push, 4.5);
@@ -85,26 +87,28 @@ pub fn paper_cat(values: &Values) -> Result<Figure> {
     let scene = released(values, error)?;
     let righted = scene.rights_itself(30.0)?;
     let (time, fall) = righted.map_or((1.0, 0.0), |r| (r.time, r.fall));
-    // On its side, and nearly upright, to the hundredth of a second.
-    let times = [0.66, 0.84].map(|share| (100.0 * share * time).round() / 100.0);
-    let motion = scene.simulate(&Request::at(times)?)?;
-    let tilts = [PI - error, motion.rows[0].1.tilt, motion.rows[1].1.tilt];
+    // Let go, on its side, and nearly upright, to the hundredth of a second.
+    let times = [0.0, 0.66, 0.84].map(|share| (100.0 * share * time).round() / 100.0);
+    let rows = scene.simulate(&Request::at(times)?)?.rows;
+    let terminal = cat.terminal_speed(air, GRAVITY);
+    let tilts = [0, 1, 2].map(|n| rows[n].1.tilt);
+    let drags = [0, 1, 2].map(|n| (rows[n].1.velocity / terminal).powi(2));
     let [lever, shy] = shorts([values.of(&LEVER), error.to_degrees()], 1);
     let [first, second, third] = numbers(tilts.map(f64::to_degrees), 0);
-    let [early, late] = numbers(times, 2);
-    let speed = number(cat.terminal_speed(air, GRAVITY), 3);
+    let [_, early, late] = numbers(times, 2);
+    let speed = number(terminal, 3);
     let [mass, dense] = shorts([values.of(&MASS), air], 2);
     let words = words!(
         "The paper cat is turned by the air, like a shuttlecock.",
         "Its centre of mass lies {lever} mm below the point at which the air pushes; weight and drag turn the feet down from every tilt. Let go {shy}° from upside down, it \
          tilts by {second}° after {early} s and {third}° after {late} s, and points its feet down first after {fall:.3} m of fall. Terminal speed {speed} m/s, mass {mass} g, \
          air of {dense} kg/m³. Lever drawn larger than it is.",
-        "A cat cut from stiff paper in three positions, tilted by {first}, {second} and {third} degrees. In each an arrow of drag points up from the \
-         middle of its back and an arrow of weight points down from a dot nearer its feet."
+        "A cat cut from stiff paper in three positions, tilted by {first}, {second} and {third} degrees. In each an arrow of weight points down from a \
+         dot; in the second and third, which fall fast, an arrow of drag points up to the middle of the back."
     );
     let made = figure("paper-cat", 280.0, words, |pen| {
-        for (tilt, x) in tilts.into_iter().zip([108.0, 312.0, 500.0]) {
-            sheet(pen, [x, 132.0], tilt);
+        for ((tilt, drag), x) in tilts.into_iter().zip(drags).zip([108.0, 312.0, 500.0]) {
+            sheet(pen, [x, 132.0], tilt, drag);
             let spot = [x, 270.0];
             pen.label(spot, Middle, &format!("{}°", number(tilt.to_degrees(), 0)));
         }
@@ -120,7 +124,7 @@ pub fn paper_cat(values: &Values) -> Result<Figure> {
         });
         pen.name(beside, "drag", small(Ink));
     });
-    let rows = [0.0, times[0], times[1]].into_iter().zip(tilts);
+    let rows = times.into_iter().zip(tilts);
     let rows = rows.map(|(time, tilt)| [time, tilt.to_degrees()]);
     Ok(made.data("paper cat", "time (s) | tilt (°)", rows))
 }

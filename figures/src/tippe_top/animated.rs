@@ -31,7 +31,7 @@ pub fn turning_over(_: &Values) -> Result<Figure> {
         "Spun, a ball with a heavy foot turns itself upside down.",
         "Tippe top of 20 g, $R = 2$ cm, its centre of mass $C$ 6 mm below the centre $K$ of the ball, spun at 155 rad/s, in real time; the camera goes \
          round with the axis. Its spin about the vertical falls from {fast} to {slow} rad/s, $C$ rises by {climbed} mm.",
-        "On the left a ball with a filled cap on top and its centre of mass below the centre. On the right its tilt against time. For four seconds \
+        "On the left a ball with a filled cap on top and its centre of mass below the centre. On the right its tilt against time. For three seconds \
          the tilt is small, then the ball leans over, passes the horizontal at five seconds, and at six the cap is at the bottom \
          and the centre of mass above. Without motion: the ball almost on its side."
     );

@@ -22,11 +22,21 @@ pub fn beads(_: &Values) -> Result<Figure> {
     let farthest = beads.iter().flatten().map(Vector::norm).fold(0.0, f64::max);
     let deep = number(1e3 * body.center().norm(), 1);
     let [first, second, third] = pairs.map(|pair| number(1e3 * pair.norm(), 2));
+    let upright = body.center().components().normalize();
+    let leans = pairs.map(|rod| {
+        rod.components()
+            .normalize()
+            .dot(&upright)
+            .abs()
+            .acos()
+            .to_degrees()
+    });
+    let [left, right, lean] = numbers([90.0 - leans[0], 90.0 - leans[1], leans[2]], 1);
     let words = words!(
         "Six equal beads on three crossed rods make the chiral top.",
         "The ball from two sides; $K$ its centre, the rods cross at $C$, {deep} mm below it for $R = 2$ cm. Beads of a sixth of the mass each sit on the \
-         principal axes at {first}, {second} and {third} mm from $C$; the farthest is {farthest:.3} of $R$ from $K$. The rods are tilted against $CK$ by up to 8.4°, and \
-         that is the whole secret.",
+         principal axes at {first}, {second} and {third} mm from $C$; the farthest is {farthest:.3} of $R$ from $K$. One rod leans {lean}° from $CK$, the others \
+         {left}° and {right}° from level, and that is the whole secret.",
         "Two views of a transparent ball. Three rods cross at a point C a little below the centre K, each with a bead at both ends, all inside the ball. One \
          rod is nearly vertical but visibly leans."
     );

@@ -50,7 +50,7 @@ pub fn egg_film(values: &Values) -> Result<Figure> {
     let (ends, after) = (number(last, 0), number(rows[500].0, 1));
     let claim = match frames.len() {
         2 => format!(
-            "Laid down and spun so sluggishly, a boiled egg stays down: after {after} seconds its axis is {ends} degrees from the vertical."
+            "Laid down and spun so sluggishly, a boiled egg has not risen after {after} seconds: its axis is {ends} degrees from the vertical."
         ),
         _ if last > 7.0 => format!(
             "Laid down and spun, a boiled egg rises part of the way in {after} seconds, to {ends} degrees from the vertical."
@@ -61,8 +61,7 @@ pub fn egg_film(values: &Values) -> Result<Figure> {
         let (angle, time) = (number(tilt.to_degrees(), 0), number(*time, 2));
         format!("{angle} degrees at {time} s")
     };
-    let times: Vec<String> = frames.iter().map(told).collect();
-    let times = times.join(", ");
+    let times = Vec::from_iter(frames.iter().map(told)).join(", ");
     let words = words!(
         "{claim}",
         "Picture h of the tutorial. An egg of 6 by 4 cm and 60 g at {turns:.0} turns a second, $\\mu = {mu:.2}$ smoothed over 2 mm/s, drawn when its long axis first stands at \
@@ -95,7 +94,7 @@ fn one(pen: &mut Pen, foot: Point, time: f64, tilt: f64) {
     pen.remark([foot[0], foot[1] + 41.0], Middle, &format!("{time:.2} s"));
 }
 
-/// An egg with too little spin rises part of the way, then rolls. Seven runs of eight seconds; the figure has no parameters.
+/// How far an egg rises in eight seconds: with too little spin, part of the way. Seven runs of eight seconds; the figure has no parameters.
 pub fn how_far_eggs_rise(_: &Values) -> Result<Figure> {
     let ends = tried(SPINS, |turns| {
         let rows = run(&egg_scene(turns, 0.1)?, 8.0, 8)?;
@@ -104,18 +103,20 @@ pub fn how_far_eggs_rise(_: &Values) -> Result<Figure> {
     let [eight, nine, ten] = numbers([ends[0], ends[1], ends[2]], 0);
     let twenty = number(ends[6], 1);
     let words = words!(
-        "Spun lazily, an egg stops on its way up, or never starts.",
+        "Spun lazily, an egg is still on its way up after eight seconds, or never starts.",
         "Angle between the long axis and the vertical after 8 s, against the spin given to the lying egg ($6\\times4$ cm, 60 g, $\\mu = 0.1$ smoothed over 2 mm/s). At 8 \
-         turns a second it stays at {eight}°, at 10 it rests at {ten}°, at 20 at {twenty}°.",
-        "Final angle from the vertical against turns a second. At eight turns the egg stays at {eight} degrees, at nine it lifts to {nine}. Then \
+         turns a second it stays at {eight}°, at 10 it has come to {ten}°, at 20 to {twenty}°.",
+        "Angle from the vertical after eight seconds against turns a second. At eight turns the egg stays at {eight} degrees, at nine it lifts to {nine}. Then \
          the angle falls: {ten} at ten turns, and {twenty} at twenty."
     );
     Ok(figure("egg-angle", 348.0, words, |pen| {
         let frame = Frame::linear([7.0, 21.0], [0.0, 95.0], [62.0, 572.0, 296.0, 34.0]);
+        let across = marks(&[8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0], "");
+        let up = marks(&[0.0, 30.0, 60.0, 90.0], "°");
         frame.draw(
             pen,
-            &marks(&[8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0], ""),
-            &marks(&[0.0, 30.0, 60.0, 90.0], "°"),
+            &across,
+            &up,
             ["turns a second", "angle from the vertical"],
         );
         let curve = SPINS.into_iter().zip(ends).map(|(turns, end)| [turns, end]);

@@ -48,17 +48,15 @@ pub fn effective(values: &Values) -> Result<Figure> {
     let ends = tried(&spins, |&spin| {
         top.final_tilt(top.jellett_of_spin(spin, 0.0), 1e-3)
     })?;
-    let listed = ends
-        .iter()
-        .map(|tilt| format!("{}°", number(tilt.to_degrees(), 1)));
-    let listed: Vec<String> = listed.collect();
+    let told = |tilt: &f64| format!("{}°", number(tilt.to_degrees(), 1));
+    let listed: Vec<String> = ends.iter().map(told).collect();
     let (greatest, farthest) = (ends[ends.len() - 1], &listed[ends.len() - 1]);
     let rise = top.least_spin_to_rise();
     let fastest = number(SPINS[3], 0);
     let claim = match (top.inversion(), top.least_spin_to_invert()) {
         (Inversion::Never, _) => "However fast this top is spun, the upright place stays a hollow, and friction leaves it there.".to_owned(),
         _ if greatest < 0.01 => format!(
-            "Spin up to {fastest} rad/s leaves the lowest place upright: this top begins to rise at {} rad/s.",
+            "Spin up to {fastest} rad/s leaves a hollow at the upright place, and the top in it: it begins to rise at {} rad/s.",
             number(rise.unwrap_or(0.0), 1)
         ),
         (Inversion::Partial, _) => format!(

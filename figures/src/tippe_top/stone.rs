@@ -9,7 +9,7 @@ use super::toys::*;
 use crate::prelude::*;
 
 parameters! {
-    PRODUCT: "product", "I_{12}/M", "cm²", "product of inertia over the mass", [-2.0, 2.0], -0.2;
+    PRODUCT: "product", "I_{12}/M", "cm²", "product of inertia over the mass", [-0.5, 0.5], -0.2;
 }
 /// The parameters.
 pub const STONE: [Parameter; 2] = [PRODUCT, SPIN.between([1.0, 8.0], 5.0)];

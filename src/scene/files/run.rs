@@ -82,7 +82,11 @@ pub fn telling<N: AsRef<str>>(scene: AnyScene, names: &[N]) -> Result<AnyScene, 
     let scene = scene
         .telling(names)
         .map_err(|UnknownColumn { name, names }| {
-            let (meant, names) = (meant(&name, names.iter().copied()), names.join(", "));
+            let meant = match name.as_str() {
+                "t" => "; the time comes first, unasked".to_owned(),
+                _ => meant(&name, names.iter().copied()),
+            };
+            let names = names.join(", ");
             format!("has no column `{name}` to tell; there are {names}{meant}")
         })?;
     let names: Vec<&str> = names.iter().map(N::as_ref).collect();

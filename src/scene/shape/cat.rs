@@ -219,6 +219,12 @@ impl Flow<4> for Cat {
         next_of(self.turnover.map(|path| path.corners()), t)
     }
 
+    /// The closed form is that of a cat without angular momentum, which stands still once it has turned over.
+    fn rounding(&self, angle: f64, _: &[(f64, ())]) -> f64 {
+        let whole = |path: Turnover| path.greatest_rate() * path.duration;
+        OF_CLOSED_FORMS * (1.0 + angle.min(self.turnover.map_or(0.0, whole)))
+    }
+
     /// Ω is a function of the attitude, and its error, relative to the fastest rate, is no greater.
     fn distance(&self, ((), a): &((), [f64; 4]), ((), b): &((), [f64; 4])) -> f64 {
         unit(a).angle_to(&unit(b))

@@ -199,6 +199,17 @@ impl Flow<5> for Crawler {
         Ok((piece, next))
     }
 
+    /// Strokes are told from the time since their cycle began, which has no rounding of its own however many there were; friction forgets the roundings of
+    /// events, and only those of the way add up.
+    fn rounding(&self, angle: f64, phases: &[(f64, Phase)]) -> f64 {
+        let of_a_cycle = angle.min(self.pace() * self.body.strokes.cycle());
+        let events = match self.grip() {
+            Some(_) => f64::EPSILON * (angle + phases.len() as f64),
+            None => 0.0,
+        };
+        OF_CLOSED_FORMS * (1.0 + of_a_cycle) + events
+    }
+
     fn known(&self, (piece, leg): Phase, ahead: &Ahead<'_, 5>) -> Option<Passed<5>> {
         let (from, y) = ahead.start;
         let gap = self.gap(piece, from);

@@ -2,7 +2,9 @@
 
 use core::f64::consts::{PI, TAU};
 
+use crate::error::within;
 use crate::phenomena;
+use crate::scene::path::MOST_TURNED;
 use crate::scene::prelude::*;
 
 /// π less the double nearest to it.
@@ -57,7 +59,7 @@ impl PaperCat {
     pub fn new(cat: phenomena::PaperCat, tilt: f64) -> Result<Self> {
         Ok(Self {
             cat: cat.checked()?,
-            tilt: finite("the tilt", tilt)?,
+            tilt: within("the tilt", tilt, -MOST_TURNED, MOST_TURNED)?,
             air: None,
             gravity: None,
         })

@@ -380,6 +380,7 @@ fn what_cannot_be_simulated_is_refused() {
     let mut nothing = PaperCat::POSTCARD;
     nothing.mass = f64::NAN;
     assert!(shape::PaperCat::new(nothing, 0.0).is_err());
+    refused!(shape::PaperCat::new(PaperCat::POSTCARD, 1e20), OutOfRange);
     assert!(shape::Skater::new(grown(), -1.0, TAU).is_err());
 }
 

@@ -241,6 +241,9 @@ fn methods_agree_and_refusals_are_named() {
     nonsense.translational = f64::NAN;
     assert!(strip.with(nonsense).is_err());
     refused!(strip.with(TurnLoss::new(0.9).unwrap()), Effect);
+    let mut turned = START;
+    turned.angle = 1e20;
+    refused!(Strip::new(plate(), turned), OutOfRange);
     assert!(Plate::new(0.01, 1e-3, 1.2, 2.0, 0.3).is_err());
 }
 

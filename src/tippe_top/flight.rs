@@ -190,10 +190,11 @@ impl Table {
 }
 
 impl Yielding {
-    /// Whether the impulse that takes this velocity from the point in contact points down.
+    /// Whether the point in contact approaches the table, and the impulse that takes this velocity from it points down all the same.
     fn pulls(&self, contact: &Vector3<f64>) -> bool {
         let free = *contact;
-        Self { free, ..*self }.holding().dot(&self.up) < 0.0
+        let approaches = free.dot(&self.up) < 0.0;
+        approaches && Self { free, ..*self }.holding().dot(&self.up) < 0.0
     }
 
     /// The velocity of the point in contact after an impact on the table; before it, it is `contact`.

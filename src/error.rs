@@ -181,6 +181,14 @@ pub enum Error {
         value: f64,
     },
     /// A motion that amplifies rounding beyond the accuracy asked for.
+    ///
+    /// ```
+    /// use spinning_bodies::Error;
+    /// let told = |growth| Error::Amplified { asked: 1e-10, reached: 1e-9, growth }.to_string();
+    /// assert!(told(7.0).contains("the start grows 7 times;"));
+    /// assert!(told(0.5).contains("the start does not grow;"));
+    /// assert!(told(f64::NAN).contains("may grow"));
+    /// ```
     #[error(
         "accuracy {} is out of reach, {} was reached: rounding adds up, and in this motion a small change of the start {}; a looser accuracy or an earlier end may do",
         Number(*asked), estimated(*reached), grown(*growth)

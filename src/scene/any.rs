@@ -212,6 +212,10 @@ impl Table {
     /// let scene = AnyScene::scene(Box::new(ball));
     /// let table = scene.simulate(&Request::at([0.0, 2.0])?)?;
     /// assert_eq!(table.row(1).0, 2.0);
+    /// // Nothing is told as −0.
+    /// let ball = Roller::new(RoundBody::new(0.17, 0.0286, 0.4)?, 9.81, -0.0, -0.0)?;
+    /// let still = AnyScene::scene(Box::new(ball)).simulate(&Request::at([1.0])?)?;
+    /// assert!(still.row(0).1.iter().all(|number| number.is_sign_positive()));
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn row(&self, place: usize) -> (f64, Vec<f64>) {

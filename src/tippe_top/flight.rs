@@ -160,11 +160,7 @@ impl Table {
             free: -pose.up,
             up: pose.up,
         };
-        if self.friction == Some(Friction::NoSlip) && yielding.pulls(&contact) {
-            let reason = "a landing without slip takes a level impulse where none presses the body to the table; let it slide by Coulomb's law";
-            return stopped(reason, t);
-        }
-        let contact = yielding.after_impact(self.friction, &contact, spent)?;
+        let contact = yielding.after_impact(t, self.friction, &contact, spent)?;
         Ok(self.body.struck(y, &pose, climb, contact))
     }
 
@@ -190,16 +186,10 @@ impl Table {
 }
 
 impl Yielding {
-    /// Whether the point in contact approaches the table, and the impulse that takes this velocity from it points down all the same.
-    fn pulls(&self, contact: &Vector3<f64>) -> bool {
-        let free = *contact;
-        let approaches = free.dot(&self.up) < 0.0;
-        approaches && Self { free, ..*self }.holding().dot(&self.up) < 0.0
-    }
-
-    /// The velocity of the point in contact after an impact on the table; before it, it is `contact`.
+    /// The velocity of the point in contact after an impact on the table, at the time `t`; before it, it is `contact`.
     fn after_impact(
         &self,
+        t: f64,
         friction: Option<Friction>,
         contact: &Vector3<f64>,
         spent: Spent<'_>,
@@ -215,7 +205,15 @@ impl Yielding {
                 let push = matrix * up;
                 Ok(slip + (push / up.dot(&push) - up) * fall)
             }
-            Some(Friction::NoSlip) => Ok(Vector3::zeros()),
+            Some(Friction::NoSlip) => {
+                let free = *contact;
+                let reason = "a landing without slip takes a level impulse where none presses the body to the table; let it slide by Coulomb's law";
+                let push = Self { free, ..*self }.holding();
+                match push.dot(up) < 0.0 {
+                    true => stopped(reason, t),
+                    false => Ok(Vector3::zeros()),
+                }
+            }
             Some(friction @ Friction::Coulomb(law)) => {
                 let (slip, left) = self.slowed(friction, &slip, fall, spent)?;
                 if left <= 0.0 {
@@ -353,7 +351,7 @@ mod tests {
             up: Vector3::z(),
         };
         let contact = Vector3::new(slip, 0.0, -approach);
-        let after = yielding.after_impact(Some(law.into()), &contact, &|_| Ok(()));
+        let after = yielding.after_impact(0.0, Some(law.into()), &contact, &|_| Ok(()));
         after.unwrap().into()
     }
 

@@ -111,12 +111,10 @@ pub fn how_far_eggs_rise(_: &Values) -> Result<Figure> {
     );
     Ok(figure("egg-angle", 348.0, words, |pen| {
         let frame = Frame::linear([7.0, 21.0], [0.0, 95.0], [62.0, 572.0, 296.0, 34.0]);
-        let across = marks(&[8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0], "");
-        let up = marks(&[0.0, 30.0, 60.0, 90.0], "°");
         frame.draw(
             pen,
-            &across,
-            &up,
+            &marks(&[8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0], ""),
+            &marks(&[0.0, 30.0, 60.0, 90.0], "°"),
             ["turns a second", "angle from the vertical"],
         );
         let curve = SPINS.into_iter().zip(ends).map(|(turns, end)| [turns, end]);

@@ -170,7 +170,7 @@ tables! { PaperCatKeys
     [body]
     card: Postcard;
     [initial]
-    tilt: f64, "an angle in rad", From(-1e6, 1e6);
+    tilt: f64, "an angle in rad", From(-MOST_TURNED, MOST_TURNED);
     [effects]
     gravity: Option<Gravity>, "an acceleration in m/s²";
     air: Option<Air>, "a density in kg/m³", NotNegative;

@@ -7,6 +7,7 @@ pub(super) use super::reader::{Place, Reader, Section, Table, Value};
 pub(super) use super::values::{Word, key, keys, section, tables};
 pub(super) use crate::frame::{Attitude, BodyVector};
 pub(super) use crate::scene::effects::*;
+pub(super) use crate::scene::path::MOST_TURNED;
 pub(super) use crate::scene::sight::Told;
 pub(super) use crate::scene::{AnyScene, Around, Sight, Solid};
 

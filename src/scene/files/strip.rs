@@ -24,7 +24,7 @@ tables! { StripKeys
 }
 
 keys! { StripStart
-    angle: f64 = 0.0, "an angle in rad", From(-1e6, 1e6);
+    angle: f64 = 0.0, "an angle in rad", From(-MOST_TURNED, MOST_TURNED);
     velocity: [f64; 2] = 0.0, "a velocity in m/s";
     omega: f64 = 0.0, "an angular velocity in rad/s";
 }

@@ -5,8 +5,8 @@ const COORDINATES: [&str; 10] = ["points", "x", "y", "x1", "y1", "x2", "y2", "cx
 
 /// Compares two SVG documents token by token.
 ///
-/// Coordinates on the canvas may differ by one unit (a tenth of a design unit), because the last bit of a
-/// sine may turn a rounding; everything else, numbers in labels included, must be equal.
+/// Coordinates on the canvas may differ by one unit (a tenth of a design unit), and the numbers of a film by one in their last digit, because the last
+/// bit of a sine may turn a rounding; everything else, numbers in labels included, must be equal.
 ///
 /// # Errors
 /// The first difference, on one line: the figure's name, the number of the token, and what stands there in both.
@@ -44,19 +44,29 @@ impl Token<'_> {
         let (Token::Coordinate(a), Token::Coordinate(b)) = (self, other) else {
             return false;
         };
-        match (a.parse::<i64>(), b.parse::<i64>()) {
-            (Ok(a), Ok(b)) => a.abs_diff(b) <= 1,
-            _ => false,
-        }
+        let unit = |unit: &&str| a.ends_with(unit);
+        let unit = ["px", "deg", "rad"].into_iter().find(unit).unwrap_or("");
+        let (Some(a), Some(b)) = (a.strip_suffix(unit), b.strip_suffix(unit)) else {
+            return false;
+        };
+        let digits = |text: &str| text.split_once('.').map_or(0, |(_, digits)| digits.len());
+        let one = 0.1_f64.powi(digits(a).max(digits(b)) as i32);
+        let near = |a: f64, b: f64| (a - b).abs() < 1.5 * one;
+        matches!((a.parse(), b.parse()), (Ok(a), Ok(b)) if near(a, b))
     }
 }
 
-/// Words of the text, names and values of attributes; coordinates singly.
+/// Words of the text, names and values of attributes; coordinates and the numbers of a film singly.
 fn tokens(document: &str) -> Vec<Token<'_>> {
-    let mut found = Vec::new();
+    let (mut found, mut film) = (Vec::new(), false);
     let mut rest = document;
     while let Some(start) = rest.find('<') {
-        found.extend(rest[..start].split_ascii_whitespace().map(Token::Other));
+        let text = &rest[..start];
+        match film {
+            true => found.extend(text.split(['{', '}', '(', ')', ',']).map(Token::Coordinate)),
+            false => found.extend(text.split_ascii_whitespace().map(Token::Other)),
+        }
+        film = rest[start..].starts_with("<style");
         let end = rest[start..]
             .find('>')
             .map_or(rest.len(), |k| start + k + 1);

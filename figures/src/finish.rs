@@ -211,11 +211,7 @@ fn rich(body: &str, size: f64) -> String {
             }
             [b'_' | b'^', b'{', ..] => {
                 let end = rest.find('}').unwrap_or(rest.len());
-                let level = if rest.starts_with('_') {
-                    0.24 * size
-                } else {
-                    -0.36 * size
-                };
+                let level = size * if rest.starts_with('_') { 0.24 } else { -0.36 };
                 (&rest[2..end], level, rest.get(end + 1..).unwrap_or(""))
             }
             _ => {

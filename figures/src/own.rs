@@ -161,6 +161,10 @@ pub fn diagram(title: &str, panels: &[[Quantity; 2]]) -> Figure {
                 before = [a, b];
             }
             pen.line(&line, stroke(y.role(), DATA));
+            // What does not move.
+            if let Some(at) = line.first().filter(|at| line.iter().all(|other| other == *at)) {
+                pen.disc(*at, 3.0, y.role(), 1.0);
+            }
         }
     });
     panels.iter().fold(made, |made, [x, y]| {

@@ -619,6 +619,16 @@ pub fn tried<A, T>(
     each.into_iter().map(make).collect()
 }
 
+/// The last number for which something holds that holds for the first of two and not for the second: by sixty halvings, to rounding.
+pub fn border([mut holds, mut not]: [f64; 2], test: impl Fn(f64) -> Result<bool>) -> Result<f64> {
+    for _ in 0..60 {
+        let middle = 0.5 * (holds + not);
+        let side = if test(middle)? { &mut holds } else { &mut not };
+        *side = middle;
+    }
+    Ok(holds)
+}
+
 /// A number as a slider gives it: four figures, no trailing zeros.
 pub fn brief(value: f64) -> String {
     let digits = (3.0 - value.abs().max(1e-9).log10().floor()).max(0.0) as usize;

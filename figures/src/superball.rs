@@ -94,10 +94,11 @@ fn legs(motions: [Motion<f64>; 3]) -> Vec<Leg> {
             0.0 => wanted,
             _ => wanted.min((there - from) / v),
         };
+        let down = k == 1;
         legs.push(Leg {
             from,
             motion,
-            down: k == 1,
+            down,
             end,
         });
         if end < 1.0 {

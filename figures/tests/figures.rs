@@ -313,4 +313,17 @@ fn the_comparison_allows_one_unit_of_a_coordinate_and_nothing_else() {
         assert!(compare("a", old, &other).is_err(), "{wrong}");
     }
     assert!(compare("a", old, "").is_err(), "a missing file");
+    // A film: 0.1 degree, a pixel; not another time, nor another unit.
+    let film = "<style>@keyframes a{5.00%{transform:rotate(9.5deg) translate(3px,4px)}}.a{animation:a 8s}</style>";
+    for (piece, other, same) in [
+        ("9.5deg", "9.6deg", true),
+        ("(3px", "(2px", true),
+        ("9.5deg", "9.5rad", false),
+        ("4px", "6px", false),
+        ("8s", "9s", false),
+        ("5.00%", "5.01%", false),
+    ] {
+        let told = compare("a", film, &film.replace(piece, other));
+        assert_eq!(told.is_ok(), same, "{other}: {told:?}");
+    }
 }

@@ -2,16 +2,40 @@
 
 use figures::{Entry, Figure, Look, Mark, Parameter, Values, all};
 use rayon::prelude::*;
+use std::sync::LazyLock;
 
-/// Figures that have parameters, and each of these.
-fn parameters() -> impl Iterator<Item = (&'static Entry, &'static Parameter)> {
-    let each = |entry: &'static Entry| entry.parameters.iter().map(move |one| (entry, one));
-    all().iter().flat_map(each)
+/// Figures that have parameters, as the book has them.
+static MOVED: LazyLock<Vec<(&Entry, Figure)>> = LazyLock::new(|| {
+    let moved = all().par_iter().with_max_len(1);
+    let moved = moved.filter(|entry| !entry.parameters.is_empty());
+    moved
+        .map(|entry| (entry, drawn(entry, &Values::default())))
+        .collect()
+});
+
+/// Their parameters, each with its figure.
+fn parameters() -> impl Iterator<Item = (&'static Entry, &'static Figure, &'static Parameter)> {
+    let of = |(entry, book): &'static (&Entry, Figure)| {
+        let each = entry.parameters.iter();
+        each.map(move |one| (*entry, book, one))
+    };
+    MOVED.iter().flat_map(of)
+}
+
+/// These values, and of one more parameter what is at this share of its range.
+fn and(values: Values, parameter: &Parameter, share: f64) -> Values {
+    let values = values.with(parameter, parameter.at(share));
+    values.unwrap_or_else(|told| panic!("its own range: {told}"))
 }
 
 fn chosen(parameter: &Parameter, share: f64) -> Values {
-    let values = Values::default().with(parameter, parameter.at(share));
-    values.unwrap_or_else(|told| panic!("its own range: {told}"))
+    and(Values::default(), parameter, share)
+}
+
+/// All parameters at this share of their ranges.
+fn everywhere(entry: &Entry, share: f64) -> Values {
+    let all = entry.parameters.iter();
+    all.fold(Values::default(), |values, one| and(values, one, share))
 }
 
 fn drawn(entry: &Entry, values: &Values) -> Figure {
@@ -38,16 +62,16 @@ fn stays_on_the_canvas(figure: &Figure, about: &str) {
     }
 }
 
-/// Draws `points` figures of each range.
-fn walk(points: u32) {
-    let walk = |(entry, parameter): (&Entry, &Parameter)| {
-        let book = drawn(entry, &Values::default());
+/// Draws figures at these shares of each range.
+fn walk(shares: &[f64]) {
+    for (entry, book, parameter) in parameters() {
         let mut follows = false;
-        for k in 0..points {
-            let values = chosen(parameter, f64::from(k) / f64::from(points - 1));
+        for &share in shares {
+            let values = chosen(parameter, share);
             let about = format!("{} of {values:?}", entry.name);
             let figure = drawn(entry, &values);
             stays_on_the_canvas(&figure, &about);
+            assert_eq!(figure.size, book.size, "{about}");
             let svg = figure.svg();
             for text in told(&figure).into_iter().chain([svg.as_str()]) {
                 let mut lost = ["NaN", "inf", "-0 ", "\u{2212}0 "].into_iter();
@@ -55,61 +79,60 @@ fn walk(points: u32) {
                 assert_eq!(lost, None, "{about}: {}", text.lines().next().unwrap_or(""));
             }
             // Both ends, for the browser to look at.
-            if let (Ok(folder), true) = (std::env::var("FIGURE_FOLDER"), k == 0 || k + 1 == points)
-            {
-                let end = ["low", "high"][usize::from(k > 0)];
+            let end = match share {
+                0.0 => Some("low"),
+                1.0 => Some("high"),
+                _ => None,
+            };
+            if let (Ok(folder), Some(end)) = (std::env::var("FIGURE_FOLDER"), end) {
                 let file = format!("{folder}/{}--{}-{end}.svg", entry.name, parameter.key);
                 std::fs::write(file, figure.file(Look::default())).expect("FIGURE_FOLDER exists");
             }
             let numbers = figure.data.rows.iter().flat_map(|(_, row)| row);
             assert!(numbers.clone().all(|n| n.is_finite()), "{about}: data");
-            follows |= told(&figure) != told(&book);
+            follows |= told(&figure) != told(book);
         }
         let key = parameter.key;
         assert!(follows, "{}: no caption follows {key}", entry.name);
-    };
-    parameters().par_bridge().for_each(walk);
+    }
 }
 
 #[test]
-fn five_points_of_each_range_can_be_drawn() {
-    walk(5);
+fn both_ends_of_each_range_can_be_drawn() {
+    walk(&[0.0, 1.0]);
 }
 
-/// All of them at once at the lower ends, and at the upper ones.
 #[test]
-fn two_corners_of_all_ranges_can_be_drawn() {
-    let moved = all()
-        .par_iter()
-        .filter(|entry| !entry.parameters.is_empty());
-    moved.for_each(|entry| {
-        for share in [0.0, 1.0] {
-            let values = entry
-                .parameters
-                .iter()
-                .fold(Values::default(), |values, one| {
-                    let at = one.at(share);
-                    values
-                        .with(one, at)
-                        .unwrap_or_else(|told| panic!("its own range: {told}"))
-                });
-            stays_on_the_canvas(
-                &drawn(entry, &values),
-                &format!("{} of {values:?}", entry.name),
-            );
-        }
-    });
+fn so_can_what_lies_between() {
+    walk(&[0.2, 0.8]);
+}
+
+#[test]
+fn so_can_what_is_nearer_the_middle() {
+    walk(&[0.4, 0.6]);
 }
 
 #[test]
 #[ignore = "minutes: fifty points of each range"]
 fn fifty_points_of_each_range_can_be_drawn() {
-    walk(50);
+    let shares = Vec::from_iter((0..50).map(|k| f64::from(k) / 49.0));
+    shares.par_chunks(2).for_each(walk);
+}
+
+/// All of them at once at the lower ends, and at the upper ones.
+#[test]
+fn two_corners_of_all_ranges_can_be_drawn() {
+    for (entry, _) in MOVED.iter() {
+        for values in [0.0, 1.0].map(|share| everywhere(entry, share)) {
+            let about = format!("{} of {values:?}", entry.name);
+            stays_on_the_canvas(&drawn(entry, &values), &about);
+        }
+    }
 }
 
 #[test]
 fn parameters_are_well_formed() {
-    for (entry, one) in parameters() {
+    for (entry, _, one) in parameters() {
         let about = format!("{}: {one}", entry.name);
         let [low, high] = one.range;
         assert!(low < high && (low..=high).contains(&one.default), "{about}");
@@ -121,9 +144,7 @@ fn parameters_are_well_formed() {
         let same = entry.parameters.iter().filter(|other| other.key == one.key);
         assert_eq!(same.count(), 1, "{about}");
     }
-    let moved = all().iter().filter(|entry| !entry.parameters.is_empty());
-    for entry in moved.clone() {
-        let figure = drawn(entry, &Values::default());
+    for (entry, figure) in MOVED.iter() {
         assert!(!figure.data.rows.is_empty(), "{}: no data", entry.name);
         let width = figure.data.columns.len();
         assert!(figure.data.rows.iter().all(|(_, row)| row.len() == width));
@@ -133,7 +154,7 @@ fn parameters_are_well_formed() {
 /// Where the handle of a value stands, a hand finds that value again.
 #[test]
 fn a_hand_finds_the_value_it_takes() {
-    for (entry, parameter) in parameters() {
+    for (entry, book, parameter) in parameters() {
         let Some(handle) = parameter.handle else {
             continue;
         };
@@ -147,7 +168,7 @@ fn a_hand_finds_the_value_it_takes() {
             let [x, y] = there.expect("within its range");
             let off = (x - place[0]).hypot(y - place[1]);
             assert!(off <= 1e-3, "{about}: found at {found}");
-            for (at, side) in place.into_iter().zip(drawn(entry, &values).size) {
+            for (at, side) in place.into_iter().zip(book.size) {
                 let side = f64::from(side) / figures::style::SCALE;
                 assert!((0.0..=side).contains(&at), "{about}: off the canvas");
             }
@@ -155,13 +176,12 @@ fn a_hand_finds_the_value_it_takes() {
     }
 }
 
-/// What was drawn before does not matter.
+/// What was drawn before does not matter: neither the same figure of other values nor another one.
 #[test]
 fn a_figure_has_no_memory() {
-    for (entry, parameter) in parameters() {
-        let values = chosen(parameter, 0.7);
-        let first = drawn(entry, &values).svg();
-        let _ = drawn(entry, &Values::default());
-        assert_eq!(first, drawn(entry, &values).svg(), "{}", entry.name);
+    let svg = |entry: &Entry| drawn(entry, &everywhere(entry, 0.7)).svg();
+    let there: Vec<_> = MOVED.iter().map(|(entry, _)| svg(entry)).collect();
+    for ((entry, _), first) in MOVED.iter().zip(&there).rev() {
+        assert!(*first == svg(entry), "{}", entry.name);
     }
 }

@@ -24,12 +24,9 @@ fn judged(kind: &str) -> ([f64; 2], [usize; 3]) {
     for (top, t, expected) in rows(kind) {
         let found = errors(&top.at(t).expect("a state"), &expected);
         worst = [0, 1].map(|i| worst[i].max(found[i]));
-        let way = match top.method() {
-            Method::Elliptic => 0,
-            Method::Separation => 1,
-            _ => 2,
-        };
-        seen[way] += 1;
+        let ways = [Method::Elliptic, Method::Separation];
+        let way = ways.iter().position(|way| *way == top.method());
+        seen[way.unwrap_or(2)] += 1;
     }
     (worst, seen)
 }

@@ -80,8 +80,10 @@ fn lopsided() -> Planet {
 
 // The exact solution, its balances, and a capture by springs.
 
-fn rational_example() -> (Q3, Q3) {
-    balances(
+// claim: C4.2-3
+#[test]
+fn s4_2_exact_solution() {
+    let (velocity, omega) = balances(
         ONE,
         rational(2, 5),
         rational(1, 100),
@@ -89,13 +91,7 @@ fn rational_example() -> (Q3, Q3) {
         [whole(-10), whole(-20), whole(5)],
         [ZERO; 3],
         [ZERO, ZERO, ONE],
-    )
-}
-
-// claim: C4.2-3
-#[test]
-fn s4_2_exact_solution() {
-    let (velocity, omega) = rational_example();
+    );
     let known = [(412, 1035), (-55, 207), (242, 345)].map(|(n, d)| rational(n, d));
     assert_eq!(omega, known);
     let known = [(-2026, 20907), (-206, 1035), (334, 6969)].map(|(n, d)| rational(n, d));

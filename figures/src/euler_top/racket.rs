@@ -46,16 +46,9 @@ impl Throw {
     /// the face is reversed.
     pub fn aimed() -> Result<Self> {
         // Less twist at the throw, a later flip, a somersault too far.
-        let (mut less, mut more) = (0.5, 3.0);
-        for _ in 0..60 {
-            let middle = 0.5 * (less + more);
-            if Self::new(MOMENTS, TURNS, middle)?.overshoot()? > 0.0 {
-                less = middle;
-            } else {
-                more = middle;
-            }
-        }
-        Self::new(MOMENTS, TURNS, 0.5 * (less + more))
+        let thrown = |twist| Self::new(MOMENTS, TURNS, twist);
+        let past = |twist| Ok(thrown(twist)?.overshoot()? > 0.0);
+        thrown(border([0.5, 3.0], past)?)
     }
 
     /// Time from one side of the flip to the other, s.

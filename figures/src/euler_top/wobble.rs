@@ -86,16 +86,16 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
         _ if lag > 0.0 => (
             slower,
             [
-                format!("{degrees} degrees behind"),
-                format!("still {degrees} degrees short"),
+                format!("{degrees}° behind"),
+                format!("still {degrees}° short"),
                 format!("{degrees}° to go"),
             ],
         ),
         _ => (
             "This pole circles faster than that of a rigid body: no body that gives way does so.",
             [
-                format!("{degrees} degrees ahead"),
-                format!("{degrees} degrees beyond it"),
+                format!("{degrees}° ahead"),
+                format!("{degrees}° beyond it"),
                 format!("{degrees}° beyond"),
             ],
         ),

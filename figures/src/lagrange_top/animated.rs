@@ -44,21 +44,11 @@ struct Loop {
 
 /// L₃ with which a top that starts at the rate `pace` goes round once in five nutations.
 fn closing(pace: f64) -> Result<f64> {
-    let turns = |axial: f64| -> Result<f64> {
-        let advance = launch(HEIGHT, pace, axial)?.precession_per_nutation();
-        Ok(NUTATIONS * advance.unwrap_or(f64::NAN) / TAU)
-    };
     // The faster the spin, the less the top goes round in a nutation.
-    let (mut slow, mut fast) = (1.9, 4.0);
-    for _ in 0..60 {
-        let middle = 0.5 * (slow + fast);
-        if turns(middle)? > 1.0 {
-            slow = middle;
-        } else {
-            fast = middle;
-        }
-    }
-    Ok(0.5 * (slow + fast))
+    border([1.9, 4.0], |axial| {
+        let advance = launch(HEIGHT, pace, axial)?.precession_per_nutation();
+        Ok(NUTATIONS * advance.unwrap_or(f64::NAN) > TAU)
+    })
 }
 
 impl Loop {

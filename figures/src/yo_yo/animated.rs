@@ -39,18 +39,9 @@ fn film() -> Result<(f64, Vec<Picture>)> {
         .with(Gravity::new(GRAVITY)?)?
         .with(Sleep::new(ASLEEP)?)?
         .with(AxleFriction::new(FRICTION)?)?;
-    // The time at which it is caught, by bisection on the phase.
-    let (mut low, mut high) = (0.0, 4.0);
-    for _ in 0..50 {
-        let middle = 0.5 * (low + high);
-        let state = play.simulate(&Request::at([middle])?)?.rows[0].1;
-        if state.phase == Phase::Caught {
-            high = middle;
-        } else {
-            low = middle;
-        }
-    }
-    let times: Vec<f64> = spaced([0.0, low], PICTURES * BETWEEN).collect();
+    let before = |t| Ok(play.simulate(&Request::at([t])?)?.rows[0].1.phase != Phase::Caught);
+    let caught = border([0.0, 4.0], before)?;
+    let times: Vec<f64> = spaced([0.0, caught], PICTURES * BETWEEN).collect();
     let rows = play.simulate(&Request::at(times)?)?.rows;
     let (mut angle, mut last) = (0.0, rows[0]);
     let pictures = rows.into_iter().map(|(t, state)| {
@@ -58,7 +49,7 @@ fn film() -> Result<(f64, Vec<Picture>)> {
         last = (t, state);
         (t, state, angle)
     });
-    Ok((low, pictures.step_by(BETWEEN as usize).collect()))
+    Ok((caught, pictures.step_by(BETWEEN as usize).collect()))
 }
 
 /// Down, asleep, awake, and up.

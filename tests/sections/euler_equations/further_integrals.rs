@@ -67,14 +67,6 @@ const WILD: TopState = TopState {
     up: vector([0.8, 0.0, -0.6]),
 };
 
-/// A start with L_vert = 0 for I = (4, 4, 1): Ω₃ chosen for it.
-fn on_level_zero() -> TopState {
-    TopState {
-        omega: vector([0.4, -0.9, -(4.0 * (0.4 * 0.48 - 0.9 * 0.6)) / 0.64]),
-        ..START
-    }
-}
-
 // claim: C5.3-1, C5.3-2
 #[test]
 fn s5_3_the_integrals_along_the_motion() {
@@ -132,7 +124,9 @@ fn s5_3_goryachev_and_chaplygin_on_one_level() {
     let top = heavy([4.0, 4.0, 1.0], [0.6, 0.8, 0.0]);
     assert_eq!(top.kind(), Integrability::GoryachevChaplygin(2));
     let of = |s: &TopState| top.further_integral(s).unwrap();
-    let on = on_level_zero();
+    // L_vert = 0: Ω₃ is chosen for it.
+    let omega = vector([0.4, -0.9, -(4.0 * (0.4 * 0.48 - 0.9 * 0.6)) / 0.64]);
+    let on = TopState { omega, ..START };
     let swing = |start: TopState| {
         let (mut s, mut largest) = (start, 0.0_f64);
         for _ in 0..20_000 {

@@ -36,14 +36,6 @@ impl OnCloth {
     }
 }
 
-fn at_rest(kappa: f64) -> OnCloth {
-    let inertia = kappa * MASS * RADIUS * RADIUS;
-    OnCloth {
-        inertia,
-        ..OnCloth::default()
-    }
-}
-
 // claim: C4.3-1
 #[test]
 fn s4_3_impulse_of_a_finite_pulse() {
@@ -51,9 +43,12 @@ fn s4_3_impulse_of_a_finite_pulse() {
     let mut errors = Vec::new();
     for duration in [1e-2, 1e-3, 1e-4] {
         let steps = 1000;
-        let mut state = at_rest(0.4);
         // The contact point starts to move forward at once, so the friction has its sign from the first step on.
-        state.velocity = f64::MIN_POSITIVE;
+        let mut state = OnCloth {
+            inertia: 0.4 * MASS * RADIUS * RADIUS,
+            velocity: f64::MIN_POSITIVE,
+            ..OnCloth::default()
+        };
         for _ in 0..steps {
             let (arm, dt) = ((height - 1.0) * RADIUS, duration / f64::from(steps));
             state.step(impulse / duration, arm, dt);

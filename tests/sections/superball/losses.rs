@@ -380,7 +380,7 @@ fn flight_refuses_what_is_no_ball() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 20_000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 12_000, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn no_flight_has_a_speed_that_is_no_number(n in prop::collection::vec(any(), 8), tangential in -1..3_i32) {

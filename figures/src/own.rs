@@ -162,7 +162,9 @@ pub fn diagram(title: &str, panels: &[[Quantity; 2]]) -> Figure {
             }
             pen.line(&line, stroke(y.role(), DATA));
             // What does not move.
-            if let Some(at) = line.first().filter(|at| line.iter().all(|other| other == *at)) {
+            let first = line.first();
+            let stays = first.filter(|at| line.iter().all(|other| other == *at));
+            if let Some(at) = stays {
                 pen.disc(*at, 3.0, y.role(), 1.0);
             }
         }

@@ -101,10 +101,7 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
         ),
     };
     let longer = days + 1.0;
-    let whose = match period == OBSERVED.default {
-        true => ", Chandler's,",
-        false => "",
-    };
+    let whose = [", Chandler's,", ""][usize::from(period != OBSERVED.default)];
     let words = words!(
         "{claim}",
         "Path of the axis of rotation over the ground about the axis of figure, seen from above the north pole; a dot \

@@ -167,7 +167,7 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
     let words = words!(
         "{which} {after}.",
         "Ball with $I = {inertia}\\,MR^2$, thrown with speed $V$ and {about_spin}. After floor, table and floor its velocity is ${p1}$, ${p2}$ and ${p3}$ of $V$, its rim speed \
-         $R\\Omega$ is ${s1}$, ${s2}$ and ${s3}$ of $V$. Flashes at equal times; the blue hand is fixed to the ball. Dashed: a ball with all its mass in the middle, which takes \
+         $R\\Omega$ is ${s1}$, ${s2}$ and ${s3}$ of $V$. Flashes at equal times; the blue hand is fixed to the ball. Dashed: a perfectly smooth ball, which takes \
          no spin.",
         "A table seen from the side. A ball flies in from the upper left and bounces on the floor, on the underside of \
          the table and on the floor again; it {after}. The legs of the path are \

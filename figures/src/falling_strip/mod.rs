@@ -100,8 +100,8 @@ pub fn rate(_: &Values) -> Result<Figure> {
     let words = words!(
         "The narrower the strip, the faster it spins.",
         "Paper of 80 g/m² in air, with the coefficients fitted to paper. Between 0.8 and 2.8 cm the rate goes as the width to the power ${power}$; the scaling law of Mahadevan, Ryu and Samuel, \
-         dashed, has $-1$. Beyond 10 cm long and short half turns alternate. The curve ends where the strip is so wide that it flutters.",
-        "Turns per second against width, both on logarithmic axes. The curve falls from about twenty-five turns a second at half a centimetre to one at fifteen, \
+         dashed, has $-1$. Between 10 and 14 cm long and short half turns alternate. The curve ends where the strip is so wide that it flutters.",
+        "Turns per second against width, both on logarithmic axes. The curve falls from about twenty-four turns a second at half a centimetre to one at fifteen, \
          a little less steeply than the dashed line of the scaling law, and ends with a drop at sixteen centimetres."
     );
     Ok(figure("strip-rate", 390.0, words, |pen| {

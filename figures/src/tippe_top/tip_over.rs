@@ -36,7 +36,7 @@ pub fn tip_over(values: &Values) -> Result<Figure> {
             let worst = light.max(heavy);
             let better = if light < heavy { "lighter" } else { "heavier" };
             format!(
-                "The tutorial's straight line has the right slope to {worst:.0} %, and the {better} the clay, the better."
+                "The tutorial's straight line has the right slope to {worst:.0} %, the better for the {better} clay."
             )
         }
         [None, Some(_)] => format!(

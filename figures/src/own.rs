@@ -162,9 +162,7 @@ pub fn diagram(title: &str, panels: &[[Quantity; 2]]) -> Figure {
             }
             pen.line(&line, stroke(y.role(), DATA));
             // What does not move.
-            let first = line.first();
-            let stays = first.filter(|at| line.iter().all(|other| other == *at));
-            if let Some(at) = stays {
+            if let Some(at) = line.first().filter(|at| line.iter().all(|p| p == *at)) {
                 pen.disc(*at, 3.0, y.role(), 1.0);
             }
         }

@@ -1,5 +1,6 @@
 //! Sheets are true to size, the solid is closed, and the numbers on them are those of just these things.
 
+use core::f64::consts::FRAC_PI_4;
 use std::collections::HashSet;
 
 use figures::on_your_table::{Paper, sheets};
@@ -180,8 +181,9 @@ fn one_sense_turns_the_solid_over_and_the_other_does_not() {
     let surface = Surface::sphere(0.03).expect("a ball");
     let center = found.center() * -1.0;
     let body = ConvexBody::new(found.mass(), found.inertia(), surface, center).expect("a body");
-    let most = |spin: f64, friction: f64| -> f64 {
-        let start = Start::about_vertical(5_f64.to_radians(), 0.0, spin).expect("a start");
+    let tilted = |spin: f64, friction: f64, azimuth: f64| -> f64 {
+        let lean = 3_f64.to_radians();
+        let start = Start::about_vertical(lean, azimuth, spin).expect("a start");
         let weight = Gravity::new(9.81).expect("weight");
         let top = TableTop::new(body, start).with(weight).expect("weight");
         let law = Regularised::new(friction, 1e-3).expect("a law");
@@ -193,12 +195,24 @@ fn one_sense_turns_the_solid_over_and_the_other_does_not() {
         let tilts = rows.iter().map(|(_, state)| state.tilt().to_degrees());
         tilts.fold(0.0, f64::max)
     };
-    for friction in [0.2, 0.3] {
-        for spin in [165.0, 180.0, 195.0] {
-            let (over, stays) = (most(-spin, friction), most(spin, friction));
-            assert!(over > 150.0, "{spin} {friction}: {over}");
-            assert!(stays < 25.0, "{spin} {friction}: {stays}");
-        }
-        assert!(most(-90.0, friction) < 15.0);
+    // Leaning towards eight azimuths at first.
+    let all = |spin: f64, friction: f64| {
+        let azimuths = [0, 1, 2, 3, 4, 5, 6, 7].map(|k| f64::from(k) * FRAC_PI_4);
+        azimuths.map(|azimuth| tilted(spin, friction, azimuth))
+    };
+    for (friction, spin) in [(0.3, 157.0), (0.2, 140.0)] {
+        let (over, stays) = (all(-spin, friction), all(spin, friction));
+        assert!(
+            over.iter().all(|tilt| *tilt > 150.0),
+            "{friction}: {over:?}"
+        );
+        assert!(
+            stays.iter().all(|tilt| *tilt < 20.0),
+            "{friction}: {stays:?}"
+        );
+        assert!(all(-88.0, friction).iter().all(|tilt| *tilt < 15.0));
     }
+    // Too fast for so little friction.
+    assert!(all(157.0, 0.2).iter().any(|tilt| *tilt > 150.0));
+    assert!(all(210.0, 0.3).iter().any(|tilt| *tilt > 150.0));
 }

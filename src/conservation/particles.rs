@@ -150,7 +150,7 @@ impl Particles {
 
     /// Angular momentum about `point`, split into that of the centre of mass and that about it (tutorial 2.2).
     ///
-    /// The spin is summed from relative positions and relative velocities: a fast or distant swarm keeps its digits.
+    /// The spin is summed from relative positions and relative velocities, and the point is subtracted before the centre is rounded: a fast or distant swarm keeps its digits.
     ///
     /// ```
     /// use spinning_bodies::{conservation::{Particle, Particles}, frame::SpaceVector};
@@ -166,7 +166,8 @@ impl Particles {
             arm.cross(&(p.mass * velocity))
         });
         AngularMomentumParts {
-            orbital: (self.center() - point).cross(&(self.mass * self.velocity())),
+            orbital: ((self.rounded[0] - point) + self.rest[0])
+                .cross(&(self.mass * self.velocity())),
             spin: spin.sum(),
         }
     }

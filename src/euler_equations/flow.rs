@@ -75,15 +75,18 @@ pub fn equilibria(moments: &AxisMoments) -> [Equilibrium; 6] {
         let (up, down) = (i[j] - i[axis], i[axis] - i[k]);
         let mut e = [0.0; 3];
         e[axis] = if n % 2 == 0 { 1.0 } else { -1.0 };
+        let growth = inverse_difference(i[j], i[axis]) * inverse_difference(i[axis], i[k]);
+        // Decided by the signs of the differences: a quotient may underflow.
+        let (nature, growth_squared) = match (up != 0.0 && down != 0.0, (up > 0.0) == (down > 0.0))
+        {
+            (false, _) => (Nature::Degenerate, 0.0),
+            (true, true) => (Nature::Saddle, growth),
+            (true, false) => (Nature::Center, growth),
+        };
         Equilibrium {
             direction: BodyVector::new(e[0], e[1], e[2]),
-            // Decided by the signs of the differences: a quotient may underflow.
-            nature: match (up != 0.0 && down != 0.0, (up > 0.0) == (down > 0.0)) {
-                (false, _) => Nature::Degenerate,
-                (true, true) => Nature::Saddle,
-                (true, false) => Nature::Center,
-            },
-            growth_squared: inverse_difference(i[j], i[axis]) * inverse_difference(i[axis], i[k]),
+            nature,
+            growth_squared,
         }
     })
 }

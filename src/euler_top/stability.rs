@@ -110,7 +110,7 @@ pub fn oscillations(moments: &PrincipalMoments, omega: f64) -> Result<[f64; 2]> 
 /// rotations stays near it, not only to first order. I₃(I₃−I₂)Ω₃² − I₁(I₂−I₁)Ω₁² is indefinite across x₂; its sign gives the sector
 /// (6.6), its zero the separatrix. The first and third are sums of squares: error a few units in the last place however close to the axis, where L² and 2EI₁ agree in
 /// all their digits; zero for tilts below 10⁻¹⁵⁴, where the squares underflow. The second is a difference taken in 106 bits: error a unit in the last
-/// place, and zero only where it is zero; infinite or NaN where a square overflows.
+/// place, or 10⁻³¹ of its larger term if that is more; infinite or NaN where a square overflows.
 ///
 /// ```
 /// use spinning_bodies::{euler_top::stability::lyapunov, frame::BodyVector, inertia::PrincipalMoments};

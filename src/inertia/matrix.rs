@@ -103,7 +103,7 @@ impl InertiaMatrix {
 
     /// The inertia matrix of a particle at `position` from the reference point: m(|x|²δ − x xᵀ) (2.7, 2.8).
     ///
-    /// Error: every entry to 2 ulp. The trace of the result must be finite. Cost: a dozen multiplications.
+    /// Error: every entry to 2 ulp, unless the mass times a coordinate underflows. The trace of the result must be finite. Cost: a dozen multiplications.
     ///
     /// # Errors
     /// [`Error::Negative`] or [`Error::NotFinite`] for the mass, the position or an overflow.
@@ -199,7 +199,7 @@ impl InertiaMatrix {
     /// Angle between L = IΩ and Ω, radians (2.2).
     ///
     /// The moment about Ω is subtracted from the matrix before it is applied, so that a nearly round body's small angle keeps its digits.
-    /// Never more than [`PrincipalMoments::greatest_angle`](super::PrincipalMoments::greatest_angle).
+    /// Never more than [`PrincipalMoments::greatest_angle`](super::PrincipalMoments::greatest_angle), but for the rounding of the moments that this is made from.
     ///
     /// # Errors
     /// [`Error::NotFinite`] or [`Error::ZeroVector`] for `omega`; [`Error::ZeroVector`] if L vanishes, as for a
@@ -328,7 +328,7 @@ impl InertiaMatrix {
     }
 }
 
-/// m(|d|²δ − d dᵀ), multiplied in an order that neither over- nor underflows before the result does.
+/// m(|d|²δ − d dᵀ), the mass times a coordinate first: the squares of coordinates may leave the range of doubles where no moment does.
 pub(super) fn particle_term(mass: f64, d: &Vector3<f64>) -> Matrix3<f64> {
     let md = mass * d;
     let (xx, yy, zz) = (md.x * d.x, md.y * d.y, md.z * d.z);

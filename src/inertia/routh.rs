@@ -80,7 +80,7 @@ pub fn moment(mass: f64, form: Form, semi_axes: [f64; 2]) -> Result<f64> {
 
 /// Mean of x² over a homogeneous ellipsoid of `dimension` dimensions, m²: a²/(d+2) (2.7).
 ///
-/// `semi_axis` is a, the half-extent along x. Error 1 ulp.
+/// `semi_axis` is a, the half-extent along x. Error 1.5 ulp.
 ///
 /// # Errors
 /// [`Error::Negative`] or [`Error::NotFinite`] for the semi-axis or on overflow; [`Error::OutOfRange`] for dimension 0.

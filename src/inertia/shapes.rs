@@ -4,8 +4,8 @@
 //! are, [`ball_without_cap`] and [`racket`]. Axes of symmetry are along z; laminae lie in the plane of x and y. Lengths in metres, mass in kilograms.
 //!
 //! The mass must be positive. A length may be zero where the limit is a body: a box without height is a lamina.
-//! All functions multiply mass·length first and then by length, so nothing over- or underflows before the result
-//! does, but for results within a factor of 20 of the greatest double. The tests of Section 2 hold every moment to 16 eps. Cost: a few dozen operations.
+//! All functions multiply mass·length first and then by length: as long as that product and each part's mass are normal numbers, nothing over- or
+//! underflows before the result does, but for results within a factor of 20 of the greatest double. The tests of Section 2 hold every moment to 16 eps. Cost: a few dozen operations.
 //!
 //! Errors, the same for all: [`Error::NotPositive`](crate::Error::NotPositive), [`Error::Negative`](crate::Error::Negative) or [`Error::NotFinite`](crate::Error::NotFinite) for an argument, and
 //! [`Error::NotFinite`](crate::Error::NotFinite) if a moment overflows.

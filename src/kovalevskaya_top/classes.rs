@@ -142,7 +142,7 @@ impl Diagram {
         let rest = l1 * (l1 * l1 - excess);
         // h = (2l)².
         let h = |s: f64| 4.0 * (rest - 8.0 * s_squared * s) / (c * c) * unit;
-        Ok(Some([h(s), h(-s)]))
+        Ok(Some([finite("h", h(s))?, finite("h", h(-s))?]))
     }
 
     /// The five roots at a point of the diagram, 1/s².

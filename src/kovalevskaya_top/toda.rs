@@ -135,7 +135,7 @@ impl Lattice {
 
     /// The eigenvalues of L in ascending order: as many constants of motion as particles.
     ///
-    /// Error: a few eps times the greatest. Cost: one symmetric eigenvalue problem.
+    /// Error: a few eps times the greatest, and what the rounding of a gap of size q makes of its exponential, q/2 eps. Cost: one symmetric eigenvalue problem.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite) if an exponential overflows.

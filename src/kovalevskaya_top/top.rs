@@ -510,7 +510,7 @@ fn turned(angle: f64, [x, y]: [f64; 2]) -> [f64; 2] {
 /// Semi-axes a ≤ b < c (m) of a homogeneous ellipsoid that is Kovalevskaya's top: of this mass (kg), with the least moment I₃ (kg m²) about a pivot
 /// at this distance d (m) from its centre, on its shortest axis (8.1).
 ///
-/// b² = 5I₃/(2M), c² = 3b² and a² = b² − 5d², in 106 bits, so that nothing is lost for a body that is nearly a disc. Error: 1 ε. The moment about the longest axis is I₃.
+/// b² = 5I₃/(2M), c² = 3b² and a² = b² − 5d², in 106 bits: a body that is nearly a disc loses nothing until its a² is 10⁻¹⁵ of its b². Error: 1 ε; that of a is 10⁻³¹ b²/a² where that is more. The moment about the longest axis is I₃.
 ///
 /// # Errors
 /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::NotPositive`](crate::Error::NotPositive) for mass or moment; [`Error::Negative`](crate::Error::Negative) for d; [`Error::Condition`](crate::Error::Condition) unless 2Md² < I₃: otherwise a² would not be positive.

@@ -281,7 +281,7 @@ pub fn dip(transverse: f64, weight_moment: f64, l3: f64, tilt: f64) -> Result<Di
             radius: if square.is_zero() {
                 f64::INFINITY
             } else {
-                product.quotient(square).value() * sine
+                (product.quotient(square) * Extended::from_double(sine)).value()
             },
             sine,
         },
@@ -364,7 +364,7 @@ pub fn tilt_after_kick(transverse: f64, weight_moment: f64, l3: f64, kick: f64) 
 /// φ'² = gravity·sin²b/(sin²a cos((b−a)/2) cos((b+a)/2)). Equal angles make it a conical pendulum. The rounding of that rate moves a
 /// greater angle next to π by some eps/(π − b).
 ///
-/// Domain: 4.5·10⁻³⁰⁸ ≤ a ≤ b, a + b < π (the mean height of a pendulum's turning points is below the pivot), gravity > 0.
+/// Domain: 4.5·10⁻³⁰⁸ ≤ a ≤ b, a + b < π also as doubles add (the mean height of a pendulum's turning points is below the pivot), gravity > 0.
 ///
 /// # Errors
 /// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::OutOfRange`] for a and b.
@@ -387,7 +387,7 @@ pub fn pendulum_between(inner: f64, outer: f64, gravity: f64) -> Result<Lagrange
         return Err(out_of_range(
             "the greater angle",
             outer,
-            [inner, PI - inner],
+            [inner, (PI - inner).next_down()],
         ));
     }
     // The quaternion of the start has half the angle, which must be a normal number.

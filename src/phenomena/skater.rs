@@ -1,6 +1,6 @@
 //! The skater: a spin that grows as the arms come in (tutorial 1.1).
 
-use crate::error::{Result, finite, not_negative, positive};
+use crate::error::{Result, each_finite, finite, not_negative, positive};
 
 /// A core that spins about its axis, with two hands at equal distances from it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,10 +66,10 @@ impl Skater {
     }
 
     /// Work of both arms, J, in moving the hands from rest at `from` to rest at `to`, at angular momentum `l`: the gain in rotational energy,
-    /// (L²/2)(1/I′ − 1/I) = L² m (r² − r′²)/(I I′), without a difference of large numbers. Observed error: 3 ulp.
+    /// (L²/2)(1/I′ − 1/I) = L² m (r² − r′²)/(I I′), without a difference of large numbers. Observed error: 5 ulp.
     ///
     /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite) if it overflows.
+    /// [`Error::NotFinite`](crate::Error::NotFinite) if it or a moment of inertia overflows.
     ///
     /// ```
     /// use spinning_bodies::phenomena::Skater;
@@ -79,8 +79,9 @@ impl Skater {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn work(&self, l: f64, from: f64, to: f64) -> Result<f64> {
+        each_finite("the moment of inertia", [from, to].map(|r| self.moment(r)))?;
         let (spin, other) = (self.spin(l, from), self.spin(l, to));
-        let work = spin * other * self.hand * (from - to) * (from + to);
+        let work = spin * (from - to) * self.hand * (other * (from + to));
         finite("the work of the arms", work)
     }
 

@@ -20,7 +20,7 @@ impl Waist {
     /// Δ = −Ψ B (A_out − A_in) / ((A_out + B)(A_in + B)).
     ///
     /// The two turns nearly cancel, so the difference is formed between the moments, before anything is rounded.
-    /// Zero for A_out = A_in, for B = 0, and in the limit B → ∞. The pace does not matter. Observed error: 3 ulp.
+    /// Zero for A_out = A_in, for B = 0, and in the limit B → ∞. The pace does not matter. Observed error: 4 ulp.
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) for an upper moment,
@@ -37,15 +37,15 @@ impl Waist {
         let [outstretched, folded] = self.upper()?;
         let lower = not_negative("the lower moment", self.lower)?;
         let twist = finite("the twist", twist)?;
-        // Quotients of similar magnitude, because a product of two moments could overflow.
-        let share = lower / (folded + lower);
-        let turn = -twist * share * ((outstretched - folded) / (outstretched + lower));
+        // Quotients of at most 1, because a product of two moments could overflow.
+        let share = lower / (folded.min(outstretched) + lower);
+        let turn = -twist * share * ((outstretched - folded) / (folded.max(outstretched) + lower));
         finite("the swivel angle", turn)
     }
 
     /// Turns of the lower body, radians, in the two phases in which it turns: while the upper body twists by `twist` with the arms out,
     /// −A_out Ψ/(A_out + B), and while it untwists with the arms in, +A_in Ψ/(A_in + B). The second is the smaller.
-    /// Observed error: 1 ulp each.
+    /// Observed error: 2.5 ulp.
     ///
     /// # Errors
     /// As [`swivel_angle`](Self::swivel_angle).

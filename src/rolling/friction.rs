@@ -87,7 +87,7 @@ impl RollingResistance {
 ///
 /// `kappa` is I/(Mr²) about the centre of mass at the distance r from that end, 1/3 for a uniform rod; `tilt` the angle between rod and table
 /// (rad, 0 to π/2), the end sliding ahead of the centre. A reaction N accelerates the end upward by (N/M)(1 + cos θ(cos θ − μ sin θ)/κ), which is
-/// positive only below μ = (κ + cos²θ)/(sin θ cos θ): at least 2√(κ(1+κ)), 4/3 for the uniform rod. Infinite for a rod that lies. Observed error: 1.5 ε.
+/// positive only below μ = (κ + cos²θ)/(sin θ cos θ): at least 2√(κ(1+κ)), 4/3 for the uniform rod. Infinite for a rod that lies. Observed error: 2 ε.
 ///
 /// # Errors
 /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive) for κ, [`Error::OutOfRange`](crate::Error::OutOfRange) for the angle.

@@ -236,7 +236,10 @@ impl Spool {
     /// ```
     pub fn lift_off_tension(&self, angle: f64, gravity: f64) -> Result<f64> {
         let weight = self.weight(gravity)?;
-        Ok(weight / tug_angle(angle)?.sin())
+        Ok(match tug_angle(angle)?.sin() {
+            0.0 => f64::INFINITY,
+            sine => weight / sine,
+        })
     }
 
     fn weight(&self, gravity: f64) -> Result<f64> {

@@ -363,7 +363,7 @@ impl BounceRotation {
         Ok(Self { kappa, unit })
     }
 
-    /// Angle δ of one bounce, radians: cos δ = (1−κ)/(1+κ), formed as 2 arctan √κ. Error: one unit in the last place.
+    /// Angle δ of one bounce, radians: cos δ = (1−κ)/(1+κ), formed as 2 arctan √κ. Error: 1.5 units in the last place.
     ///
     /// ```
     /// use spinning_bodies::superball::BounceRotation;

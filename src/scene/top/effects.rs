@@ -130,21 +130,28 @@ impl Top {
     /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         let takes = "gravity, pivot_friction, bearing_friction, air_drag and tip_friction";
+        let largest_product = |own: Attitude| {
+            let turn = own.quaternion().to_rotation_matrix();
+            let moments = Matrix3::from_diagonal(&self.body.moments.into());
+            let matrix = turn * moments * turn.inverse();
+            let [xy, xz, yz] = [matrix.m12, matrix.m13, matrix.m23].map(f64::abs);
+            xy.max(xz).max(yz)
+        };
         match effect.into() {
             Effect::Gravity(gravity) => self.gravity = Some(gravity),
             Effect::PivotFriction(friction) => self.pivot_friction = Some(friction),
             Effect::BearingFriction(_) if let Some(own) = self.body.own => {
                 let condition = "bearing friction is for bodies whose own axes are principal axes, without products of inertia in kg m²";
-                let turn = own.quaternion().to_rotation_matrix();
-                let moments = Matrix3::from_diagonal(&self.body.moments.into());
-                let matrix = turn * moments * turn.inverse();
-                let [xy, xz, yz] = [matrix.m12, matrix.m13, matrix.m23].map(f64::abs);
-                return refused(condition, xy.max(xz).max(yz));
+                return refused(condition, largest_product(own));
             }
             Effect::BearingFriction(friction) => self.bearing_friction = Some(friction),
             Effect::AirDrag(drag) => self.air_drag = Some(drag),
             Effect::TipFriction(friction) if self.body.is_symmetric_about_third() => {
                 self.tip_friction = Some(friction);
+            }
+            Effect::TipFriction(_) if let Some(own) = self.body.own => {
+                let condition = "tip friction is for bodies whose own axes are principal axes, without products of inertia in kg m²";
+                return refused(condition, largest_product(own));
             }
             Effect::TipFriction(_) => {
                 let ([x, y, _], [first, second, _]) = (self.body.center, self.body.moments);

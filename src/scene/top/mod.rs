@@ -86,10 +86,23 @@ impl Top {
         match (self.known(plan, &closed, request, &conserved), instead) {
             // Where the motion amplifies rounding too much, or the solution cannot be continued as far, or rates are still very small.
             (
-                Err(Error::Integration { .. } | Error::OutOfRange { .. } | Error::Amplified { .. }),
+                Err(
+                    known @ (Error::Integration { .. }
+                    | Error::OutOfRange { .. }
+                    | Error::Amplified { .. }),
+                ),
                 Some(reason),
             ) if request.choice == Choice::Auto => {
-                self.stepped(Plan::stepped(reason), request, &conserved)
+                let stepped = self.stepped(Plan::stepped(reason), request, &conserved);
+                // Neither keeps the accuracy: what is told is the better of the two.
+                stepped.map_err(|stepped| match (&known, &stepped) {
+                    (Error::Amplified { reached: a, .. }, Error::Amplified { reached: b, .. })
+                        if a < b =>
+                    {
+                        known
+                    }
+                    _ => stepped,
+                })
             }
             (done, _) => done,
         }

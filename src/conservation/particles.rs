@@ -158,6 +158,10 @@ impl Particles {
     /// let pair = Particles::new([at(-1.0, 1.0), at(3.0, 5.0)])?;
     /// let parts = pair.angular_momentum_split(SpaceVector::zero());
     /// assert_eq!((parts.orbital.z(), parts.spin.z()), (6.0, 8.0));
+    /// // Two metres long, and so far away that doubles are two metres apart: its middle is no double.
+    /// let far = |y| Particle { mass: 1.0, position: SpaceVector::new(0.0, 1e16 + y, 0.0), velocity: SpaceVector::new(1.0, 0.0, 0.0) };
+    /// let parts = Particles::new([far(0.0), far(2.0)])?.angular_momentum_split(SpaceVector::new(0.0, 1e16, 0.0));
+    /// assert_eq!((parts.orbital.z(), parts.spin.z()), (-2.0, 0.0));
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn angular_momentum_split(&self, point: SpaceVector) -> AngularMomentumParts {

@@ -65,6 +65,8 @@ pub struct Equilibrium {
 /// let moments = AxisMoments::new(1.0, 2.0, 3.0)?;
 /// let saddles = equilibria(&moments).iter().filter(|place| place.nature == Nature::Saddle).count();
 /// assert_eq!(saddles, 2);
+/// // A needle of no thickness: still all the same.
+/// assert_eq!(equilibria(&AxisMoments::new(1.0, 5e-309, 1.0)?)[0].growth_squared, 0.0);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn equilibria(moments: &AxisMoments) -> [Equilibrium; 6] {

@@ -123,6 +123,7 @@ impl Diagram {
     /// ```
     /// # use spinning_bodies::kovalevskaya_top::Diagram;
     /// let diagram = Diagram::new(1.0, 0.4)?;
+    /// assert!(diagram.cubic_double(1e200).is_err(), "h is beyond the doubles");
     /// for h in diagram.cubic_double(2.0)?.into_iter().flatten().filter(|h| *h > 0.0) {
     ///     let [_, b, c, ..] = diagram.roots(2.0, h)?;
     ///     assert!((b - c).norm() < 1e-7);

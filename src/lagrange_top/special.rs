@@ -230,6 +230,8 @@ fn less_its_sine(u: f64) -> f64 {
 /// // With L₃ = 2 it sinks from 60° to the horizontal.
 /// let sunk = dip(1.0, 1.0, 2.0, std::f64::consts::FRAC_PI_3)?;
 /// assert!(sunk.lowest_height.abs() < 3e-16 && (sunk.depth.to_degrees() - 30.0).abs() < 1e-13);
+/// // A wheel of 1e320 radians in front of a sine of 1e-20.
+/// assert!((dip(1.0, 1.0, 1e-160, 1e-20)?.cycloid.radius / 1e300 - 1.0).abs() < 1e-15);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn dip(transverse: f64, weight_moment: f64, l3: f64, tilt: f64) -> Result<Dip> {

@@ -76,6 +76,8 @@ impl Skater {
     /// let skater = Skater::new(1.0, 2.0)?;
     /// // ½L²(½ − ⅕).
     /// assert!((skater.work(10.0, 1.0, 0.5)? - 15.0).abs() < 1e-14);
+    /// assert!(skater.work(1.0, 1e155, 1.0).is_err(), "a moment beyond the doubles");
+    /// assert!((Skater::new(1e-100, 1.0)?.work(1e100, 1e-150, 0.0)? / 1e100 - 1.0).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn work(&self, l: f64, from: f64, to: f64) -> Result<f64> {

@@ -31,6 +31,8 @@ impl Waist {
     /// let waist = Waist { upper_arms_out: 3.0, upper_arms_in: 1.0, lower: 1.0 };
     /// // −1·(3 − 1)/(4·2).
     /// assert_eq!(waist.swivel_angle(1.0)?, -0.25);
+    /// let odd = Waist { upper_arms_out: 1e-160, upper_arms_in: 1e160, lower: 1e-200 };
+    /// assert!((odd.swivel_angle(1.0)? / 1e-40 - 1.0).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn swivel_angle(&self, twist: f64) -> Result<f64> {

@@ -232,6 +232,7 @@ impl Spool {
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// assert_eq!(spool.lift_off_tension(std::f64::consts::FRAC_PI_2, 10.0)?, 20.0);
     /// assert_eq!(spool.lift_off_tension(0.0, 10.0)?, f64::INFINITY);
+    /// assert_eq!(spool.lift_off_tension(0.0, 5e-324)?, f64::INFINITY);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn lift_off_tension(&self, angle: f64, gravity: f64) -> Result<f64> {

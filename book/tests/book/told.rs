@@ -291,3 +291,29 @@ fn numbers_that_are_known() {
         assert!(off.abs() <= 1e-7 * told.abs(), "{line}: {off}");
     }
 }
+
+/// Where neither the closed form nor steps keep the accuracy asked, the better of the two errors is told.
+#[test]
+fn of_two_errors_the_better_one_is_told() {
+    let upright = "[body]\nmoments = [2.0, 2.0, 1.0]\nmass = 1.0\ncenter_of_mass = [1.0, 0.0, 0.0]\n[initial]\nomega = [0.1, 0.2, 0.3]\n\
+         [effects]\ngravity = 1.0\n[run]\ntimes = [1000.0]\n";
+    let (scene, request) = parse("mine.toml", upright).unwrap();
+    let told = |choice| match scene.simulate(&request.clone().by(choice)) {
+        Err(Error::Amplified { reached, .. }) => reached,
+        other => panic!("{other:?}"),
+    };
+    let exact = told(Choice::Use(Solver::Exact));
+    assert_eq!(told(Choice::Auto), exact);
+    assert!(exact < 1e-9 && exact > 1e-10, "{exact:e}");
+}
+
+#[test]
+fn tip_friction_wants_axes_without_products() {
+    let askew = "[body]\ninertia = [1.0, 1.1, 1.2, 0.1, 0.0, 0.0]\nmass = 1.0\ncenter_of_mass = [0.0, 0.0, 0.1]\n[initial]\nomega = [0.0, 0.0, 3.0]\n\
+         [effects]\ngravity = 1.0\ntip_friction = 1e-3\n[run]\nuntil = 1.0\n";
+    let told = parse("mine.toml", askew).unwrap_err().to_string();
+    assert!(
+        told.contains("without products of inertia in kg m², got 0.1"),
+        "{told}"
+    );
+}

@@ -317,3 +317,14 @@ fn tip_friction_wants_axes_without_products() {
         "{told}"
     );
 }
+
+/// The slip jumps there, and may be that on the sheet or that on the table.
+#[test]
+fn a_row_on_the_edge_of_a_sheet_is_given() {
+    // In that time the sheet goes 0.12 m, and the ball ½ × 0.3 × 9.81 × 0.05² after it.
+    let edge = "0.05 | withdrawn-sheet | sheet_margin = 0.15 => sheet_margin = 0.11632125";
+    let table = run(edge, &["x", "velocity"], |request| request).unwrap();
+    let [x, velocity] = table.numbers(["x", "velocity"]).unwrap()[0];
+    assert!(relative(x, 0.003_678_75) < 1e-12 && relative(velocity, 0.147_15) < 1e-12);
+    assert!(table.error_estimate < 1e-10);
+}

@@ -318,8 +318,9 @@ section! { Beads
 fn beads(file: &Reader<'_>, Beads { places, parts }: Beads) -> Option<Shape> {
     let parts = parts.unwrap_or_else(|| vec![1.0; places.len()]);
     if places.is_empty() || parts.len() != places.len() {
-        let told = " must be as many as `parts`, and one at least";
-        return file.wrong("body.places, body.parts", told);
+        let (beads, shares) = (places.len(), parts.len());
+        let told = format!(" must be as many as places, {beads}, and one at least, got {shares}");
+        return file.wrong("body.parts, body.places", &told);
     }
     let all: f64 = parts.iter().sum();
     let weighed = places.iter().zip(&parts);

@@ -12,11 +12,11 @@ use crate::scene::shape::{Cat, Crawler, PaperCat, Skater, Swivel};
 tables! { SwivelKeys
     [body]
     lower: f64, "a moment in kg m²", Positive;
-    upper: f64, "a moment until `four_phases` give others, in kg m²", Positive;
+    upper: f64, "a moment, of no effect beside `four_phases`, in kg m²", Positive;
     [initial]
     angular_momentum: f64 = 0.0, "an angular momentum in kg m²/s";
     [effects]
-    bearing_friction: Option<BearingFriction>, "a coefficient in N m s", NotNegative;
+    bearing_friction: Option<BearingFriction>, "against the spin, a coefficient in N m s", NotNegative;
     four_phases: Option<FourPhases>, "";
 }
 
@@ -57,12 +57,12 @@ pub fn swivel(file: &Reader<'_>, given: SwivelKeys) -> Option<AnyScene> {
 tables! { SkaterKeys
     [body]
     core: f64, "a moment in kg m²", Positive;
-    hand: f64, "a mass in kg";
+    hand: f64, "the mass of each hand in kg, not negative";
     [initial]
-    reach: f64, "a distance in m";
+    reach: f64, "the distance of the hands in m, not negative";
     spin: f64, "an angular velocity in rad/s";
     [effects]
-    bearing_friction: Option<BearingFriction>, "a coefficient in N m s", NotNegative;
+    bearing_friction: Option<BearingFriction>, "against the spin, a coefficient in N m s", NotNegative;
     draw: Option<Draw>, "";
 }
 

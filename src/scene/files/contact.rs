@@ -53,7 +53,7 @@ tables! { RollerKeys
     [initial]
     velocity: Option<f64>, "the speed of the centre in m/s";
     rim_speed: Option<f64>, "the speed RΩ of the rim in m/s";
-    cue_height: Option<f64>, "the height of the cue above the table in radii";
+    cue_height: Option<f64>, "the height of the cue above the table in radii, from 0 to 2";
     [effects]
     gravity: f64, "an acceleration in m/s²", Positive;
     friction: Friction;
@@ -168,11 +168,11 @@ tables! { BallKeys
     velocity: f64 = 0.0, "the speed of the centre in m/s";
     rim_speed: f64 = 0.0, "the speed RΩ of the rim in m/s";
     [effects]
-    gravity: Option<Gravity>, "an acceleration in m/s²";
+    gravity: Option<Gravity>, "an acceleration in m/s², not negative";
     ceiling: Option<f64>, "the height of the ceiling, less the diameter, in m", Positive;
     restitution: Option<f64>, "the coefficient of restitution upward, a ratio", From(0.0, 1.0);
     tangential_restitution: Option<f64>, "the coefficient of restitution along the floor, a ratio", From(-1.0, 1.0);
-    grip: Option<Coulomb>, "the coefficient of friction at a bounce, a ratio";
+    grip: Option<Coulomb>, "the coefficient of friction at a bounce, a ratio, not negative";
 }
 
 pub fn superball(file: &Reader<'_>, given: BallKeys) -> Option<AnyScene> {

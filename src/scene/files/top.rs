@@ -15,8 +15,8 @@ tables! { TopKeys
     angular_momentum: Option<BodyVector>, "an angular momentum in kg m²/s";
     [effects]
     gravity: Option<Gravity>, "an acceleration in m/s²";
-    pivot_friction: Option<PivotFriction>, "a coefficient in N m s", NotNegative;
-    bearing_friction: Option<BearingFriction>, "a coefficient in N m s", NotNegative;
+    pivot_friction: Option<PivotFriction>, "against all of the angular velocity, a coefficient in N m s", NotNegative;
+    bearing_friction: Option<BearingFriction>, "against what is across axis 3, a coefficient in N m s", NotNegative;
     air_drag: Option<AirDrag>, "a coefficient in N m s²", NotNegative;
     tip_friction: Option<TipFriction>, "a torque in N m", NotNegative;
 }

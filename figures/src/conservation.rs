@@ -71,7 +71,7 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
         "A brick of {long} by {middle} by {thin} cm, thrown with {spun} turns a second about an axis {lean}° off its middle one, every {apart} s. Its centre follows the parabola of a thrown stone, \
          and about the centre gravity has no torque. Orange: $L$, the same seven times; blue: $\\Omega$, each to its own scale.",
         "Seven pictures of a tumbling brick along a parabola. From each centre an orange arrow, the angular momentum, points straight up, always of one length. Beside it a blue \
-         arrow, the angular velocity, changes its direction from picture to picture, {low} to {high} degrees from the orange one."
+         arrow, the angular velocity, {low} to {high} degrees from the orange one."
     );
     let solid = PlatonicSolid::Cube;
     let corners = solid.vertices(1.0)?;

@@ -88,7 +88,7 @@ pub fn three_tugs(values: &Values) -> Result<Figure> {
                 .to_owned()
         }
         _ if low == steep => format!(
-            "Tugs at {first} and {third} pull on the same side of the point of contact: both times the spool {low}."
+            "Tugs at {first} and {third} do the same: both times the spool {low}."
         ),
         _ => format!(
             "The line of force decides: at {first} the spool {low}, at {third} it {steep}."

@@ -61,7 +61,7 @@ pub fn film(values: &Values) -> Result<Figure> {
         "Two throws at {pace} seen at {FRAMES} equal times. Above, exactly about the middle axis $x_2$: no hand can do it. Below, with $L$ {off}° off: half a period of \
          $\\Omega$, {half} s, {brings}. One face is filled; the dot is the end of $x_2$. $I = {inertia}$ g m².",
         "Two rows of {FRAMES} pictures of a tennis racket turning head over handle. In the upper row it turns in one plane and \
-         ends, after {counted} turns, with its {above} face to the front and the dot on the right. In the lower row, thrown {off} degrees \
+         ends with its {above} face to the front and the dot on the right. In the lower row, thrown {off} degrees \
          differently, it twists half-way through about its handle and ends with its {below} face to the front and the dot on \
          the left."
     );

@@ -183,11 +183,11 @@ pub fn flip_time(values: &Values) -> Result<Figure> {
             "Empty axes for the time between two flips against the distance from the middle axis: for the moments {inertia} there is no flip."
         ),
         false => words!(
-            "Each decade closer to the middle axis buys the same {step} seconds before the flip{others_give_up}.",
+            "Close to the middle axis each further decade buys the same {step} seconds before the flip{others_give_up}.",
             "Half the period of $\\Omega$ for $I = {inertia}$ and $\\Omega(0) = {pace}(\\varepsilon, 1, \\varepsilon)$ rad/s. A decade adds $2\\ln 10/\\sqrt{{\\lambda}} = \
              {decade:.3}$ s: {ring} s at $\\varepsilon = {thrown}$ (ring), {last} s or {rounds} turns at $10^{{-{DECADES}}}$. {others_measured}{beyond}",
             "The time between two flips against the initial distance from the middle axis, on a logarithmic axis over {DECADES} decades: \
-             a straight line, up by {step} seconds for every factor of ten, to {last} seconds at ten to the minus {DECADES}.{others_seen}"
+             a line that soon is straight, up by {step} seconds for every factor of ten, to {last} seconds at ten to the minus {DECADES}.{others_seen}"
         ),
     };
     let made = figure("flip-time", 392.0, words, |pen| {

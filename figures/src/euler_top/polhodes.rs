@@ -141,9 +141,10 @@ pub fn polhodes(values: &Values) -> Result<Figure> {
     let angle = values.of(&CROSSING);
     let yours = Curve::new(moments, angle, [1.0, 1.0])?;
     let period = number(yours.period / TAU, 2);
+    let beside = (angle - crossing).abs() > 1e-9;
     let about = match yours.sector {
-        Sector::AroundSmallest => format!("goes round $x_1$ in the time of {period}"),
-        Sector::AroundLargest => format!("goes round $x_3$ in the time of {period}"),
+        Sector::AroundSmallest if beside => format!("goes round $x_1$ in the time of {period}"),
+        Sector::AroundLargest if beside => format!("goes round $x_3$ in the time of {period}"),
         _ => "lies on the separatrix, and takes longer than any number of".to_owned(),
     };
 

@@ -83,13 +83,13 @@ pub fn solution(values: &Values) -> Result<Figure> {
             "almost a square wave",
             "Between these pulses both are small: the top seems to rotate steadily about its middle axis.",
         ),
-        false => ("a wave", "No part of the curves is level for long."),
+        false => ("a wave", "Then all is repeated."),
     };
     let words = words!(
         "{claim}",
         "Components of $\\Omega$ in the body, rad/s, for $I = {inertia}$, $\\Omega(0) = {begun}$: {course} {percent} % of the time $\\Omega_2$ is within a tenth of its \
          greatest size, {size} rad/s.{beyond}",
-        "Three curves over a little more than {over}. The second component of the angular velocity is {wave} between plus and minus {size}. The {about} component \
+        "Three curves over at least {over}. The second component of the angular velocity is {wave} between plus and minus {size}. The {about} component \
          keeps its sign and is greatest when the second one vanishes; the other changes its sign and is greatest at the same times, up and down in \
          turn. {pulses}"
     );

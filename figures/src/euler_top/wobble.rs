@@ -105,7 +105,7 @@ pub fn polar_circles(values: &Values) -> Result<Figure> {
     let words = words!(
         "{claim}",
         "Path of the axis of rotation over the ground about the axis of figure, seen from above the north pole; a dot \
-         every {STEP} days, for {days} days. Inner circle: rigid, $I_3/I_1 = {longer}/{days}$, period {days} days. Outer circle: an \
+         every {STEP} days, for {days} days or once round. Inner circle: rigid, $I_3/I_1 = {longer}/{days}$, period {days} days. Outer circle: an \
          observed wobble{whose} of {period} days, {behind}. The size of a circle is free; \
          the pace is not.",
         "Two concentric circles round the pole of figure, walked anticlockwise from the top like lanes of a race \

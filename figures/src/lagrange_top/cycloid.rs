@@ -85,12 +85,13 @@ pub fn cycloids(values: &Values) -> Result<Figure> {
         let digits = (1.0 - row.off.log10().floor()).clamp(0.0, 6.0);
         number(row.off, digits as usize)
     };
-    let claim = match (better, order[2].off < 1.0) {
+    let closest = (order.iter()).fold(order[2], |a, b| if b.off < a.off { b } else { a });
+    let claim = match (better, closest.off < 1.0) {
         (true, true) => "Released from rest the nose follows a cycloid, the better the faster the spin.".to_owned(),
-        (false, true) => "Released from rest the nose follows a cycloid, but of these three the fastest is not the best at it.".to_owned(),
+        (false, true) => "Released from rest the nose follows a cycloid, but of these three not the better the faster the spin.".to_owned(),
         (_, false) => format!(
             "Released from rest the nose comes back to upright cusps, but none of these tops is fast enough for a cycloid: the best leaves it by {} radii in the first arch.",
-            told(order[2])
+            told(closest)
         ),
     };
     let tilt = brief(degrees);
@@ -103,7 +104,7 @@ pub fn cycloids(values: &Values) -> Result<Figure> {
          $I_1 = Mg\\ell = 1$. Dashed: the cycloid. Dots: eighths of a nutation. In its first arch the nose leaves the cycloid \
          by {a}$\\,a$ at most for $L_3 = {slow}$, {b} for {medium}, {c} for {fast}.",
         "Three rows, each with two arches of a top's nose hanging from the level of its release at {tilt} degrees, and a dashed cycloid. The axial \
-         momenta are {upper}, {middle} and {lower} from top to bottom. The slower a top, the further it leaves its cycloid, by {a} radii at most in the first arch. All touch the upper \
+         momenta are {upper}, {middle} and {lower} from top to bottom. In the first arch they leave their cycloids by {a}, {b} and {c} radii at most, from the slowest to the fastest. All touch the upper \
          level in upright cusps, where the dots crowd."
     );
     let reaches = [0, 1, 2].map(|k: usize| rows[k].reach());

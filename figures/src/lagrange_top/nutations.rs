@@ -217,9 +217,9 @@ pub fn nutations(values: &Values) -> Result<Figure> {
     let yours = yours(values);
     let own = yours.trace()?;
     let [vertical, axial] = numbers(yours.momenta, 2);
-    let kind = told(own.kind, yours.pace());
     let tilts = own.heights.map(|height| height.clamp(-1.0, 1.0).acos());
     let [greatest, least] = numbers(tilts.map(f64::to_degrees), 1);
+    let kind = [told(own.kind, yours.pace()), "a circle"][usize::from(least == greatest)];
     let [slow, fast] = numbers([slow, fast], 4);
     let words = words!(
         "Two momenta decide whether the nose draws waves, cusps, loops or a circle.",

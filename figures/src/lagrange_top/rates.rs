@@ -128,8 +128,8 @@ pub fn precession_rates(values: &Values) -> Result<Figure> {
         "{claim}",
         "Rates of pure precession against the tilt for $L_3 = {first}$ (thin), {second} and {third} (thick), $I_1 = Mg\\ell = 1.$ Slow solid, fast dashed: {example} \
          for $L_3 = {third}$ at {degrees}°. {meeting}",
-        "Rates of precession against the tilt from 0 to 180 degrees for the axial momenta {first}, {second} and {third}. For each a slow branch, low and nearly \
-         level, falls gently to the right, and a fast branch rises from the left to infinity at 90 degrees and comes back from minus infinity beyond. {branches}"
+        "Rates of precession against the tilt from 0 to 180 degrees for the axial momenta {first}, {second} and {third}. For each a slow branch \
+         falls to the right, and a fast branch rises from the left to infinity at 90 degrees and comes back from minus infinity beyond. {branches}"
     );
     let made = figure("precession-rates", 384.0, words, |pen| {
         let tilts = [0.0, 30.0, 60.0, 90.0, 120.0, 150.0, 180.0];

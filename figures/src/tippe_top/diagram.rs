@@ -74,19 +74,18 @@ pub fn energies(values: &Values) -> Result<Figure> {
         (None, Inversion::Never) => "solid from where it is steady".to_owned(),
         (None, _) => "dashed all the way".to_owned(),
     };
-    let falling = falls
-        .iter()
-        .any(|(path, _)| path[28][1] < 0.97 * path[0][1]);
-    let so = match falling {
-        true => "every top falls straight down",
-        false => "a top can only fall straight down: these three stay up for 14 seconds",
+    let fell = |path: &[Point]| path[28][1] < 0.97 * path[0][1];
+    let so = match falls.iter().filter(|(path, _)| fell(path)).count() {
+        3 => "every top falls straight down",
+        0 => "a top can only fall straight down: these three stay up for 14 seconds",
+        _ => "a top can only fall straight down: not all of these three do within 14 seconds",
     };
     let words = words!(
         "Friction takes energy and leaves Jellett's integral alone, so {so}.",
         "Steady states of a tippe top with $\\alpha = {alpha}$, $I_1/I_3 = {gamma}$ against Jellett's integral, as the spin $J/RI_3(1-\\alpha)$. Solid: stable; dashed: not. \
          {branch} Arrows: runs released at 0.1 rad, spun at {slow}, {chosen} and {fast} rad/s; after 14 s they are at {a}°, {b}° and {c}°.",
-        "Energy against spin. Two parabolas: the steep one, upright, is solid {steep}; the flat one, upside down, is {flat}. {branch} Three vertical arrows fall from \
-         the upright parabola, to tilts of {a}, {b} and {c} degrees."
+        "Energy against spin. Two parabolas: the steep one, upright, is solid {steep}; the flat one, upside down, is {flat}. {branch} Three runs go straight down \
+         from the upright parabola, to tilts of {a}, {b} and {c} degrees."
     );
     let steady = |tilt: f64| {
         let spins = spaced([0.0, WIDEST], 120);

@@ -49,7 +49,7 @@ pub fn egg_film(values: &Values) -> Result<Figure> {
     }
     let (ends, after) = (number(last, 0), number(rows[500].0, 1));
     let claim = match frames.len() {
-        2 => format!(
+        2 if last > 86.0 => format!(
             "Laid down and spun so sluggishly, a boiled egg has not risen after {after} seconds: its axis is {ends} degrees from the vertical."
         ),
         _ if last > 7.0 => format!(

@@ -65,7 +65,7 @@ pub fn hoop_with_clay(values: &Values) -> Result<Figure> {
         "Two hoops on a table, seen along it, each with a lump of clay on its rim. On the left the clay is low and to the left, on the right \
          high and to the left. K is the hoop's centre, C lies between K and the clay. The vertical arrow L and the axis from C through K \
          enclose the angle theta, {low} and {high} degrees. Below K, where the hoop touches the table, friction comes out of the page. \
-         A torque arrow points left from C and slightly down, in both pictures."
+         A torque arrow points left from C and down, in both pictures."
     );
     let made = figure("hoop-with-clay", 314.0, words, |pen| {
         pen.line([[14.0, FLOOR], [586.0, FLOOR]], inked(SECONDARY));

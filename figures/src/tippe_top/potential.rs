@@ -81,7 +81,7 @@ pub fn effective(values: &Values) -> Result<Figure> {
         "{claim}",
         "Effective potential $V(\\theta)$ of a tippe top with $\\alpha = {alpha}$, $I_1/I_3 = {gamma}$, less $V(0)$, over $MgR$, for {count} spins about the upright axis; \
          heavy: {chosen:.1} rad/s. Discs: where a top ends, at {listed}. {lost}, {reached}.",
-        "Curves over the tilt from 0 to 180 degrees, all from the same point at 0; the faster the spin, the lower the curve. A disc marks the place where a top of each ends: \
+        "Curves over the tilt from 0 to 180 degrees, all from the same point at 0. A disc marks the place where a top of each ends: \
          from the slowest to the fastest at {listed}."
     );
     let curve = |spin: f64| {

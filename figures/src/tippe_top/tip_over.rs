@@ -58,8 +58,8 @@ pub fn tip_over(values: &Values) -> Result<Figure> {
         "Tilt of the tutorial's toy, a ball with $R = 2$ cm, $I = \\frac25MR^2$, {turns} turns a second, $\\mu = {mu:.3}$ smoothed over 1 mm/s, released at {START} rad. Dashed: \
          the estimate, {slope}° a second. Mean pace from 30° to 150°: {slow} for $\\alpha = {light}$, {fast} for $\\alpha = {heavy}$. Dotted: by Jellett's integral, for \
          $\\alpha = {heavy}$.",
-        "Tilt in degrees against time in seconds. A dashed straight line rises from near zero to 180 degrees at {reached} seconds. A grey curve, for the lighter clay, starts \
-         late, and one in ink, for the heavier clay, climbs beside it; after {end:.2} seconds they stand at {low} and {high} degrees. \
+        "Tilt in degrees against time in seconds. A dashed straight line rises from near zero to 180 degrees at {reached} seconds. A grey curve is for the lighter clay, \
+         one in ink for the heavier clay; after {end:.2} seconds they stand at {low} and {high} degrees. \
          A dotted curve is the refined estimate for the heavier clay."
     );
     let made = figure("tip-over", 404.0, words, |pen| {

@@ -125,7 +125,7 @@ pub fn speed(values: &Values) -> Result<Figure> {
         "Speed on the way down. Thin string: axle of radius {axle} mm, {end} m/s and {spin} rad/s after {long} m, in {after} s. Thick string, wound up to {wound} mm on an axle of {core} mm: \
          fastest with {peak:.4} m/s at {fastest:.3} m, {last} m/s at the end with {whirl} rad/s, in {later} s.",
         "Speed against depth. The curve of the thin string is a parabola on its side that rises to the end. The curve of the thick string \
-         starts steeper, and is highest at {fastest:.2} m{off}."
+         is highest at {fastest:.2} m{off}."
     );
     let made = figure("yo-yo-speed", 344.0, words, |pen| {
         frame.draw_round(pen, ["depth, m", "speed, m/s"]);

@@ -13,7 +13,7 @@ const DIFFERENT: &[(&str, &str, &str, &str)] = &[
     ("euler-top", "0.715", "0.7236", "a time; radius of a herpolhode"),
     ("euler-top", "0.715", "0.724", "a time; radius of a herpolhode"),
     ("euler-top", "1.0024", "1.021", "a solid angle; half a period of the racket"),
-    ("euler-top", "1.026", "1.021", "a day on Mars; half a period of the racket"),
+    ("euler-top", "1.026", "1.021", "a day on Mars; a ratio of moments"),
     ("euler-top", "5.38", "5.37", "published in 2015; computed"),
     ("euler-top", "5.41", "5.37", "published in 1995; computed"),
     ("euler-top", "7.35", "7.41", "published in 1995; computed"),

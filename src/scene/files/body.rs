@@ -317,10 +317,13 @@ section! { Beads
 
 fn beads(file: &Reader<'_>, Beads { places, parts }: Beads) -> Option<Shape> {
     let parts = parts.unwrap_or_else(|| vec![1.0; places.len()]);
-    if places.is_empty() || parts.len() != places.len() {
+    if places.is_empty() {
+        return file.wrong("body.places", " must have one bead at least");
+    }
+    if parts.len() != places.len() {
         let (beads, shares) = (places.len(), parts.len());
-        let told = format!(" must be as many as places, {beads}, and one at least, got {shares}");
-        return file.wrong("body.parts, body.places", &told);
+        let told = format!(" must be as many as places, {beads}, got {shares}");
+        return file.wrong("body.parts", &told);
     }
     let all: f64 = parts.iter().sum();
     let weighed = places.iter().zip(&parts);

@@ -13,7 +13,7 @@ const LINE: Axis = Axis::log([0.25, 12.0], [40.0, 580.0]);
 const STRIPS: [f64; 4] = [30.0, 15.0, 5.0, 1.0];
 const CENTIMETRE: f64 = 3.0;
 
-/// The regimes of these mass ratios: of one in five and its neighbour, and where the next such two differ, of those between.
+/// The regimes of these mass ratios, six by six: those at the ends, and where these two differ, all.
 fn stretches(ratios: &[f64], coefficients: Coefficients) -> Result<Vec<Regime>> {
     let regime = |ratio: &f64| -> Result<Regime> {
         let run = Fall::new(*ratio, coefficients)?.long_run(Start::TILTED, 200.0, 200.0)?;

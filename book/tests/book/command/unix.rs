@@ -272,7 +272,7 @@ fn peak(arguments: &[&str]) -> u64 {
 #[test]
 #[cfg(target_os = "linux")]
 fn memory_stays_small_up_to_the_largest_output() {
-    // Observed: 42 MB; of five million rows 63 MB, where a motion is stepped 102 MB. As one JSON value half a million took 1.5 GB.
+    // Observed: 42 MB; of five million rows 132 MB. As one JSON value half a million took 1.5 GB.
     let (_folder, file) = racket(600_000);
     let peak = peak(&["scene", file.to_str().unwrap(), "--format", "json"]);
     assert!((20_000..80_000).contains(&peak), "{peak} kB");

@@ -187,23 +187,29 @@ pub fn momentum_flow(values: &Values) -> Result<Figure> {
         named(small),
         named(large),
     );
-    let rest = format!(
-        "Nothing departs from the equator of the equal axes. The flow is nowhere faster than {fastest:.4} per second."
-    );
-    let seen = match orbits.len() {
-        0 => "No curve is on it.",
-        _ if parted => {
-            "Closed curves circle the axis of the smallest moment and the axis of the largest one. At the axis of the middle moment two heavy great circles cross, \
-             inwards along one, outwards along the other; they divide the sphere into four parts."
-        }
-        _ => "Circles go round the axis whose moment differs from the other two.",
+    let [rest, seen] = match orbits.len() {
+        0 => [".", "No curve is on it."].map(str::to_owned),
+        _ if parted => [
+            format!("; a dot every {tick} s. {saddles}"),
+            format!(
+                "Closed curves circle the axis of the smallest moment and the axis of the largest one. At the axis of the middle moment two heavy great circles cross, \
+                 inwards along one, outwards along the other; they divide the sphere into four parts. Dots stand every {tick} seconds."
+            ),
+        ],
+        _ => [
+            format!(
+                "; a dot every {tick} s. Nothing departs from the equator of the equal axes. The flow is nowhere faster than {fastest:.4} per second."
+            ),
+            format!(
+                "Circles go round the axis whose moment differs from the other two. Dots stand every {tick} seconds."
+            ),
+        ],
     };
     let [i1, i2, i3] = of.map(brief);
-    let rest = if parted { saddles } else { rest };
     let words = words!(
         "{claim}",
-        "The sphere $\\lvert L\\rvert=1$ seen from a body with $I_1={i1}$, $I_2={i2}$, $I_3={i3}$; a dot every {tick} s. {rest}",
-        "A sphere with the three principal axes of a body sticking out, moments {i1}, {i2} and {i3}. {seen} Dots stand every {tick} seconds."
+        "The sphere $\\lvert L\\rvert=1$ seen from a body with $I_1={i1}$, $I_2={i2}$, $I_3={i3}${rest}",
+        "A sphere with the three principal axes of a body sticking out, moments {i1}, {i2} and {i3}. {seen}"
     );
 
     let center = [300.0, 214.0];

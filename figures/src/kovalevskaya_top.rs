@@ -194,13 +194,18 @@ pub fn bands(values: &Values) -> Result<Figure> {
         Some(_) => "Two quantities swing where a polynomial is positive.".to_owned(),
         None => "Where two roots of the polynomial meet, nothing swings between them.".to_owned(),
     };
+    let marked = match moving {
+        Some(_) => {
+            " To the left of the smallest one, where it is positive, the second separation variable comes and goes; the first swings between two further roots. \
+                    Both stretches are marked on the axis."
+        }
+        None => "",
+    };
     let (begun, count) = (spun(values), real.len());
     let words = words!(
         "{claim}",
         "$P(s)=-4(s-e_1)\\cdots(s-e_5)$ for the motion from {begun} and $z=(2,-1,2)/3$, heights on a logarithmic scale beyond 0.01; discs: its real roots. {told}",
-        "The graph of a polynomial of degree five with {count} real roots. It is positive to the left of the smallest root, where \
-         the second separation variable comes and goes, and between two further roots, where the first swings; both stretches \
-         are marked on the axis."
+        "The graph of a polynomial of degree five with {count} real roots.{marked}"
     );
 
     // The range of the polynomial between its outermost roots, and slightly beyond them.

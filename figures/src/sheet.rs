@@ -55,11 +55,13 @@ pub fn speeds(values: &Values) -> Result<Figure> {
         .filter(|event| event.time < leaves);
     let then = course.at(leaves);
     let place = course.at(stops).position;
-    let rolling = rolls.map_or(String::new(), |event| {
-        format!(
-            " from {} ms on it rolls there, and friction rests;",
-            number(1e3 * event.time, 0)
-        )
+    let [rolling, kept, back] = rolls.map_or_else(Default::default, |event| {
+        let from = number(1e3 * event.time, 0);
+        [
+            format!(" from {from} ms on it rolls there, and friction rests;"),
+            ", and then both stay".to_owned(),
+            "comes back to zero, ".to_owned(),
+        ]
     });
     let until = 1.16 * stops;
     // The events, and the moments next to a jump of the slip.
@@ -80,8 +82,8 @@ pub fn speeds(values: &Values) -> Result<Figure> {
         "A sheet jerked away at {pull} m/s, friction $\\mu = {on_sheet}$ on it and {on_table} on the table, $I = {inertia}\\,MR^2$. On the sheet friction drives the ball \
          forward and spins it backward;{rolling} off it, after {gone} ms, the table's friction does the opposite. Rim speed and velocity stay in the ratio −{ratio} to 1, so \
          both are zero after {end} ms, {way} mm from the start.",
-        "Two graphs against time. Above: velocity rises in a straight line to {velocity} metres a second while the rim speed falls to {rim}; when the sheet has gone, both return in straight \
-         lines to zero at the same moment. Below: the slip goes down to {lowest}, jumps to {highest} as the sheet leaves, and ends at zero at that moment."
+        "Two graphs against time. Above: velocity rises in a straight line to {velocity} metres a second while the rim speed falls to {rim}{kept}; when the sheet has gone, both return in straight \
+         lines to zero at the same moment. Below: the slip goes down to {lowest}, {back}jumps to {highest} as the sheet leaves, and ends at zero at that moment."
     );
     let time = Axis::linear([0.0, until], [66.0, 580.0]);
     let high = Axis::linear([then.rim_speed, then.velocity], [210.0, 52.0]);

@@ -145,7 +145,7 @@ pub fn dial(values: &Values) -> Result<Figure> {
     let rays = tried(spaced([0.0, PI], 36), |angle| Ok((angle, at(angle)?)))?;
     let (level, back) = (at(0.0)?, at(PI)?);
     let (axle, force) = (number(ratio, 2), brief(tension));
-    let [most, away, after] = numbers([level, -at(PI / 2.0)?, -back], 1);
+    let [most, away, after] = numbers([level, -at(PI / 2.0)?, -back], 2);
     let words = words!(
         "The spool comes for every tug lower than {degrees} degrees, runs away from a steeper one, and follows a hand beyond the vertical.",
         "Acceleration of a spool with $r/R = {axle}$, $M = 200$ g, $I = \\frac12MR^2$, tugged gently with {force} N: each ray points along the tug. Ink: it rolls to the left \

@@ -161,8 +161,8 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
         false => format!("rim speed ${}\\,V$", plain(&short(spin, 2))),
     };
     let inertia = inline(kappa, fraction_of(kappa));
-    let [v1, v2, v3] = &velocities;
-    let [p1, p2, p3] = [v1, v2, v3].map(|text| plain(text));
+    let [p1, p2, p3] = velocities.each_ref().map(|text| plain(text));
+    let labels = velocities[..legs.len()].join(", ");
     let [s1, s2, s3] = spins.map(|text| plain(&text));
     let words = words!(
         "{which} {after}.",
@@ -171,7 +171,7 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
          no spin.",
         "A table seen from the side. A ball flies in from the upper left and bounces on the floor, on the underside of \
          the table and on the floor again; it {after}. The legs of the path are \
-         labelled with the velocities {v1}, {v2} and {v3} of V, and a clock hand on the ball shows how it turns. \
+         labelled with their velocities, {labels} of V, and a clock hand on the ball shows how it turns. \
          A dashed ghost without spin zigzags straight on under the table."
     );
 

@@ -74,10 +74,6 @@ pub fn solution(values: &Values) -> Result<Figure> {
     };
     let [inertia, begun] = [moments, start].map(triple);
     let (size, beyond) = (brief(most), remark(moments));
-    let over = match period {
-        Some(period) => format!("a period of {period:.1} seconds"),
-        None => "the time until it rests".to_owned(),
-    };
     let (wave, pulses) = match rests {
         true => (
             "almost a square wave",
@@ -85,13 +81,21 @@ pub fn solution(values: &Values) -> Result<Figure> {
         ),
         false => ("a wave", "Then all is repeated."),
     };
+    let seen = match period {
+        Some(period) => format!(
+            "Three curves over at least a period of {period:.1} seconds. The second component of the angular velocity is {wave} between plus and minus {size}. The {about} \
+             component keeps its sign and is greatest when the second one vanishes; the other changes its sign and is greatest at the same times, up and down \
+             in turn. {pulses}"
+        ),
+        None => format!(
+            "Three curves over a minute. The second component of the angular velocity ends steady, {size} in size; the other two die away."
+        ),
+    };
     let words = words!(
         "{claim}",
         "Components of $\\Omega$ in the body, rad/s, for $I = {inertia}$, $\\Omega(0) = {begun}$: {course} {percent} % of the time $\\Omega_2$ is within a tenth of its \
          greatest size, {size} rad/s.{beyond}",
-        "Three curves over at least {over}. The second component of the angular velocity is {wave} between plus and minus {size}. The {about} component \
-         keeps its sign and is greatest when the second one vanishes; the other changes its sign and is greatest at the same times, up and down in \
-         turn. {pulses}"
+        "{seen}"
     );
     let [left, right, zero, half] = FRAME;
     let length = step * (states.len() - 1) as f64;

@@ -207,14 +207,21 @@ pub fn precession_cones(values: &Values) -> Result<Figure> {
     let [[wide, narrow], [slim, broad]] = pairs.each_ref().map(cones);
     let [left, right] = pairs.each_ref().map(|pair| brief(pair.top.axial()));
     let lean = brief(omega.x());
+    let pair = [
+        format!(
+            "the wide cone of {wide} degrees about the body's axis surrounds the narrow cone of {narrow} degrees about the vertical angular momentum"
+        ),
+        format!("two cones, of {slim} and {broad} degrees, stand side by side"),
+    ];
+    let one = "one cone, about the body's axis, with the vertical angular momentum on its side";
+    let [round_it, beside] = [0, 1].map(|k| if round[k] { one } else { &pair[k] });
     let words = words!(
         "{claim}",
         "The cones of a free symmetric top touch along $\\Omega$; the space cone, about $L$, stands still. Half-angles of \
          body cone and space cone: {wide}° and {narrow}° for $I_3/I_1 = {left}$, {slim}° and {broad}° for $I_3/I_1 = {right}$, both with \
          $\\Omega_\\perp/\\Omega_3 = {lean}$.",
-        "Two pairs of cones with a common tip. Left, a body with a moment ratio of {left}: the wide cone of {wide} degrees about the body's axis \
-         surrounds the narrow cone of {narrow} degrees about the vertical angular momentum. Right, a body with a ratio of {right}: the two cones, of {slim} and {broad} degrees, \
-         stand side by side. Each pair touches along the angular velocity, so one cone rolls on the other."
+        "Cones with a common tip. Left, a body with a moment ratio of {left}: {round_it}. Right, a body with a ratio of {right}: {beside}. \
+         Two cones touch along the angular velocity, so one rolls on the other."
     );
     // One scale for both.
     let views =

@@ -43,6 +43,9 @@ const TRUSTED: f64 = 1e-11;
 /// The greatest disagreement allowed between values of α from different states.
 const AGREEING: f64 = 1e-9;
 
+/// The same between α by integrals and its mean over states, or between those states, for an upright start.
+const SURE: f64 = 1e-13;
+
 /// Where the sine of the tilt and K are both below this, the rounding of their directions would cost digits of the attitude.
 const POINTING: f64 = 1e-3;
 /// The sine of a tilt below which the azimuth of the third axis may be off by a quarter turn.
@@ -111,16 +114,20 @@ impl Precession {
         let best = both.iter().min_by(|x, y| off(&x.1).total_cmp(&off(&y.1)))?;
         let &([[a, b], [c, d]], fits) = Some(best).filter(|best| off(&best.1) < AGREEING)?;
         let known = Curve::rate(constants, &exact.separation);
-        let [plus, minus] = fits.map(|(rough, scatter)| {
+        let rates = fits.map(|(rough, scatter)| {
             let known = nearest_rate(known, rough, exact.curve.advance);
-            // Near a double root the integrals may lose digits, and the mean over states is better; for an upright start the integrals are those of the double root itself.
+            // Near a double root the integrals may lose digits, and the mean over states is better; for an upright start with a small K both may.
             let off = (known.value() - rough).abs();
-            if constants.upright || off <= 16.0 * scatter {
+            let better = if off <= 16.0 * scatter {
                 known
             } else {
                 rough.into()
-            }
+            };
+            Some(better).filter(|_| !constants.upright || off.min(scatter) < SURE)
         });
+        let [Some(plus), Some(minus)] = rates else {
+            return None;
+        };
         let mean = (plus + minus).scaled(0.5);
         Some(Self {
             exact,

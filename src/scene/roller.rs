@@ -439,10 +439,10 @@ impl OnTable<'_> {
             return Ok((moments, (cost, OF_CLOSED_FORMS)));
         }
         let (sizes, mut off) = (self.sizes(&moments), 0.0);
-        // The slip jumps where a ball passes the edge of its sheet; that against the table does not.
+        // The slip jumps where a ball passes the edge of its sheet; that against the table does not. How far the edge has gone since is not told.
         let told = |course: &Course, t: f64| {
             let mut y = course.state(t);
-            y[3] = y[1] - y[2];
+            (y[3], y[7]) = (y[1] - y[2], 0.0);
             y
         };
         // In one of the two twins the effects of the changes may cancel.

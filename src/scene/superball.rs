@@ -206,8 +206,14 @@ fn followed(flight: &Flight, request: &Request) -> Result<(Vec<InFlight>, (Cost,
     let ordered = flight.sampled(&counted, &bounced)?;
     let counts = counted.iter_mut().zip(&ordered);
     counts.for_each(|((_, count), ball)| *count = Some(ball.bounces));
+    // What the start can reach counts, seen or not.
+    let thrown = Thrown {
+        flight: *flight,
+        span: request.furthest,
+    };
+    let [length, _, speed] = thrown.scales();
     let all = ordered.iter().chain([&flight.start]).map(numbers);
-    let greatest = all.fold([f64::MIN_POSITIVE; 5], |most, ball| {
+    let greatest = all.fold([length, length, speed, speed, speed], |most, ball| {
         core::array::from_fn(|n| greater(most[n], ball[n].abs()))
     });
     let [x, height, speeds @ ..] = greatest;

@@ -139,13 +139,14 @@ impl Flight {
         self.losses.is_none() && self.grip.is_none()
     }
 
-    /// The speeds at which a ball in flight meets the floor, and the ceiling if it gets so high, in twice the precision.
-    fn speeds(&self, ball: &InFlight) -> (DoubleDouble, Option<DoubleDouble>) {
-        let (v, g) = (ball.climb.abs(), self.gravity);
-        let square = DoubleDouble::product(v, v);
+    /// The speeds at which a ball in flight meets the floor, and the ceiling if it gets so high. Its vertical velocity is given in two words, for it is
+    /// rounded at every bounce, and where hardly any speed is lost always the same way.
+    fn speeds(&self, ball: &InFlight, climb: DoubleDouble) -> (DoubleDouble, Option<DoubleDouble>) {
+        let (v, g) = (climb.magnitude(), self.gravity);
+        let square = v.square();
         // Without a fall the speed is the ball's own, even where its square underflows.
         let after = |fall: DoubleDouble, sum: DoubleDouble| match fall.value() {
-            0.0 => DoubleDouble::from(v),
+            0.0 => v,
             _ => sum.square_root(),
         };
         let fall = DoubleDouble::product(2.0 * g, ball.height);
@@ -157,16 +158,19 @@ impl Flight {
             true => 0.0,
             false => 4.0 * f64::EPSILON * square.value(),
         };
-        let strikes = ceiling.value() > rounding || rise.value() == 0.0 && v > 0.0;
+        let strikes = ceiling.value() > rounding || rise.value() == 0.0 && v.value() > 0.0;
         let reached = self.room.is_finite() && strikes;
         (floor, reached.then(|| after(rise, ceiling)))
     }
 
-    /// The next contact of a ball in flight: the time until it, the surface, and the vertical speed. `None` if the ball never comes down, or
-    /// lies on the floor.
-    fn contact(&self, ball: &InFlight) -> Option<(DoubleDouble, Surface, DoubleDouble)> {
-        let v = DoubleDouble::from(ball.climb);
-        let (floor, ceiling) = self.speeds(ball);
+    /// The next contact of a ball in flight with this vertical velocity: the time until it, the surface, and the vertical speed. `None` if the ball
+    /// never comes down, or lies on the floor.
+    fn contact(
+        &self,
+        ball: &InFlight,
+        v: DoubleDouble,
+    ) -> Option<(DoubleDouble, Surface, DoubleDouble)> {
+        let (floor, ceiling) = self.speeds(ball, v);
         // The root in the form that does not cancel, for either sign of v.
         let contact = match ceiling {
             Some(speed) if ball.climb > 0.0 => {
@@ -190,7 +194,7 @@ impl Flight {
 
     /// Whether a ball lies on the floor.
     fn lies(&self, ball: &InFlight) -> bool {
-        self.gravity > 0.0 && self.speeds(ball).0.value() == 0.0
+        self.gravity > 0.0 && self.speeds(ball, ball.climb.into()).0.value() == 0.0
     }
 
     /// The ball after a time without contact.
@@ -268,7 +272,7 @@ impl Flight {
             return refused(condition, self.kappa);
         }
         let start = &self.start;
-        let Some((first_time, first, speed)) = self.contact(start) else {
+        let Some((first_time, first, speed)) = self.contact(start, start.climb.into()) else {
             return if self.lies(start) {
                 self.on_the_floor(start, start.position, t)
             } else {
@@ -280,7 +284,7 @@ impl Flight {
             return self.flown(start, t);
         }
         let arrived = self.bounced(start, first_time.value(), first, speed.value());
-        let (floor, ceiling) = self.speeds(start);
+        let (floor, ceiling) = self.speeds(start, start.climb.into());
         let flight = match ceiling {
             Some(speed) => DoubleDouble::from(2.0 * self.room) / (floor + speed),
             None if self.gravity > 0.0 => floor.scaled(2.0) / DoubleDouble::from(self.gravity),
@@ -355,30 +359,35 @@ impl Flight {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn last_contact(&self) -> Result<Option<f64>> {
-        let pile = self.pile(&|_| Ok(()))?;
+        let pile = self.pile(f64::INFINITY, &|_| Ok(()))?;
         pile.map(|(.., last)| finite("the time of the last contact", last))
             .transpose()
     }
 
-    /// The time from which the flights form a geometric series, the ball as it leaves the floor then, and the time at which the bounces end.
-    fn pile(&self, bounced: Told<'_>) -> Result<Option<(f64, InFlight, f64)>> {
+    /// The time from which the flights form a geometric series, if that is not after `until`, the ball as it leaves the floor then, and the time at which the
+    /// bounces end.
+    fn pile(&self, until: f64, bounced: Told<'_>) -> Result<Option<(f64, InFlight, f64)>> {
         let (mut time, mut ball) = (DoubleDouble::from(0.0), self.start);
+        let mut climb = ball.climb.into();
         let ([normal, _], g) = (self.restitution(), self.gravity);
         if g == 0.0 || normal == 1.0 && !self.lies(&ball) {
             return Ok(None);
         }
         for _ in 0..MOST_BOUNCES {
-            let Some((wait, surface, speed)) = self.contact(&ball) else {
+            let Some((wait, surface, speed)) = self.contact(&ball, climb) else {
                 let time = time.value();
                 return Ok(self.lies(&ball).then_some((time, ball, time)));
             };
             time = time + wait;
+            if time.value() > until {
+                return Ok(None);
+            }
             bounced(time.value())?;
             ball = self.bounced(&ball, wait.value(), surface, speed.value());
-            let climb = ball.climb;
-            if surface == Surface::Floor && climb * climb <= 2.0 * g * self.room {
+            climb = speed.times(normal).signed(ball.climb);
+            if surface == Surface::Floor && ball.climb * ball.climb <= 2.0 * g * self.room {
                 let time = time.value();
-                let last = time + 2.0 * climb / (g * (1.0 - normal));
+                let last = time + 2.0 * ball.climb / (g * (1.0 - normal));
                 return Ok(Some((time, ball, last)));
             }
         }
@@ -416,11 +425,13 @@ impl Flight {
     /// The same at times that may come with a number of bounces; then the ball is given after exactly that many, even if another falls on the same
     /// time. `bounced` receives the time of every bounce, and may end the run.
     pub(crate) fn sampled(&self, samples: &[Sample], bounced: Told<'_>) -> Result<Vec<InFlight>> {
-        let pile = self.pile(bounced)?;
+        let until = samples.last().map_or(0.0, |&(t, _)| t);
+        let pile = self.pile(until, bounced)?;
         let mut states = Vec::with_capacity(samples.len());
         // One addition for each bounce, with similar rounding errors each time: in twice the precision.
         let (mut now, mut ball) = (DoubleDouble::from(0.0), self.start);
-        let mut next = self.contact(&ball);
+        let [normal, _] = self.restitution();
+        let mut next = self.contact(&ball, ball.climb.into());
         for &(t, count) in samples {
             let t = not_negative("the time", t)?;
             let over = pile.filter(|&(.., last)| t >= last);
@@ -446,7 +457,7 @@ impl Flight {
                 now = then;
                 bounced(now.value())?;
                 ball = self.bounced(&ball, wait, surface, speed.value());
-                next = self.contact(&ball);
+                next = self.contact(&ball, speed.times(normal).signed(ball.climb));
             }
             states.push(match over {
                 Some((begun, first, last)) if self.grip.is_none() => {
@@ -470,12 +481,15 @@ impl Flight {
         let [normal, tangential] = self.restitution();
         let (kappa, flight) = (self.kappa, took * (1.0 - normal));
         let slip = first.motion.contact_speed(Surface::Floor);
-        // A ball that already lies on the floor has no flights.
-        let swing = match took {
+        // What the bounces take from the way, which without them were V·took. A ball that already lies on the floor has no flights.
+        let taken = match took {
             0.0 => 0.0,
-            _ => kappa / (1.0 + kappa) * slip * flight / (1.0 + normal * tangential),
+            _ => {
+                let share = normal * (1.0 + tangential) / (1.0 + normal * tangential);
+                kappa / (1.0 + kappa) * slip * took * share
+            }
         };
-        let landed = first.position + took * self.common(&first.motion) + swing;
+        let landed = first.position + took * first.motion.velocity - taken;
         // The bounces that could have been followed: those that can be told apart from the end.
         let told = ((SAME * took / flight).ln() / normal.ln()).max(0.0).ceil();
         let bounces = first.bounces.saturating_add(told as u64);

@@ -1,12 +1,11 @@
 //! The energy over a million steps.
 
 use lab::accuracy::{Candidate, candidates};
-use spinning_bodies::Error;
 use spinning_bodies::euler_top::EulerTop;
 use spinning_bodies::integrators::Effort;
 use spinning_bodies::integrators::geometric::Phase;
 
-use super::problem::problem;
+use super::problem::*;
 use crate::prelude::*;
 
 /// A sixteenth of a second, about a thirtieth of a turn.
@@ -36,11 +35,7 @@ pub fn energy_drift(_: &Values) -> Result<Figure> {
         })
     };
     let line = |name: &'static str, style| -> Result<_> {
-        let found = all.iter().find(|candidate| candidate.name == name);
-        let found = found.ok_or(Error::Empty {
-            quantity: "the list of methods of this name",
-        })?;
-        Ok((errors(found)?, style, name))
+        Ok((errors(method(&all, name)?)?, style, name))
     };
     let lines = [
         line("rk4", muted(DATA))?,

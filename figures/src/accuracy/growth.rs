@@ -3,43 +3,40 @@
 use lab::accuracy::{Candidate, candidates, measure, named};
 use spinning_bodies::integrators::Effort;
 
-use super::problem::problem;
-
-use Hardness::{Steps, Tolerance};
-
+use super::problem::*;
 use crate::prelude::*;
 
-/// The effort of a method.
-enum Hardness {
-    /// Steps a turn.
-    Steps(f64),
-    Tolerance(f64),
-}
-
-/// A method, its effort, the greatest power of ten of turns for which it is run, its line, and the place of its name next to its last point.
-type Line = (&'static str, Hardness, i32, Stroke, Point);
+/// A method, its effort (a step is a part of a turn), the greatest power of ten of turns for which it is run, its line, and the place of its name next to its
+/// last point.
+type Line = (&'static str, Effort, i32, Stroke, Point);
 
 const RK4: Stroke = muted(DATA).dotted();
 const ROTATIONS: Stroke = inked(DATA).dashed();
 const DISCRETE: Stroke = inked(DATA);
 const LINES: [Line; 4] = [
-    ("rk4", Steps(32.0), 4, RK4, [-8.0, -12.0]),
-    ("dop853", Tolerance(1e-11), 4, muted(DATA), [10.0, 5.0]),
-    ("rotations-4", Steps(8.0), 5, ROTATIONS, [-14.0, -10.0]),
-    ("moser-veselov-10", Steps(16.0), 5, DISCRETE, [0.0, 52.0]),
+    ("rk4", steps(32.0), 4, RK4, [-8.0, -12.0]),
+    ("dop853", TOLERANCE, 4, muted(DATA), [10.0, 5.0]),
+    ("rotations-4", steps(8.0), 5, ROTATIONS, [-14.0, -10.0]),
+    ("moser-veselov-10", steps(16.0), 5, DISCRETE, [0.0, 52.0]),
 ];
+const TOLERANCE: Effort = Effort::Tolerance(1e-11);
+
+/// So many steps a turn.
+const fn steps(count: f64) -> Effort {
+    Effort::Step(1.0 / count)
+}
 
 /// Errors after 1, 10, … 10ⁿ turns, in one run that continues from each to the next.
 ///
 /// The reference is the closed form; for the closed form itself, the table of 36 digits.
 fn errors(line: &Line, candidate: &Candidate, exact: &Candidate) -> Result<Vec<[f64; 2]>> {
-    let (_, hardness, most, ..) = line;
+    let (_, effort, most, ..) = line;
     let first = problem("free-top/1")?;
     let turns = (0..=*most).map(|k| 10.0_f64.powi(k));
     let times: Vec<f64> = turns.clone().map(|turns| turns * first.end()).collect();
-    let effort = match hardness {
-        Steps(count) => Effort::Step(first.end() / count * (1.0 + 1e-12)),
-        Tolerance(tolerance) => Effort::Tolerance(*tolerance),
+    let effort = match *effort {
+        Effort::Step(part) => Effort::Step(first.end() * part * (1.0 + 1e-12)),
+        tolerance => tolerance,
     };
     let follow = |one: &Candidate, effort| one.method.follow(first.start(), &times, effort);
     let found = follow(candidate, effort)?;
@@ -54,17 +51,13 @@ fn errors(line: &Line, candidate: &Candidate, exact: &Candidate) -> Result<Vec<[
 pub fn growth(_: &Values) -> Result<Figure> {
     let frame = Frame::log([0.8, 2e6], [1e-17, 10.0], [64.0, 584.0, 372.0, 32.0]);
     let all = candidates(&problem("free-top/1")?)?;
-    let by_name = |name: &str| all.iter().find(|candidate| candidate.name == name);
+    let exact = method(&all, "exact")?;
     let mut lines = Vec::new();
     let mut told = Vec::new();
     for line in &LINES {
-        let method = line.0;
-        let (Some(candidate), Some(exact)) = (by_name(method), by_name("exact")) else {
-            continue;
-        };
-        let errors = errors(line, candidate, exact)?;
+        let errors = errors(line, method(&all, line.0)?, exact)?;
         if let [.., [_, before], [_, last]] = errors[..] {
-            told.push(format!("{method} {}", number((last / before).log10(), 1)));
+            told.push(format!("{} {}", line.0, number((last / before).log10(), 1)));
         }
         lines.push((line, frame.trace(errors)));
     }
@@ -99,13 +92,9 @@ pub fn growth(_: &Values) -> Result<Figure> {
 
 /// Errors of the closed form after 1, 10, 1000 and 10⁶ turns.
 fn exact_errors() -> Result<Vec<[f64; 2]>> {
-    let mut errors = Vec::new();
-    for run in &named("free-top")? {
+    tried(&named("free-top")?, |run| {
         let all = candidates(run)?;
-        if let Some(exact) = all.iter().find(|candidate| candidate.name == "exact") {
-            let found = measure(run, exact, Effort::Tolerance(0.0));
-            errors.push([run.turns(), found.error_attitude.max(2e-17)]);
-        }
-    }
-    Ok(errors)
+        let found = measure(run, method(&all, "exact")?, Effort::Tolerance(0.0));
+        Ok([run.turns(), found.error_attitude.max(2e-17)])
+    })
 }

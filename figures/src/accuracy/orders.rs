@@ -1,6 +1,6 @@
 //! Orders, measured.
 
-use lab::accuracy::measured_order;
+use lab::accuracy::{Status, Trial, candidates, measure, measured_order};
 
 use super::problem::*;
 use crate::prelude::*;
@@ -19,16 +19,31 @@ const METHODS: [(&str, Stroke, f64, Point); 6] = [
     ("moser-veselov-10", DISCRETE, 0.0, [10.0, -8.0]),
 ];
 
+/// Most evaluations of a run.
+const MOST: u64 = 40_000;
+
 /// Error of a turn against the number of steps, the slope of each line at its name.
 pub fn orders(_: &Values) -> Result<Figure> {
     let turn = problem("free-top/1")?;
+    let all = candidates(&turn)?;
     let frame = Frame::log([0.8, 1500.0], [1e-16, 10.0], [64.0, 584.0, 372.0, 32.0]);
     let mut lines: Vec<(Vec<Point>, String)> = Vec::new();
     let mut slopes = Vec::new();
     for (name, ..) in METHODS {
-        let rows = swept(&turn, name, 40_000)?;
-        let line = points(&rows, |row| row.steps as f64);
-        let line = line.into_iter().filter(|p| p[0] < 1500.0 && p[1] > 3e-16);
+        let candidate = method(&all, name)?;
+        let rows = Trial::of(&turn, candidate).sweep(|rows, effort| {
+            // Efforts are at most a decade or a factor 1.5 apart.
+            let more = rows.last().is_none_or(|row| 3 * row.evaluations < 2 * MOST);
+            more.then(|| measure(&turn, candidate, effort))
+        });
+        // No run that failed or diverged, and one point at the floor of rounding.
+        let mut floor = 0;
+        let kept = rows.iter().filter(|row| {
+            floor += usize::from(row.status == Status::Floor);
+            matches!(row.status, Status::Ok | Status::Floor) && floor < 2
+        });
+        let line = kept.map(|row| [row.steps as f64, row.error_attitude]);
+        let line = line.filter(|p| p[0] < 1500.0 && p[1] > 3e-16);
         let line: Vec<Point> = line.map(|[x, y]| frame.at(x, y.max(1e-16))).collect();
         let slope = measured_order(&rows).unwrap_or(f64::NAN);
         let slope = number(slope, 2);

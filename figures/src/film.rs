@@ -98,19 +98,14 @@ impl Body {
 
     fn cuboid(edges: &Vector) -> Self {
         let signs = [-1.0, 1.0];
-        let corner = |s: [f64; 3]| edges.component_mul(&Vector::from(s)) * 0.5;
-        let corners = signs.map(|x| signs.map(|y| signs.map(|z| corner([x, y, z]))));
+        let corner = |s: Vector| edges.component_mul(&s) * 0.5;
+        let corners = signs.map(|x| signs.map(|y| signs.map(|z| corner(Vector::new(x, y, z)))));
         let mut lines = Vec::new();
         for axis in 0..3 {
+            let [along, j, k] = [0, 1, 2].map(|n| Vector::ith((axis + n) % 3, 1.0));
             for (p, q) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
-                let [mut from, mut u, mut v] = [[0.0; 3]; 3];
-                (from[(axis + 1) % 3], from[(axis + 2) % 3]) = (p, q);
-                (u[(axis + 1) % 3], v[(axis + 2) % 3]) = (p, q);
-                let end = |sign: f64| {
-                    let mut at = from;
-                    at[axis] = sign;
-                    [corner(at), u.into(), v.into()]
-                };
+                let (u, v) = (p * j, q * k);
+                let end = |sign: f64| [corner(sign * along + u + v), u, v];
                 lines.push(signs.map(end).into());
             }
         }

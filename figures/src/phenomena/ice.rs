@@ -33,14 +33,14 @@ struct Person {
     trunk: f64,
 }
 
-/// Masses of legs, head and arms, kg, and none of the trunk, which is chosen, at the middle of what they are.
-const MASSES: [(Option<f64>, [usize; 2]); 6] = [
-    (Some(7.0), [0, 1]),
-    (Some(15.0), [1, 2]),
-    (None, [2, 3]),
-    (Some(6.0), [4, 4]),
-    (Some(4.0), [3, 5]),
-    (Some(4.0), [3, 6]),
+/// Legs, trunk, head and arms: mass, kg, at their middle, and none of the trunk, which is chosen; the places of their ends; their radii there, m.
+const LIMBS: [(Option<f64>, [usize; 2], [f64; 2]); 6] = [
+    (Some(7.0), [0, 1], [0.06, 0.075]),
+    (Some(15.0), [1, 2], [0.08, 0.105]),
+    (None, [2, 3], [0.115, 0.135]),
+    (Some(6.0), [4, 4], [0.115, 0.115]),
+    (Some(4.0), [3, 5], [0.055, 0.04]),
+    (Some(4.0), [3, 6], [0.055, 0.04]),
 ];
 
 impl Person {
@@ -65,7 +65,7 @@ impl Person {
     }
 
     fn parts(&self) -> [Part; 6] {
-        MASSES.map(|(mass, [a, b])| {
+        LIMBS.map(|(mass, [a, b], _)| {
             let (a, b) = (self.places[a], self.places[b]);
             Part {
                 mass: mass.unwrap_or(self.trunk),
@@ -76,19 +76,10 @@ impl Person {
 
     fn draw(&self, pen: &mut Pen, from: Point, scale: f64) {
         let at = |k: usize| planned(from, scale, self.places[k]);
-        let limbs = [
-            ([0, 1], [0.06, 0.075]),
-            ([1, 2], [0.08, 0.105]),
-            ([2, 3], [0.115, 0.135]),
-            ([3, 5], [0.055, 0.04]),
-            ([3, 6], [0.055, 0.04]),
-            ([4, 4], [0.115, 0.115]),
-        ];
-        for ([a, b], radii) in limbs {
-            let ends = [
-                circle(at(a), radii[0] * scale),
-                circle(at(b), radii[1] * scale),
-            ];
+        // The head last, over the arms.
+        for k in [0, 1, 2, 4, 5, 3] {
+            let (_, [a, b], [here, there]) = LIMBS[k];
+            let ends = [circle(at(a), here * scale), circle(at(b), there * scale)];
             let outline = hull(&ends.concat());
             pen.fill(&outline, Paper, 1.0);
             pen.fill(&outline, Ink, 0.1);

@@ -8,8 +8,8 @@ pub const FIGURES: &[Entry] = &[of("scene-prices", &[], prices)];
 /// Counted by the benches, checked by the tests of the book.
 const PRICES: &str = include_str!("../../book/src/tables/scene-prices.csv");
 
-/// Where a hundredth of a millisecond is, and ten.
-const AXIS: [f64; 2] = [250.0, 400.0];
+/// Milliseconds.
+const ACROSS: Axis = Axis::log([0.01, 10.0], [250.0, 400.0]);
 const DECADES: [(f64, &str); 4] = [(0.01, "0.01"), (0.1, "0.1"), (1.0, "1"), (10.0, "10")];
 /// Where the numbers at the margin end: milliseconds, evaluations.
 const MARGIN: [f64; 2] = [482.0, 592.0];
@@ -25,11 +25,6 @@ struct Cell {
     with: f64,
     solver: &'static str,
     evaluations: u32,
-}
-
-/// Where so many milliseconds are.
-fn across(milliseconds: f64) -> f64 {
-    AXIS[0] + (AXIS[1] - AXIS[0]) * (milliseconds.log10() + 2.0) / 3.0
 }
 
 fn cells() -> Vec<Cell> {
@@ -86,21 +81,20 @@ pub fn prices(_: &Values) -> Result<Figure> {
 
 fn head(pen: &mut Pen, height: f64) {
     for (milliseconds, text) in DECADES {
-        let x = across(milliseconds);
+        let x = ACROSS.at(milliseconds);
         pen.remark([x, 40.0], Middle, text);
         let ends = [[x, 50.0], [x, height - 12.0]];
         pen.line(ends, muted(HAIR).alpha(0.5).dotted());
     }
-    let middle = 0.5 * (AXIS[0] + AXIS[1]);
-    pen.note([middle, 18.0], Middle, "ms a second");
+    pen.note([325.0, 18.0], Middle, "ms a second");
     pen.note([MARGIN[0], 18.0], End, "ms");
     pen.note([MARGIN[1], 18.0], End, "evaluations");
 }
 
 fn row(pen: &mut Pen, cell: &Cell, y: f64) {
     pen.note([108.0, y + 5.0], Start, &cell.effect);
-    let with = across(cell.with);
-    if let Some(without) = cell.without.map(across) {
+    let with = ACROSS.at(cell.with);
+    if let Some(without) = cell.without.map(|time| ACROSS.at(time)) {
         let step = if with < without { -6.0 } else { 6.0 };
         if (with - without).abs() > 8.0 {
             pen.line([[without + step, y], [with, y]], inked(SECONDARY));

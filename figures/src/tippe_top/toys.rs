@@ -74,9 +74,7 @@ pub fn toy(alpha: f64, mu: f64) -> Result<HoopWithClay> {
 /// The tutorial's toy by the full equations, spun about the vertical, 0.1 rad from its position of rest.
 pub fn toy_scene(alpha: f64, spin: f64, mu: f64) -> Result<TableTop> {
     let body = bodies::hoop_with_clay(0.02, 0.02, alpha)?;
-    TableTop::new(body, Start::about_vertical(0.1, 0.0, spin)?)
-        .with(Gravity::new(G)?)?
-        .with(Regularised::new(mu, 1e-3)?)
+    body_scene(body, spin, 0.1, 0.0, mu)
 }
 
 /// The tippe top of Rauch-Wojciechowski and Rutstam, or one of another α and γ, in closed form.

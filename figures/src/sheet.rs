@@ -206,7 +206,8 @@ pub fn animated(_: &Values) -> Result<Figure> {
         ]
     };
     let frames: Vec<_> = (0..=PICTURES).map(frame).collect();
-    let rest = frame(PICTURES * 3 / 10).map(|moved| moved.replace("px", "").replace("deg", ""));
+    let [at, turned, far] =
+        frame(PICTURES * 3 / 10).map(|moved| moved.replace("px", "").replace("deg", ""));
     let names = ["ball", "hand", "paper"].map(|part| format!("fig-{NAME}-{part}"));
     let mut style = String::from("<style>");
     for (k, name) in names.iter().enumerate() {
@@ -218,21 +219,16 @@ pub fn animated(_: &Values) -> Result<Figure> {
     }
     let all = names.each_ref().map(|name| format!(".{name}")).join(",");
     style += &finish::stops(NAME, &all);
+    let [ball, hand, paper] = names;
     let (r, top) = (RADIUS * SCALE, (TABLE - 2.0) * SCALE);
     let long = 1200.0 * SCALE;
     let (thick, thin) = (2.6 * SCALE, 2.0 * SCALE);
     let groups = format!(
         "<defs><clipPath id=\"fig-{NAME}-room\"><path d=\"M80 0H5920V1600H80Z\"/></clipPath></defs>\n\
-         <g clip-path=\"url(#fig-{NAME}-room)\"><g class=\"{paper}\" transform=\"{at2}\"><path d=\"M0 {top:.0}L{long:.0} {top:.0}\" stroke=\"currentColor\" stroke-width=\"{thick:.0}\"/></g></g>\n\
-         <g class=\"{ball}\" transform=\"{at0}\"><g class=\"{hand}\" transform=\"{at1}\">\
+         <g clip-path=\"url(#fig-{NAME}-room)\"><g class=\"{paper}\" transform=\"{far}\"><path d=\"M0 {top:.0}L{long:.0} {top:.0}\" stroke=\"currentColor\" stroke-width=\"{thick:.0}\"/></g></g>\n\
+         <g class=\"{ball}\" transform=\"{at}\"><g class=\"{hand}\" transform=\"{turned}\">\
          <circle r=\"{r:.0}\" fill=\"currentColor\" fill-opacity=\"0.1\" stroke=\"currentColor\" stroke-width=\"{thin:.0}\"/>\
-         <path d=\"M0 0L0 -{r:.0}\" stroke=\"var(--omega, #0b6bcb)\" stroke-width=\"{thick:.0}\"/></g></g>\n",
-        ball = names[0],
-        hand = names[1],
-        paper = names[2],
-        at0 = rest[0],
-        at1 = rest[1],
-        at2 = rest[2],
+         <path d=\"M0 0L0 -{r:.0}\" stroke=\"var(--omega, #0b6bcb)\" stroke-width=\"{thick:.0}\"/></g></g>\n"
     );
     Ok(still.moving(&(style + &groups)))
 }

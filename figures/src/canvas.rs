@@ -131,6 +131,17 @@ pub enum Mark {
     },
 }
 
+impl Mark {
+    /// Its paint.
+    pub fn paint(&self) -> &Paint {
+        let (Self::Path(_, paint)
+        | Self::Polygon(_, paint)
+        | Self::Circle { paint, .. }
+        | Self::Text { paint, .. }) = self;
+        paint
+    }
+}
+
 /// Draws marks in their order.
 ///
 /// # Errors

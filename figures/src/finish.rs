@@ -4,9 +4,9 @@ use std::fmt::{Display, Write as _};
 
 use plotters_svg::SVGBackend;
 
-use crate::canvas;
+use crate::canvas::{self, Anchor, Mark};
 use crate::figure::Figure;
-use crate::style::{self, LEAST, Role, SCALE, SMALL};
+use crate::style::{self, LEAST, Role, SCALE};
 
 /// The look of a file that is viewed on its own.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -53,20 +53,17 @@ impl Figure {
         let mut backend = SVGBackend::with_string(&mut raw, self.size.into());
         canvas::draw(self.marks(), &mut backend).expect("a string takes every letter");
         drop(backend);
-        let (name, claim, alt) = (self.name, &self.claim, &self.alt);
-        let mut lines = raw.lines();
-        let head = lines.next().unwrap_or_default();
-        let view_box = attribute(head, "viewBox").unwrap_or_default();
+        let (name, [width, height]) = (self.name, self.size);
         let mut svg = String::with_capacity(raw.len());
         let _ = writeln!(
             svg,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig\" id=\"fig-{name}-svg\" viewBox=\"{view_box}\" role=\"img\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig\" id=\"fig-{name}-svg\" viewBox=\"0 0 {width} {height}\" role=\"img\" \
          aria-label=\"{}\" fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\" \
          font-family=\"var(--figure-font, 'Latin Modern Roman', 'CMU Serif', 'Times New Roman', serif)\">",
-            escaped(alt)
+            escaped(&self.alt)
         );
-        let _ = writeln!(svg, "<title>{}</title>", escaped(claim));
-        if raw.contains(&stand_in(Role::Shade)) {
+        let _ = writeln!(svg, "<title>{}</title>", escaped(&self.claim));
+        if self.marks().any(|mark| mark.paint().role == Role::Shade) {
             let _ = writeln!(
                 svg,
                 "<defs><radialGradient id=\"fig-{name}-shade\" cx=\"50%\" cy=\"50%\" r=\"50%\" fx=\"34%\" fy=\"28%\">\
@@ -76,18 +73,38 @@ impl Figure {
              </radialGradient></defs>"
             );
         }
-        let mut extras = self.marks.iter().map(|(_, extra)| extra.as_str());
-        while let Some(line) = lines.next() {
-            if line.starts_with("</") {
+        let mut lines = raw.lines().skip(1);
+        for (mark, extra) in &self.marks {
+            let line = lines.next().unwrap_or_default();
+            let role = mark.paint().role;
+            let paint = match role {
+                Role::Shade => format!("url(#fig-{name}-shade)"),
+                _ => role.paint().to_owned(),
+            };
+            let Mark::Text {
+                at: (x, y),
+                anchor,
+                size,
+                ..
+            } = mark
+            else {
+                let tag = shape(&line.replace(&stand_in(role), &paint));
+                let _ = writeln!(svg, "{tag}{extra}/>");
                 continue;
-            }
-            let extra = extras.next().unwrap_or_default();
-            if line.starts_with("<text") {
-                let body = lines.next().unwrap_or_default();
-                text_element(&mut svg, name, line, body, extra);
-            } else {
-                shape_element(&mut svg, name, line, extra);
-            }
+            };
+            // Its letters, escaped, and its end.
+            let letters = lines.next().unwrap_or_default();
+            lines.next();
+            let anchor = match anchor {
+                Anchor::Start => "",
+                Anchor::Middle => " text-anchor=\"middle\"",
+                Anchor::End => " text-anchor=\"end\"",
+            };
+            let letters = rich(letters, *size);
+            let _ = writeln!(
+                svg,
+                "<text x=\"{x}\" y=\"{y}\"{anchor} fill=\"{paint}\"{extra}>{letters}</text>"
+            );
         }
         svg.push_str(&self.moving);
         svg.push_str("</svg>\n");
@@ -143,53 +160,19 @@ fn stand_in(role: Role) -> String {
     format!("#{red:02X}{green:02X}{blue:02X}")
 }
 
-/// Stand-in colours replaced by the paint of their role.
-fn painted(name: &str, tag: &str) -> String {
-    let shade = format!("url(#fig-{name}-shade)");
-    Role::ALL.iter().fold(tag.to_owned(), |tag, &role| {
-        let paint = match role {
-            Role::Shade => &shade,
-            _ => role.paint(),
-        };
-        tag.replace(&stand_in(role), paint)
-    })
-}
-
-fn shape_element(svg: &mut String, name: &str, line: &str, extra: &str) {
-    let tag = painted(name, line)
+/// The tag of a line, a polygon or a circle without what it need not say, to be closed.
+fn shape(tag: &str) -> String {
+    let tag = tag
         .replace(" opacity=\"1\"", "")
         .replace(" fill=\"none\"", "")
         .replace(" stroke=\"none\"", "")
         .replace(" \"/>", "\"/>");
+    let tag = tag.trim_end_matches("/>");
     // A filled circle carries a width for the stroke it does not have.
-    let tag = match (tag.contains(" stroke=\""), tag.find(" stroke-width=\"")) {
-        (false, Some(start)) => {
-            let end = tag[start + 15..]
-                .find('"')
-                .map_or(tag.len(), |k| start + 16 + k);
-            format!("{}{}", &tag[..start], &tag[end..])
-        }
-        _ => tag,
-    };
-    let _ = writeln!(svg, "{}{extra}/>", tag.trim_end_matches("/>"));
-}
-
-fn text_element(svg: &mut String, name: &str, line: &str, body: &str, extra: &str) {
-    if body.is_empty() {
-        return;
+    match tag.contains(" stroke=\"") {
+        true => tag.to_owned(),
+        false => tag.replace(" stroke-width=\"1\"", ""),
     }
-    let _ = write!(svg, "<text");
-    for key in ["x", "y", "text-anchor", "fill"] {
-        if let Some(value) = attribute(line, key)
-            && value != "start"
-        {
-            let _ = write!(svg, " {key}=\"{}\"", painted(name, value));
-        }
-    }
-    let size = attribute(extra, "font-size")
-        .and_then(|s| s.parse().ok())
-        .unwrap_or(SMALL * SCALE);
-    let _ = writeln!(svg, "{extra}>{}</text>", rich(body, size));
 }
 
 /// Converts `*x*` to an italic letter, `_{…}` to an index and `^{…}` to a power, in a text of `size` canvas units.
@@ -250,13 +233,6 @@ fn rich(body: &str, size: f64) -> String {
         rest = next;
     }
     out
-}
-
-/// Value of an attribute in a tag.
-fn attribute<'a>(tag: &'a str, key: &str) -> Option<&'a str> {
-    let start = tag.find(&format!(" {key}=\""))? + key.len() + 3;
-    let length = tag[start..].find('"')?;
-    Some(&tag[start..start + length])
 }
 
 fn escaped(text: &str) -> String {

@@ -170,9 +170,7 @@ impl Frame {
             ([right, bottom + 40.0], End, x_name),
             ([left - 30.0, top - 12.0], Start, y_name),
         ] {
-            if !name.is_empty() {
-                pen.label(at, anchor, name);
-            }
+            pen.label(at, anchor, name);
         }
     }
 

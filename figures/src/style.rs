@@ -232,13 +232,14 @@ impl Pen {
     }
 
     fn filled(&mut self, mark: impl FnOnce(Paint) -> Mark, role: Role, alpha: f64) {
-        let paint = Paint {
-            role,
-            // More digits would not be visible, and the last ones differ between machines.
-            alpha: (1e3 * alpha).round() / 1e3,
-            width: 1,
-        };
-        self.marks.push((mark(paint), String::new()));
+        // More digits would not be visible, and the last ones differ between machines.
+        let alpha = (1e3 * alpha).round() / 1e3;
+        // What cannot be seen is no mark: the backend draws nothing for it.
+        if alpha > 0.0 {
+            let width = 1;
+            let mark = mark(Paint { role, alpha, width });
+            self.marks.push((mark, String::new()));
+        }
     }
 
     /// A line through the points.
@@ -373,6 +374,9 @@ impl Pen {
     /// A text whose base line starts, is centred or ends at the point. `*x*` is an italic letter,
     /// `_{…}` an index, `^{…}` a power.
     pub fn text(&mut self, at: Point, anchor: Anchor, body: &str, lettering: Lettering) {
+        if body.is_empty() {
+            return;
+        }
         let weight = match lettering.strong {
             true => " font-weight=\"600\"",
             false => "",
@@ -447,15 +451,14 @@ impl Pen {
         let units = |&(x, y): &BackendCoord| [f64::from(x) / SCALE, f64::from(y) / SCALE];
         let strong = |paint: &Paint| paint.alpha >= 0.35 && !matches!(paint.role, Shade | Paper);
         let mut taken = Vec::new();
-        for (mark, _) in &self.marks {
+        let marks = self.marks.iter().map(|(mark, _)| mark);
+        for mark in marks.filter(|mark| strong(mark.paint())) {
             match mark {
-                Mark::Path(points, paint) if strong(paint) => {
+                Mark::Path(points, _) => {
                     let points: Vec<Point> = points.iter().map(units).collect();
                     taken.extend(along(&points, 4.0));
                 }
-                Mark::Polygon(points, paint) if strong(paint) => {
-                    taken.extend(points.iter().map(units))
-                }
+                Mark::Polygon(points, _) => taken.extend(points.iter().map(units)),
                 Mark::Text {
                     at,
                     anchor,
@@ -477,7 +480,7 @@ impl Pen {
                     radius,
                     paint,
                     filled,
-                } if strong(paint) => {
+                } => {
                     let (center, radius) = (units(center), f64::from(*radius) / SCALE);
                     match *filled {
                         true => taken.extend(area(center, [radius; 2])),
@@ -485,7 +488,6 @@ impl Pen {
                         false => taken.extend(arc(center, radius, 0.0, 6.3)),
                     }
                 }
-                _ => (),
             }
         }
         taken

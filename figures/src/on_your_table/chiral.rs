@@ -3,12 +3,12 @@
 use nalgebra::Matrix3;
 use spinning_bodies::frame::Attitude;
 use spinning_bodies::inertia::{MassProperties, Mesh, icosphere, mesh_mass_properties};
-use spinning_bodies::scene::contact::{State, TableTop, passage};
-use spinning_bodies::scene::effects::{Gravity, Regularised};
+use spinning_bodies::scene::contact::{State, passage};
 use spinning_bodies::scene::{Request, Scene};
-use spinning_bodies::tippe_top::{ConvexBody, Start, Surface};
+use spinning_bodies::tippe_top::{ConvexBody, Surface};
 
 use crate::prelude::*;
+use crate::tippe_top::toys::body_scene;
 
 /// Radius of the ball, m.
 const RADIUS: f64 = 0.03;
@@ -77,9 +77,7 @@ fn run(spin: f64, azimuth: f64) -> Result<Vec<(f64, State)>> {
     let center = properties.center() * -1.0;
     let surface = Surface::sphere(RADIUS)?;
     let body = ConvexBody::new(properties.mass(), properties.inertia(), surface, center)?;
-    let top = TableTop::new(body, Start::about_vertical(TILT, azimuth, spin)?);
-    let top = top.with(Gravity::new(9.81)?)?;
-    let top = top.with(Regularised::new(FRICTION, 1e-3)?)?;
+    let top = body_scene(body, spin, TILT, azimuth, FRICTION)?;
     let times: Vec<f64> = (0..=1000).map(|k| 1e-3 * END * f64::from(k)).collect();
     Ok(top.simulate(&Request::at(times)?.to_accuracy(1e-3)?)?.rows)
 }

@@ -18,7 +18,7 @@ mod rattleback;
 mod stone;
 mod strobe;
 mod tip_over;
-mod toys;
+pub mod toys;
 mod twins;
 
 use chiral::BOTH_SPINS;

@@ -52,8 +52,7 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
     let leans = rows
         .iter()
         .map(|(.., [l, omega])| l.angle(omega).to_degrees());
-    let most = leans.clone().fold(0.0, f64::max);
-    let least = leans.fold(180.0, f64::min);
+    let [least, most] = extent(leans);
     let told = numbers([least, most], 1);
     let claim = match most < 0.05 {
             true => "Thrown exactly about a principal axis, the brick keeps its angular momentum, and its angular velocity stays with it.".to_owned(),

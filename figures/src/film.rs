@@ -293,8 +293,8 @@ impl Film<'_> {
             _ => (),
         }
         let far = |axis: Vector| {
-            let along = || seen.iter().map(|place| place.dot(&axis));
-            along().fold(f64::MIN, f64::max) - along().fold(f64::MAX, f64::min)
+            let [from, to] = extent(seen.iter().map(|place| place.dot(&axis)));
+            to - from
         };
         let way = [Vector::x(), Vector::y(), Vector::z()].map(far);
         let bounded = matches!(around, Around::Under(_) | Around::String);

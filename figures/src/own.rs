@@ -26,13 +26,6 @@ struct Drawn {
     shown: [f64; 2],
 }
 
-fn extent(values: &[f64]) -> [f64; 2] {
-    let widen = |[low, high]: [f64; 2], &value: &f64| [low.min(value), high.max(value)];
-    values
-        .iter()
-        .fold([f64::INFINITY, f64::NEG_INFINITY], widen)
-}
-
 impl Quantity {
     fn drawn(&self) -> Drawn {
         let [low, high] = extent(&self.values);
@@ -181,7 +174,7 @@ const FEW: usize = 60;
 pub fn map(title: &str, [x, y]: &[Quantity; 2], told: &Quantity) -> Figure {
     let drawn = told.drawn();
     let there = || drawn.values.iter().copied().filter(|value| !value.is_nan());
-    let [low, high] = extent(&there().collect::<Vec<_>>());
+    let [low, high] = extent(there());
     // Steps of ink; one where all values are the same.
     let steps = if high > low { 8 } else { 1 };
     let step = |value: f64| {
@@ -270,8 +263,8 @@ pub fn prices(title: &str, [price, error]: [&str; 2], curves: &[Curve]) -> Figur
             .flat_map(|curve| &curve.1)
             .map(move |point| point[k])
     };
-    let [least, most] = extent(&all(0).collect::<Vec<_>>());
-    let [best, worst] = extent(&all(1).collect::<Vec<_>>());
+    let [least, most] = extent(all(0));
+    let [best, worst] = extent(all(1));
     let words = Words {
         claim: format!("{title}: what an error costs, method by method."),
         details: format!("{error} against {price}."),

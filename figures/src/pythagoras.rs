@@ -44,11 +44,7 @@ impl Drawn {
             let out = [to[1] - from[1], to[0] - from[0]];
             box_of.push(planned(between(from, to, 0.5), FORCE, out));
         }
-        let end = |k: usize, pick: fn(f64, f64) -> f64| {
-            box_of.iter().map(|p| p[k]).reduce(pick).unwrap_or(0.0)
-        };
-        let [left, bottom] = [0, 1].map(|k| end(k, f64::min));
-        let [right, top] = [0, 1].map(|k| end(k, f64::max));
+        let [[left, right], [bottom, top]] = [0, 1].map(|k| extent(box_of.iter().map(|p| p[k])));
         let length = (436.0 / (right - left))
             .min(276.0 / (top - bottom))
             .min(70.0);

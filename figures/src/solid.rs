@@ -47,20 +47,13 @@ impl View {
         most: f64,
     ) -> Self {
         let plain = Self::new(azimuth, elevation, [0.0; 2], 1.0);
-        let (mut least, mut greatest) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for point in points.iter().map(|point| plain.project(point)) {
-            for k in 0..2 {
-                least[k] = least[k].min(point[k]);
-                greatest[k] = greatest[k].max(point[k]);
-            }
-        }
-        let room = [right - left, bottom - top];
-        let scale = (0..2).fold(most, |scale, k| {
-            scale.min(room[k] / (greatest[k] - least[k]))
-        });
-        let middle = |k: usize| 0.5 * (least[k] + greatest[k]) * scale;
+        let places = plain.trace(points);
+        let [[l, r], [t, b]] = [0, 1].map(|k| extent(places.iter().map(|place| place[k])));
+        let scale = most
+            .min((right - left) / (r - l))
+            .min((bottom - top) / (b - t));
         let [x, y] = [0.5 * (left + right), 0.5 * (top + bottom)];
-        let center = [x - middle(0), y - middle(1)];
+        let center = [x - 0.5 * (l + r) * scale, y - 0.5 * (t + b) * scale];
         Self::new(azimuth, elevation, center, scale)
     }
 

@@ -613,6 +613,14 @@ pub fn spaced([from, to]: [f64; 2], count: u32) -> impl Iterator<Item = f64> + C
     (0..=count).map(move |k| from + (to - from) * f64::from(k) / f64::from(count))
 }
 
+/// The least and the greatest of these numbers.
+pub fn extent(values: impl IntoIterator<Item: Borrow<f64>>) -> [f64; 2] {
+    let values = values.into_iter().map(|value| *value.borrow());
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+        [low.min(value), high.max(value)]
+    })
+}
+
 /// The results for all items, or the first error.
 pub fn tried<A, T>(
     each: impl IntoIterator<Item = A>,

@@ -42,8 +42,6 @@ pub fn two_axes(values: &Values) -> Result<Figure> {
         states.iter().map(in_the_sky).collect()
     });
     let angle = |a: &Vector| a.z.acos().to_degrees();
-    let lowest = |axis: &[Vector]| axis.iter().map(angle).fold(f64::INFINITY, f64::min);
-    let highest = |axis: &[Vector]| axis.iter().map(angle).fold(0.0, f64::max);
     let rolling = asteroid.period() / DAY;
     let going_round = TAU / asteroid.mean_precession_rate() / DAY;
 
@@ -63,8 +61,7 @@ pub fn two_axes(values: &Values) -> Result<Figure> {
             number(others, 0)
         ),
     };
-    let extremes = |axis: &[Vector]| [lowest(axis), highest(axis)];
-    let extremes = [extremes(&long), extremes(&short)];
+    let extremes = [&long, &short].map(|axis| extent(axis.iter().map(angle)));
     let [[low, high], [least, most]] = extremes.map(|ends| numbers(ends, 1));
     let [rolls, round] = numbers([rolling, going_round], 2);
     let begins = match roll == ROLL.default {

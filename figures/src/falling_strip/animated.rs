@@ -44,10 +44,10 @@ fn film((width, name, start, half): (f64, &'static str, Point, f64)) -> Result<F
     let times = (0..=PICTURES).map(|k| 300.0 + time * f64::from(k) / f64::from(PICTURES));
     let path = fall.path(Start::TILTED, &times.collect::<Vec<_>>())?;
     let sign = if run.drift < -1e-6 { -1.0 } else { 1.0 };
-    let xs = || path.iter().map(|y| y[0]);
+    let [left, right] = extent(path.iter().map(|y| y[0]));
     let middle = match run.drift.abs() > 1e-6 {
         true => path[0][0],
-        false => 0.5 * (xs().fold(f64::MAX, f64::min) + xs().fold(f64::MIN, f64::max)),
+        false => 0.5 * (left + right),
     };
     // Down is positive on the canvas.
     let picture = |y: &[f64; 7]| {

@@ -47,8 +47,7 @@ pub fn paths(_: &Values) -> Result<Figure> {
     );
     Ok(figure("strip-paths", 590.0, words, |pen| {
         for ((ratio, name, corner, ..), (path, _)) in PANELS.iter().zip(&drawn) {
-            let xs = || path.iter().map(|y| y[0]);
-            let (low, high) = xs().fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(x), h.max(x)));
+            let [low, high] = extent(path.iter().map(|y| y[0]));
             let middle = 0.5 * (low + high);
             // Always to the right, so that panels can be compared.
             let sign = if path[400][0] < path[0][0] { -1.0 } else { 1.0 };

@@ -24,8 +24,7 @@ fn height(top: &TippeTop, spin: f64, tilt: f64) -> f64 {
 /// The diagram: from the deepest place to the highest. At every tilt the height is linear in the square of the spin, so the first and the last curve hold all.
 fn frame(top: &TippeTop) -> Frame {
     let heights = |spin: f64| spaced([0.0, PI], 60).map(move |tilt| height(top, spin, tilt));
-    let all = || heights(SPINS[0]).chain(heights(SPINS[3]));
-    let (low, high) = (all().fold(0.0, f64::min), all().fold(0.0, f64::max));
+    let [low, high] = extent(heights(SPINS[0]).chain(heights(SPINS[3])));
     let room = 0.06 * (high - low);
     let places = [58.0, 500.0, 352.0, 36.0];
     Frame::linear([0.0, 180.0], [low - room, high + room], places)

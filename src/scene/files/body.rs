@@ -2,7 +2,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use nalgebra::{Isometry3, Matrix3, Vector3};
+use nalgebra::{Matrix3, Vector3};
 
 use super::file::*;
 use crate::error::Result;
@@ -63,13 +63,8 @@ impl Matter {
 
     /// The drawing of the body, along its axes from their origin.
     pub fn outline(&self, body: &MassProperties) -> Outline {
-        if let Some(shape) = &self.shape
-            && !shape.solids.is_empty()
-        {
-            return Outline {
-                drawn_as: "its shape",
-                solids: shape.solids.clone(),
-            };
+        if let Some(Some(outline)) = self.shape.as_ref().map(|shape| &shape.outline) {
+            return outline.clone();
         }
         let about_origin = body.about(BodyVector::zero()).unwrap_or(body.inertia());
         let center = body.center().components();
@@ -110,21 +105,21 @@ pub(super) struct Shape {
     measure: Option<f64>,
     /// The surface on which it can stand, about its origin.
     pub surface: Option<Result<Surface>>,
-    /// The solids that are drawn, each as it stands; none for a mesh.
-    solids: Vec<(Solid, Isometry3<f64>)>,
+    /// Its drawing; none for a mesh.
+    outline: Option<Outline>,
 }
 
 impl Shape {
     fn new(
         measure: impl Into<Option<f64>>,
-        solids: Vec<(Solid, Isometry3<f64>)>,
+        outline: impl Into<Option<Outline>>,
         made: impl Fn(f64) -> Result<MassProperties> + 'static,
     ) -> Self {
         Self {
             made: Box::new(made),
             measure: measure.into(),
             surface: None,
-            solids,
+            outline: outline.into(),
         }
     }
 
@@ -135,8 +130,8 @@ impl Shape {
 }
 
 /// The drawing of one solid about the origin.
-fn centered(solid: Solid) -> Vec<(Solid, Isometry3<f64>)> {
-    vec![(solid, Isometry3::identity())]
+fn centered(solid: Solid) -> Outline {
+    Outline::new("its shape", solid)
 }
 
 /// Reads one kind of shape.
@@ -227,9 +222,8 @@ fn round(r: f64, measure: f64, made: impl Fn(f64) -> Result<MassProperties> + 's
 fn racket(head: f64, handle: f64) -> Shape {
     let made = move |mass| shapes::racket(mass, head, handle);
     let [rim, shaft] = [head, handle].map(|length| Vector3::x() * -length);
-    let mut solids = centered(Solid::wheel(head, 0.0));
-    solids.push((Solid::Bar(shaft), rim.into()));
-    Shape::new(TAU * head + handle, solids, made)
+    let outline = centered(Solid::wheel(head, 0.0)).and(Solid::Bar(shaft), rim);
+    Shape::new(TAU * head + handle, outline, made)
 }
 
 // Sizes of a cuboid; the origin is the centre.
@@ -276,8 +270,8 @@ fn without_cap(file: &Reader<'_>, WithoutCap { radius, cut }: WithoutCap) -> Opt
         [z, (radius * radius - z * z).max(0.0).sqrt()]
     };
     let made = move |mass| shapes::ball_without_cap(mass, radius, cut);
-    let solids = centered(Solid::Turned((0..=16).map(level).collect()));
-    Some(Shape::new(volume, solids, made).on(Surface::sphere(radius)))
+    let outline = centered(Solid::Turned((0..=16).map(level).collect()));
+    Some(Shape::new(volume, outline, made).on(Surface::sphere(radius)))
 }
 
 // Sizes of a ball with a weight; the origin is the centre of the ball.
@@ -303,10 +297,9 @@ fn with_weight(file: &Reader<'_>, sizes: WithWeight) -> Option<Shape> {
     };
     // The density is that of the ball.
     let whole = 4.0 / 3.0 * PI * radius * radius * radius / (1.0 - weight);
-    let mut ball = round(radius, whole, made);
-    ball.solids
-        .extend(centered(Solid::Bar(weight_at.components())));
-    Some(ball)
+    let weight = Solid::Bar(weight_at.components());
+    let outline = centered(Solid::ball(radius)).and(weight, Vector3::zeros());
+    Some(Shape::new(whole, outline, made).on(Surface::sphere(radius)))
 }
 
 // Masses and positions of beads; the origin is that of the positions.
@@ -330,13 +323,16 @@ fn beads(file: &Reader<'_>, Beads { places, parts }: Beads) -> Option<Shape> {
     let weighed = weighed.map(|(at, part)| at.components() * (part / all));
     let center: Vector3<f64> = weighed.sum();
     let bar = |bead: &BodyVector| (Solid::Bar(bead.components() - center), center.into());
-    let solids = places.iter().map(bar).collect();
+    let outline = Outline {
+        drawn_as: "its shape",
+        solids: places.iter().map(bar).collect(),
+    };
     let made = move |mass: f64| {
         let beads = places.iter().zip(&parts);
         let beads = beads.map(|(at, part)| MassProperties::particle(mass * (part / all), *at));
         MassProperties::compose(&beads.collect::<Result<Vec<_>>>()?)
     };
-    Some(Shape::new(None, solids, made))
+    Some(Shape::new(None, outline, made))
 }
 
 // A mesh; axes and origin are those of its file.
@@ -364,7 +360,7 @@ fn mesh(file: &Reader<'_>, Mesh { file: name }: Mesh) -> Option<Shape> {
         let inertia = solid.inertia().matrix() * (mass / solid.mass());
         MassProperties::new(mass, solid.center(), InertiaMatrix::from_matrix(inertia)?)
     };
-    Some(Shape::new(solid.mass(), Vec::new(), made))
+    Some(Shape::new(solid.mass(), None, made))
 }
 
 /// Keys that are absent where a `shape` determines them.

@@ -8,7 +8,7 @@ use core::convert::Infallible;
 use plotters_backend::text_anchor::{HPos, Pos, VPos};
 use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
-    FontFamily, FontTransform,
+    FontFamily,
 };
 
 /// A point of the design, units.
@@ -184,10 +184,6 @@ impl BackendTextStyle for Letters {
 
     fn size(&self) -> f64 {
         self.2
-    }
-
-    fn transform(&self) -> FontTransform {
-        FontTransform::None
     }
 
     fn anchor(&self) -> Pos {

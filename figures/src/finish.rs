@@ -186,27 +186,19 @@ fn rich(body: &str, size: f64) -> String {
     // Base line offset of the piece before, canvas units; a `tspan` shifts all that follows it.
     let mut offset = 0.0;
     while !rest.is_empty() {
-        let (piece, level, next) = match rest.as_bytes() {
-            [b'*', ..] => {
-                italic = !italic;
-                rest = &rest[1..];
-                continue;
-            }
-            [b'_' | b'^', b'{', ..] => {
-                let end = rest.find('}').unwrap_or(rest.len());
-                let level = size * if rest.starts_with('_') { 0.24 } else { -0.36 };
-                (&rest[2..end], level, rest.get(end + 1..).unwrap_or(""))
-            }
-            _ => {
-                let end = rest
-                    .char_indices()
-                    .skip(1)
-                    .find(|(k, c)| {
-                        *c == '*' || (matches!(c, '_' | '^') && rest[k + 1..].starts_with('{'))
-                    })
-                    .map_or(rest.len(), |(k, _)| k);
-                (&rest[..end], 0.0, &rest[end..])
-            }
+        if let Some(after) = rest.strip_prefix('*') {
+            (italic, rest) = (!italic, after);
+            continue;
+        }
+        let marks = ["_{", "^{", "*"].map(|mark| rest.find(mark));
+        let level = match marks {
+            [Some(0), ..] => 0.24 * size,
+            [_, Some(0), _] => -0.36 * size,
+            _ => 0.0,
+        };
+        let (piece, next) = match level {
+            0.0 => rest.split_at(marks.into_iter().flatten().min().unwrap_or(rest.len())),
+            _ => rest[2..].split_once('}').unwrap_or((&rest[2..], "")),
         };
         // A letter inside an index may be italic as well.
         let slanted = italic || (piece.starts_with('*') && piece.ends_with('*'));

@@ -69,7 +69,7 @@ fn moving(states: &[CatState]) -> Result<String> {
             groups,
             "<g class=\"fig-{NAME}-p fig-{NAME}-{k}{class}\" stroke=\"currentColor\" stroke-width=\"12\">"
         );
-        for piece in pieces(&body, state, &view, SCALE) {
+        for piece in pieces(&body, state, &view) {
             let d = closed(&piece.outline);
             if piece.dark {
                 let _ = writeln!(groups, "<path d=\"{d}\" fill=\"currentColor\"/>");

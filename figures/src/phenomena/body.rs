@@ -58,10 +58,9 @@ pub struct Piece {
 }
 
 /// The pieces of a cat seen like this, the farthest first.
-pub fn pieces(cat: &Cat, state: &CatState, view: &View, scale: f64) -> Vec<Piece> {
+pub fn pieces(cat: &Cat, state: &CatState, view: &View) -> Vec<Piece> {
     let mut drawing = Drawing {
         view,
-        scale,
         pieces: Vec::new(),
     };
     let first = &state.attitude;
@@ -121,7 +120,6 @@ pub fn circle(center: Point, radius: f64) -> Vec<Point> {
 
 struct Drawing<'a> {
     view: &'a View,
-    scale: f64,
     pieces: Vec<Piece>,
 }
 
@@ -134,7 +132,7 @@ impl Drawing<'_> {
     fn round(&mut self, ends: [Vector; 2], radii: [f64; 2], rings: u32) {
         let mut points = Vec::new();
         for (end, radius) in ends.iter().zip(radii) {
-            points.extend(circle(self.view.project(end), radius * self.scale));
+            points.extend(circle(self.view.project(end), radius * self.view.scale()));
         }
         let axis = ends[1] - ends[0];
         let mut hatch = Vec::new();
@@ -172,7 +170,7 @@ impl Drawing<'_> {
         if out.dot(&self.view.toward) > 0.1 * out.norm() {
             self.pieces.push(Piece {
                 depth: head.dot(&self.view.toward) + 0.06,
-                outline: circle(self.view.project(&place), radius * self.scale),
+                outline: circle(self.view.project(&place), radius * self.view.scale()),
                 hatch: Vec::new(),
                 dark: true,
             });

@@ -41,7 +41,7 @@ pub fn cat_film(_: &Values) -> Result<Figure> {
             let (column, row) = ((k % 4) as f64, (k / 4) as f64);
             let center = [72.0 + 148.0 * column, 92.0 + 176.0 * row];
             let view = View::new(AZIMUTH, ELEVATION, center, SCALE);
-            draw(pen, &pieces(&body, state, &view, SCALE));
+            draw(pen, &pieces(&body, state, &view));
             let milliseconds = number(1000.0 * fractions[k] * DURATION, 0);
             let spot = shifted(center, [0.0, 80.0]);
             pen.remark(spot, Middle, &format!("{milliseconds} ms"));

@@ -2,7 +2,7 @@
 
 use spinning_bodies::scene::contact::State;
 
-use super::ball::{cap_outline, table};
+use super::ball::cap_outline;
 use super::toys::*;
 use crate::finish::{self, short};
 use crate::prelude::*;
@@ -36,7 +36,8 @@ pub fn turning_over(_: &Values) -> Result<Figure> {
          and the centre of mass above. Without motion: the ball almost on its side."
     );
     let still = figure(NAME, 330.0, words, |pen| {
-        table(pen, 18.0, 282.0, CENTER[1] + RADIUS);
+        let floor = CENTER[1] + RADIUS;
+        pen.line([[18.0, floor], [282.0, floor]], inked(SECONDARY));
         pen.disc(CENTER, RADIUS, Shade, 1.0);
         let across = marks(&[0.0, 2.0, 4.0, 6.0, 8.0], "");
         let up = marks(&[0.0, 90.0, 180.0], "°");
@@ -78,7 +79,7 @@ fn moving(rows: &[(f64, State)]) -> String {
     }
     style += &finish::stops(NAME, &format!(".{ball},.{dot}"));
     let (time, state) = &rows[STILL];
-    let cap = cap_outline(RADIUS * SCALE, 0.0).into_iter();
+    let cap = cap_outline(RADIUS * SCALE).into_iter();
     let cap: Vec<String> = cap.map(|[x, y]| format!("{x:.0} {y:.0}")).collect();
     let cap = cap.join("L");
     let [x, y] = CENTER.map(|c| c * SCALE);

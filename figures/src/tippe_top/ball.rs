@@ -7,14 +7,9 @@ use crate::prelude::*;
 /// Half the angle of the cap, rad.
 const CAP: f64 = 0.72;
 
-/// The table's surface below a row of bodies.
-pub fn table(pen: &mut Pen, from: f64, to: f64, y: f64) {
-    pen.line([[from, y], [to, y]], inked(SECONDARY));
-}
-
 /// A ball in the attitude given, seen slightly from above: cap, equator and one meridian turn with it.
-pub fn ball(pen: &mut Pen, attitude: &Attitude, center: Point, radius: f64, azimuth: f64) {
-    let view = View::new(azimuth, 0.22, center, radius);
+pub fn ball(pen: &mut Pen, attitude: &Attitude, center: Point, radius: f64) {
+    let view = View::new(0.6, 0.22, center, radius);
     let [e1, e2, e3] = axes(attitude);
     pen.disc(center, radius, Shade, 1.0);
     let rim = ellipse(e3 * CAP.cos(), e1 * CAP.sin(), e2 * CAP.sin(), 72);
@@ -38,11 +33,10 @@ fn on_the_limb(view: &View, point: &Vector, center: Point, radius: f64) -> Point
     between(center, at, radius / distance(at, center).max(1e-9))
 }
 
-/// The same ball cut through its axis, the axis leaning to the right by `tilt`: points of the cap in canvas-free units about K,
-/// y downwards.
-pub fn cap_outline(radius: f64, tilt: f64) -> Vec<Point> {
+/// The same ball cut through its upright axis: points of the cap in canvas-free units about K, y downwards.
+pub fn cap_outline(radius: f64) -> Vec<Point> {
     (0..=40)
-        .map(|k| tilt + CAP * (f64::from(k) / 20.0 - 1.0))
+        .map(|k| CAP * (f64::from(k) / 20.0 - 1.0))
         .map(|angle| [radius * angle.sin(), -radius * angle.cos()])
         .collect()
 }

@@ -2,7 +2,6 @@
 
 use spinning_bodies::scene::contact::passage;
 
-use super::ball::table;
 use super::toys::*;
 use crate::prelude::*;
 
@@ -70,7 +69,7 @@ pub fn egg_film(values: &Values) -> Result<Figure> {
     );
     let made = figure("egg-film", 178.0, words, |pen| {
         let floor = 128.0;
-        table(pen, 8.0, 592.0, floor);
+        pen.line([[8.0, floor], [592.0, floor]], inked(SECONDARY));
         for (k, &(time, tilt)) in frames.iter().enumerate() {
             one(pen, [66.0 + 117.0 * k as f64, floor], time, tilt);
         }

@@ -2,7 +2,7 @@
 
 use spinning_bodies::scene::contact::State;
 
-use super::ball::{ball, table};
+use super::ball::ball;
 use super::chiral::BOTH_SPINS;
 use super::toys::*;
 use crate::prelude::*;
@@ -49,7 +49,7 @@ pub fn strobed(values: &Values) -> Result<Figure> {
 }
 
 fn row(pen: &mut Pen, rows: &[(f64, State)], floor: f64, name: &str) {
-    table(pen, 8.0, 592.0, floor);
+    pen.line([[8.0, floor], [592.0, floor]], inked(SECONDARY));
     pen.label([10.0, floor - 2.0 * RADIUS - 14.0], Start, name);
     // The near side goes to the left if the top is spun clockwise, seen from above.
     let ends = if name == "clockwise" {
@@ -61,7 +61,7 @@ fn row(pen: &mut Pen, rows: &[(f64, State)], floor: f64, name: &str) {
     pen.arrow(from, to, inked(DATA));
     for (k, (time, state)) in rows.iter().enumerate() {
         let center = [50.0 + 83.3 * k as f64, floor - RADIUS];
-        ball(pen, &state.attitude, center, RADIUS, 0.6);
+        ball(pen, &state.attitude, center, RADIUS);
         let text = format!("{}°", number(degrees(state), 0));
         pen.note([center[0], floor + 20.0], Middle, &text);
         if floor > 200.0 {

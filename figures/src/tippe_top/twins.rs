@@ -3,7 +3,7 @@
 use spinning_bodies::scene::contact::passage;
 use spinning_bodies::tippe_top::bodies;
 
-use super::ball::{ball, table};
+use super::ball::ball;
 use super::beads::{inside, view};
 use super::chiral::BOTH_SPINS;
 use super::toys::*;
@@ -60,11 +60,12 @@ pub fn twins(values: &Values) -> Result<Figure> {
             view(pen, ([middle, 90.0], 78.0), [0.95, -0.95][k], &rods[k]);
             pen.label([middle, 198.0], Middle, names[k]);
             let floor = 290.0;
-            table(pen, middle - 136.0, middle + 136.0, floor);
+            let ends = [-136.0, 136.0].map(|aside| [middle + aside, floor]);
+            pen.line(ends, inked(SECONDARY));
             for picture in 0..PICTURES {
                 let (time, state) = &runs[k][picture * 600 / (PICTURES - 1)];
                 let x = middle + 68.0 * (picture as f64 - 1.5);
-                ball(pen, &state.attitude, [x, floor - RADIUS], RADIUS, 0.6);
+                ball(pen, &state.attitude, [x, floor - RADIUS], RADIUS);
                 let tilt = format!("{}°", number(degrees(state), 0));
                 pen.note([x, floor + 20.0], Middle, &tilt);
                 let time = format!("{} s", number(*time, 0));

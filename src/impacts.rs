@@ -167,7 +167,7 @@ pub struct Strike {
 /// Cost: one 3×3 Cholesky solution.
 ///
 /// # Errors
-/// [`Error::NotFinite`] for x, or if the result overflows.
+/// [`Error::NotFinite`] for x, or if the result overflows; [`Error::NotPositive`] where the moments vanish beside μ|x|².
 ///
 /// ```
 /// use spinning_bodies::{frame::BodyVector, impacts::{Meteorite, Planet, strike}};

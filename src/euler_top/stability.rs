@@ -110,7 +110,7 @@ pub fn oscillations(moments: &PrincipalMoments, omega: f64) -> Result<[f64; 2]> 
 /// rotations stays near it, not only to first order. I₃(I₃−I₂)Ω₃² − I₁(I₂−I₁)Ω₁² is indefinite across x₂; its sign gives the sector
 /// (6.6), its zero the separatrix. The first and third are sums of squares: error a few units in the last place however close to the axis, where L² and 2EI₁ agree in
 /// all their digits; zero for tilts below 10⁻¹⁵⁴, where the squares underflow. The second is a difference taken in 106 bits: error a unit in the last
-/// place, or 10⁻³¹ of its larger term if that is more; infinite or NaN where a square overflows.
+/// place, or 10⁻³¹ of its larger term if that is more, as far as (Ω₁/Ω₃)² is in the range of doubles; infinite or NaN where a square overflows.
 ///
 /// ```
 /// use spinning_bodies::{euler_top::stability::lyapunov, frame::BodyVector, inertia::PrincipalMoments};
@@ -131,10 +131,7 @@ pub fn lyapunov(moments: &PrincipalMoments, omega: BodyVector) -> [f64; 3] {
     let [i1, i2, i3] = moments.values();
     let [x, y, z] = [omega.x(), omega.y(), omega.z()];
     // Products of moments may leave the range of doubles where the integrals do not.
-    let (unit, size) = (
-        power_of_two_below(x.abs().max(z.abs())),
-        power_of_two_below(i3),
-    );
+    let [unit, size] = [x.abs().max(z.abs()), i3].map(power_of_two_below);
     let term = |i: f64, more: f64, less: f64, omega: f64| {
         DoubleDouble::product(omega / unit, omega / unit)
             * DoubleDouble::difference(more / size, less / size)

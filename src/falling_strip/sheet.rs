@@ -89,7 +89,7 @@ impl Sheet {
         4.0 * self.areal_density / (PI * self.fluid_density * self.width)
     }
 
-    /// The unit of speed of the theory, U = √(2σg/(π ρ)), m/s: the same for every width.
+    /// The unit of speed of the theory, U = √(2σg/(π ρ)), m/s: the same for every width. For σg and ρ whose quotient is in the range of doubles.
     ///
     /// ```
     /// use spinning_bodies::falling_strip::Sheet;

@@ -272,8 +272,9 @@ impl LagrangeTop {
     /// Ω, L, attitude and height at time t (s), before or after the start (7.2).
     ///
     /// Attitude and Ω come from two theta functions, which are regular in the upright and the hanging position too. Error observed against 857
-    /// references of 32 digits, hard cases included: attitude at most 9e-16 rad, Ω 1.2e-15 relative, 1 ∓ h 8e-16, without growth up to
-    /// 10³ nutations. Cost: the same at every time, that of five triples of Jacobi functions, prepared.
+    /// references of 32 digits, hard cases included: attitude at most 9e-16 rad, Ω 1.2e-15 of its greatest value, 1 ∓ h 8e-16 of itself, without growth up to
+    /// 10³ nutations; over 5000 random starts attitude 2.5e-15 rad at worst. L follows Ω: of a needle its part across the axis has fewer digits, by I₁/I₃. Of a top
+    /// that tilts by less than 10⁻¹⁰ next to the spin at which it falls, 1 ∓ h has fewer as well, 8 of 16 at worst. Cost: the same at every time, that of five triples of Jacobi functions, prepared.
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::OutOfRange`] beyond 2⁵³ quarter periods or 2⁶² radians.

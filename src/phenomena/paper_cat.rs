@@ -52,7 +52,7 @@ impl PaperCat {
         0.5 * air * self.area * self.coefficient
     }
 
-    /// The speed, m/s, at which air of density `air` (kg/m³) carries the weight under gravity `g` (m/s²): √(2mg/ρSC).
+    /// The speed, m/s, at which air of density `air` (kg/m³) carries the weight under gravity `g` (m/s²): √(2mg/ρSC). For ρSC in the range of doubles.
     ///
     /// ```
     /// use spinning_bodies::phenomena::PaperCat;

@@ -169,7 +169,7 @@ impl RoundBody {
     ///
     /// The only subtraction forms u from the two numbers given and is backward stable. If the rim speed comes from a cue
     /// stroke near 7R/5, use [`Shot::slide`], where u comes from the height and nothing cancels; if it comes from an angular
-    /// velocity, use [`Self::slide_of_spin`].
+    /// velocity, use [`Self::slide_of_spin`]. For μg in the range of doubles.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite) for an argument that is not, or a result that overflows; [`Error::NotPositive`](crate::Error::NotPositive) for μ or g.

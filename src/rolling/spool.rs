@@ -109,7 +109,7 @@ impl Spool {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn moment_about_contact(&self, tug: Tug) -> f64 {
-        self.body.radius * tug.tension * (tug.angle.cos() - self.ratio)
+        self.body.radius * tug.tension * self.lead(tug.angle)
     }
 
     /// The angle at which the line of force goes through the point of contact, cos θ = r/R, rad; `None` if r > R (4.4). Formed as
@@ -149,19 +149,23 @@ impl Spool {
         })
     }
 
-    /// Acceleration while it rolls, T(cos θ − r/R)/(M(1+κ)), m/s², positive along +x (4.4).
+    /// Acceleration while it rolls, T(cos θ − r/R)/(M(1+κ)), m/s², positive along +x (4.4); to its own digits for an axle nearly as thick as the discs, too.
     ///
     /// ```
     /// use spinning_bodies::rolling::{RoundBody, Spool, Tug};
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// let tug = Tug::new(1.2, 0.0)?;
     /// assert!((spool.rolling_acceleration(tug) - 0.2).abs() < 1e-16);
+    /// // An axle 2·10⁻¹² m thinner than the discs of 3 m.
+    /// let axle = 3.0 - 2e-12;
+    /// let nearly = Spool::new(RoundBody::new(2.0, 3.0, 0.5)?, axle)?;
+    /// assert!((nearly.rolling_acceleration(tug) / (0.4 * (3.0 - axle) / 3.0) - 1.0).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     // ANCHOR: rolling-acceleration
     pub fn rolling_acceleration(&self, tug: Tug) -> f64 {
         let whole = self.body.mass * self.body.pure_rolling_height();
-        tug.tension * (tug.angle.cos() - self.ratio) / whole
+        tug.tension * self.lead(tug.angle) / whole
     }
     // ANCHOR_END: rolling-acceleration
 
@@ -267,17 +271,21 @@ impl Spool {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn foot_of_the_line(&self, angle: f64) -> Result<f64> {
-        let (sin, cos) = tug_angle(angle)?.sin_cos();
-        let half = (0.5 * angle).sin();
-        // r/R − cos θ; for small angles from 1 − cos θ, for the cosine is rounded to 1.
-        let ahead = match angle < 1.0 {
-            true => 2.0 * half * half - self.gap,
-            false => self.ratio - cos,
-        };
-        if ahead == 0.0 {
+        let sin = tug_angle(angle)?.sin();
+        let lead = self.lead(angle);
+        if lead == 0.0 {
             return Ok(0.0);
         }
-        Ok(self.body.radius * ahead / sin)
+        Ok(-self.body.radius * lead / sin)
+    }
+
+    /// cos θ − r/R; for small angles from 1 − cos θ, for the cosine is rounded to 1 and r/R to as many digits.
+    fn lead(&self, angle: f64) -> f64 {
+        let half = (0.5 * angle).sin();
+        match angle < 1.0 {
+            true => self.gap - 2.0 * half * half,
+            false => angle.cos() - self.ratio,
+        }
     }
 
     /// The load that the tug puts on the spool, per mass.
@@ -296,7 +304,8 @@ impl Spool {
         })
     }
 
-    /// The motion from rest under a constant tug, up to `until` (s): rolling, or slipping if friction cannot hold against the tug.
+    /// The motion from rest under a constant tug, up to `until` (s): rolling, or slipping if friction cannot hold against the tug. From the load T cos θ and −Tr/R,
+    /// each rounded: where the two nearly balance, [`rolling_acceleration`](Self::rolling_acceleration) has more digits.
     ///
     /// # Errors
     /// As [`Course::new`].

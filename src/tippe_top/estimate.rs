@@ -135,7 +135,7 @@ impl HoopWithClay {
 
     /// Time from tilt θ₀, where the spin about the vertical is Ω, to tilt θ₁ with [`refined_rate`](Self::refined_rate): s.
     ///
-    /// In closed form, to rounding for a short way as well; but the relative error grows like (1−α)^(−3/2) as α approaches 1. From 0 to π it is [`tip_over_time`](Self::tip_over_time) × (1+α)^(−3/2) (1−α)^(−1/2). Domain: 0 ≤ θ₀, θ₁ ≤ π.
+    /// In closed form, to rounding for a short way as well; but the relative error grows like (1−α)^(−3/2) as α approaches 1. From 0 to π it is [`tip_over_time`](Self::tip_over_time) × (1+α)^(−3/2) (1−α)^(−1/2). Domain: 0 ≤ θ₀, θ₁ ≤ π, and a rate of tipping in the range of doubles.
     ///
     /// ```
     /// use spinning_bodies::tippe_top::HoopWithClay;

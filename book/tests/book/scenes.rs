@@ -480,6 +480,46 @@ fn what_hardly_moves_is_followed() {
     assert_eq!(cost(cat), cost(&otherwise));
 }
 
+/// What is seen only after it has come to rest is measured by what moved before; an event that nobody asks for is not followed; and how far a sheet has gone
+/// matters to no one.
+#[test]
+fn what_has_come_to_rest_is_told() {
+    let damped = "[body]\nmoments = [0.1, 0.1, 0.02]\nmass = 1.0\ncenter_of_mass = [0, 0, -0.3]\n[initial]\nattitude = [0.8, 0.6, 0, 0]\nomega = [0, 0, 0]\n\
+                  [effects]\ngravity = 9.81\npivot_friction = 1.0\n[run]\ntimes = [30.0, 60.0]";
+    let ball = "kind = \"superball\"\n[body]\nmass = 1.0\n[initial]\nheight = 0.0\nclimb = 1.0\nrim_speed = 3.0\n[effects]\ngravity = 9.81\n\
+                restitution = 0.8\ntangential_restitution = -1.0\n[run]\ntimes = [3.0]";
+    let lively = "kind = \"superball\"\n[body]\nmass = 1.0\n[initial]\nheight = 0.3\nclimb = -5.0\n[effects]\ngravity = 9.81\nceiling = 0.6\n\
+                  restitution = 0.99999999\n[run]\ntimes = [1.0]";
+    let sheet = std::fs::read_to_string("scenes/withdrawn-sheet.toml").unwrap();
+    let sheet = format!(
+        "{}[run]\ntimes = [10000.0]\naccuracy = 1e-12",
+        sheet.split("[run]").next().unwrap()
+    );
+    for (text, column, rest) in [
+        (damped, "energy", -0.3 * 9.81),
+        (ball, "rim_speed", 3.0),
+        (ball, "x", 0.0),
+        (lively, "bounces", 8.0),
+        (&sheet, "velocity", 0.0),
+    ] {
+        let (scene, request) = parse(column, text).unwrap();
+        let told = scene.simulate(&request).unwrap();
+        let [last] = *told.numbers([column]).unwrap().last().unwrap();
+        assert!((last - rest).abs() < 1e-9, "{column}: {last}");
+    }
+}
+
+/// A ball that loses a hundred-thousand-millionth of its speed at each of two thousand bounces is where 40 digits have it: its speed is rounded alike each time.
+#[test]
+fn a_ball_that_hardly_loses_speed_keeps_its_digits() {
+    let text = "kind = \"superball\"\n[body]\nmass = 1.0\n[initial]\nheight = 0.05\n[effects]\ngravity = 9.81\nrestitution = 0.99999999999\n\
+                [run]\ntimes = [400.0]\naccuracy = 1e-11\ncolumns = [\"climb\"]";
+    let (scene, request) = parse("lively", text).unwrap();
+    let told = scene.simulate(&request).unwrap();
+    let [climb] = told.numbers(["climb"]).unwrap()[0];
+    assert!((climb - 0.180_456_979_772_186_02).abs() < 1e-13, "{climb}");
+}
+
 /// Both ends are on the page of keys.
 #[test]
 fn an_inertia_factor_is_more_than_nil_and_at_most_one() {

@@ -20,28 +20,22 @@ pub use problem::{
 use crate::error::Result;
 use crate::search::ascending;
 
-/// The times before 0, descending, and the others, ascending; and the place of each time in this order.
-fn ways(times: &[f64]) -> ([Vec<f64>; 2], Vec<usize>) {
-    let (mut ways, mut places) = ([const { Vec::new() }; 2], vec![0; times.len()]);
-    let mut order = ascending(Vec::from_iter(0..times.len()), times);
-    let before = order.partition_point(|&i| times[i] < 0.0);
-    order[..before].reverse();
-    for (place, i) in order.into_iter().enumerate() {
-        places[i] = place;
-        ways[usize::from(place >= before)].push(times[i]);
-    }
-    (ways, places)
-}
-
 /// States at times in any order, from `follow`, which takes ordered times and gives a state for each: first those before 0, backward from 0, then the others,
 /// ascending.
-pub(crate) fn both_ways<Y: Clone>(
+pub(crate) fn both_ways<Y>(
     times: &[f64],
     follow: &mut dyn FnMut(&[f64]) -> Result<Vec<Y>>,
 ) -> Result<Vec<Y>> {
-    let ((ways, places), mut states) = (ways(times), Vec::new());
-    for way in ways.iter().filter(|way| !way.is_empty()) {
-        states.append(&mut follow(way)?);
+    let mut order = ascending(Vec::from_iter(0..times.len()), times);
+    let before = order.partition_point(|&place| times[place] < 0.0);
+    order[..before].reverse();
+    let mut states = Vec::with_capacity(times.len());
+    for way in [&order[..before], &order[before..]] {
+        if !way.is_empty() {
+            let ordered: Vec<f64> = way.iter().map(|&place| times[place]).collect();
+            states.extend(way.iter().zip(follow(&ordered)?));
+        }
     }
-    Ok(places.iter().map(|&place| states[place].clone()).collect())
+    states.sort_by_key(|&(place, _)| place);
+    Ok(states.into_iter().map(|(_, state)| state).collect())
 }

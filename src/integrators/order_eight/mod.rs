@@ -172,17 +172,14 @@ impl<const N: usize, S: System<N> + ?Sized> Walk<'_, N, S> {
         let count = times.partition_point(|&t| (t - until) * self.sense <= 0.0);
         let end = self.time.values[0];
         let inner = times[..count].partition_point(|&t| (t - end) * self.sense < 0.0);
-        if inner > FEW {
-            let between = self.between(taken);
-            for &t in &times[..inner] {
-                let part = (t - taken.time) / taken.length;
-                self.states.push(self.restored(between.at(part)));
-            }
-        } else {
-            for &t in &times[..inner] {
-                let short = self.short(taken, t - taken.time);
-                self.states.push(short);
-            }
+        let between = (inner > FEW).then(|| self.between(taken));
+        for &t in &times[..inner] {
+            let since = t - taken.time;
+            let state = match &between {
+                Some(between) => self.restored(between.at(since / taken.length)),
+                None => self.short(taken, since),
+            };
+            self.states.push(state);
         }
         let seen = self.states.len() + count - inner;
         self.states.resize(seen, self.state.values);

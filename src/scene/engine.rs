@@ -5,7 +5,7 @@
 //! after the start ([`Run::at`]), repeats the run with smaller tolerances until two runs agree within the accuracy ([`to_accuracy`]), and, where no
 //! two do, measures how much the motion amplifies a change of its start. Every evaluation counts against the budget of the request.
 
-use super::motion::{OpenLedger, furthest};
+use super::motion::OpenLedger;
 use super::{Budget, Choice, Plan, Request, Solver};
 use crate::error::{Error, Result, each_finite, stopped};
 use crate::integrators::{
@@ -448,13 +448,13 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
     let times = with_checks(request, angle);
     let mut cost = Cost::default();
     // What steps round may be amplified more than a doubt of the start is, if there is time for both.
-    let (drifts, span) = (!sure && angle > SHORT, furthest(&times));
+    let drifts = !sure && angle > SHORT;
     let mut run = |effort, off, halves: &[Half<F::Phase>]| -> Result<(F, Trace<F::Phase, N>)> {
         let flow = flow(tolerance_of(effort, accuracy))?;
         let mut run = Run::new(&flow, stepper, effort, budget);
         if off != 0.0 && drifts {
             let mut drift = flow.doubt();
-            drift.iter_mut().for_each(|d| *d = off * DRIFT * *d / span);
+            drift.iter_mut().for_each(|d| *d = off * DRIFT * *d / request.furthest);
             run.drift = Some(drift);
         }
         let trace = run.at(beside(&flow, off * BESIDE)?, &times, halves)?;
@@ -462,10 +462,11 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
         Ok((flow, trace))
     };
     let rounding = ROUNDING * (10.0 + angle);
-    let mut efforts = Efforts::new(stepper, accuracy, angle, furthest(&times));
+    let mut efforts = Efforts::new(stepper, accuracy, angle, request.furthest);
     if rounding > accuracy {
         // No run would do. The growth is measured within a small budget, if that suffices.
-        let growth = growth(&first, stepper, efforts.worse(), &times, &request.moment());
+        let budget = &request.briefly(100).budget();
+        let growth = growth(&first, stepper, efforts.worse(), &times, budget);
         return Err(request.amplified(rounding, growth.unwrap_or(f64::NAN)));
     }
     // Runs beside the better one, the looser one last.

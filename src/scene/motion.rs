@@ -60,8 +60,9 @@ impl Request {
         let times = times.into();
         not_empty("the list of times", &times)?;
         each_finite("the time", times.iter().copied())?;
+        let further = |a: f64, &b: &f64| if b.abs() > a.abs() { b } else { a };
         Ok(Self {
-            furthest: furthest(&times),
+            furthest: times.iter().fold(0.0, further),
             times,
             accuracy: 1e-10,
             effort: None,
@@ -195,18 +196,13 @@ impl Request {
         Budget::new(self.most, self.furthest, self.progress.as_ref())
     }
 
-    /// The same request with a twentieth of the budget, without progress.
-    pub(super) fn briefly(&self) -> Self {
+    /// The same request with this fraction of the budget, one over `part`, without progress.
+    pub(super) fn briefly(&self, part: u64) -> Self {
         Self {
-            most: self.most / 20,
+            most: self.most / part,
             progress: None,
             ..self.clone()
         }
-    }
-
-    /// A hundredth of the budget, without progress.
-    pub(crate) fn moment(&self) -> Budget {
-        Budget::new(self.most / 100, self.furthest, None)
     }
 
     /// The requested times, s.
@@ -343,12 +339,6 @@ impl<S> OpenLedger<S> {
         }
         Err(request.amplified(reached, reached / f64::EPSILON))
     }
-}
-
-/// The time furthest from the start.
-pub(crate) fn furthest(times: &[f64]) -> f64 {
-    let further = |a: f64, &b: &f64| if b.abs() > a.abs() { b } else { a };
-    times.iter().fold(0.0, further)
 }
 
 /// The ledger, if every drift is within 100 times the requested accuracy, or within 1e-11 if that is more.

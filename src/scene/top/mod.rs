@@ -190,7 +190,7 @@ impl Top {
             }
             solver => match to_accuracy::<7, _>(request, solver, &|_| turning()) {
                 Err(refused @ Error::Amplified { .. }) if request.choice == Choice::Auto => {
-                    let trace = in_series(&request.briefly()).map_err(|_| refused)?;
+                    let trace = in_series(&request.briefly(20)).map_err(|_| refused)?;
                     let solver = Solver::Geometric(Geometric::PowerSeries);
                     (Plan::new(solver, AMPLIFIED), trace)
                 }

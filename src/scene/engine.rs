@@ -299,10 +299,8 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         let reached = |time: f64| budget.reached(time);
         let margin = |t: f64, y: &[f64; N]| flow.margin(phase, t, y).unwrap_or(f64::INFINITY);
         // A component that nothing moves has no scale, and 1 will do: a scale of zero would leave the tolerance without an inverse.
-        let mut scales = flow.scales();
-        for size in &mut scales {
-            *size = if *size > NOTHING { *size } else { 1.0 };
-        }
+        let scales = flow.scales();
+        let scales = scales.map(|size| if size > NOTHING { size } else { 1.0 });
         let ((now, y), times, end) = (ahead.start, ahead.times, ahead.end);
         let ends = flow.margin(phase, now, y).is_some();
         let stroke = STROKE / (flow.lasts_until(phase, now) - now);
@@ -362,9 +360,7 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
 
 /// The components of a slice of length N.
 fn sized<const N: usize>(slice: &[f64]) -> [f64; N] {
-    let mut all = [0.0; N];
-    all.iter_mut().zip(slice).for_each(|(to, from)| *to = *from);
-    all
+    *slice.first_chunk().unwrap_or(&[0.0; N])
 }
 
 /// Ratio of the tolerances of two compared runs; by order 8 the tighter run costs half as much again as the looser.
@@ -453,9 +449,8 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
         let flow = flow(tolerance_of(effort, accuracy))?;
         let mut run = Run::new(&flow, stepper, effort, budget);
         if off != 0.0 && drifts {
-            let mut drift = flow.doubt();
-            drift.iter_mut().for_each(|d| *d = off * DRIFT * *d / request.furthest);
-            run.drift = Some(drift);
+            let led = |doubt: f64| off * DRIFT * doubt / request.furthest;
+            run.drift = Some(flow.doubt().map(led));
         }
         let trace = run.at(beside(&flow, off * BESIDE)?, &times, halves)?;
         cost += trace.cost;

@@ -70,7 +70,7 @@ state! {
 pub struct Play {
     toy: YoYo,
     throw: f64,
-    gravity: Option<f64>,
+    gravity: f64,
     turn_loss: Option<f64>,
     hand: Option<f64>,
     sleep: Option<f64>,
@@ -96,7 +96,7 @@ impl Play {
         Ok(Self {
             toy,
             throw: not_negative("the speed of the throw", throw)?,
-            gravity: None,
+            gravity: 0.0,
             turn_loss: None,
             hand: None,
             sleep: None,
@@ -120,7 +120,7 @@ impl Play {
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         let takes = "gravity, turn_loss, hand, sleep, axle_friction, air_drag";
         match effect.into() {
-            Effect::Gravity(gravity) => self.gravity = Some(positive("gravity", gravity.value())?),
+            Effect::Gravity(gravity) => self.gravity = positive("gravity", gravity.value())?,
             Effect::TurnLoss(loss) => self.turn_loss = Some(loss.value()),
             Effect::Hand(hand) => self.hand = Some(hand.value()),
             Effect::Sleep(sleep) => self.sleep = Some(sleep.value()),
@@ -136,7 +136,6 @@ impl Play {
 #[derive(Clone, Copy)]
 struct Playing {
     play: Play,
-    gravity: f64,
     /// Energy at the start, J.
     energy: f64,
     /// Whether closed forms are used.
@@ -193,17 +192,10 @@ impl Playing {
         toy.inertia + toy.mass * toy.axle * toy.axle
     }
 
-    /// n = m g r/(I + m r²), s⁻²: half the increase of ω² in a fall by the axle's radius.
-    fn pull(&self) -> f64 {
-        let toy = &self.play.toy;
-        let r = toy.axle;
-        self.gravity * r / (r * r + toy.gyration_squared())
-    }
-
     /// The greatest energy above that of rest at the end of the string, J, and the spin that has this energy there.
     fn greatest(&self) -> (f64, f64) {
         let toy = &self.play.toy;
-        let fall = toy.mass * self.gravity * toy.length;
+        let fall = toy.mass * self.play.gravity * toy.length;
         let energy = fall + self.energy + self.play.hand.unwrap_or(0.0);
         let energy = energy.max(f64::MIN_POSITIVE);
         (energy, (2.0 * energy / self.inertia()).sqrt())
@@ -212,7 +204,7 @@ impl Playing {
     /// Ends the motion at rest at the lowest point, with m g (l + r) lost.
     fn hangs(&self, y: &mut Numbers) -> Stage {
         let toy = &self.play.toy;
-        let bottom = -toy.mass * self.gravity * (toy.length + toy.axle);
+        let bottom = -toy.mass * self.play.gravity * (toy.length + toy.axle);
         lose(y, y[ENERGY] - bottom);
         y[1] = 0.0;
         (Phase::Hanging, 0.0)
@@ -232,7 +224,7 @@ impl Playing {
             y[1] = (y[1] * y[1] + 2.0 * work / self.inertia()).sqrt();
         }
         // The condition of `Unwinding::new`: energy enough to leave the end of the string.
-        if y[1] > 0.0 && y[ENERGY] > -toy.mass * self.gravity * toy.length {
+        if y[1] > 0.0 && y[ENERGY] > -toy.mass * self.play.gravity * toy.length {
             y[0] = 1.0;
             (Phase::Up, 0.0)
         } else {
@@ -242,7 +234,7 @@ impl Playing {
 
     /// The passage of a phase in closed form.
     fn passage(&self, stage: Stage, ahead: &Ahead<'_, 6>) -> Passed<6> {
-        let (toy, g, (phase, end), y) = (self.play.toy, self.gravity, stage, *ahead.start.1);
+        let (toy, g, (phase, end), y) = (self.play.toy, self.play.gravity, stage, *ahead.start.1);
         let omega = y[1];
         let now = |place: f64, omega: f64| {
             let mut now = y;
@@ -262,7 +254,7 @@ impl Playing {
             Phase::Turn => {
                 // The turn after a sleep begins at the lowest point, half-way.
                 let (level, begun) = match y[0] > 0.0 {
-                    true => ((omega * omega - 2.0 * self.pull()).sqrt(), 0.5),
+                    true => ((omega * omega - 2.0 * toy.pull(g)).sqrt(), 0.5),
                     false => (omega, 0.0),
                 };
                 let turn = Turn::new(toy, g, level)?;
@@ -293,7 +285,7 @@ impl Playing {
     /// The numbers of a [`YoYoState`].
     fn told(&self, stage: Stage, y: &Numbers) -> [f64; 7] {
         let toy = &self.play.toy;
-        let (m, g, l, r) = (toy.mass, self.gravity, toy.length, toy.axle);
+        let (m, g, l, r) = (toy.mass, self.play.gravity, toy.length, toy.axle);
         let ([place, omega, _, heat, work, _], [_, spin_up, ..]) = (*y, self.rate(stage, 0.0, y));
         let (depth, velocity, tension) = match stage.0 {
             Phase::Down | Phase::Up => {
@@ -330,7 +322,7 @@ impl Flow<6> for Playing {
 
     fn start(&self) -> Result<(Stage, Numbers)> {
         let spin = self.play.throw / self.play.toy.radius(0.0);
-        let moves = self.energy > 0.0 || self.gravity > 0.0;
+        let moves = self.energy > 0.0 || self.play.gravity > 0.0;
         // Without throw and gravity it stays in the hand.
         let phase = if moves { Phase::Down } else { Phase::Caught };
         Ok(((phase, 0.0), [0.0, spin, self.energy, 0.0, 0.0, 0.0]))
@@ -349,18 +341,18 @@ impl Flow<6> for Playing {
 
     fn rate(&self, (phase, _): Stage, _: f64, y: &Numbers) -> Numbers {
         let toy = &self.play.toy;
-        let ([place, omega, ..], m, r) = (*y, toy.mass, toy.axle);
+        let ([place, omega, ..], m, g, r) = (*y, toy.mass, self.play.gravity, toy.axle);
         let (along, torque, inertia) = match phase {
             Phase::Down | Phase::Up => {
                 let sense = if phase == Phase::Up { -1.0 } else { 1.0 };
                 let square = toy.radius_squared(place * toy.length);
                 let radius = square.sqrt();
-                let pull = self.gravity + 0.5 * toy.slope * omega * omega;
+                let pull = g + 0.5 * toy.slope * omega * omega;
                 let along = sense * radius * omega / toy.length;
                 let inertia = toy.inertia + m * square;
                 (along, sense * m * radius * pull, inertia)
             }
-            Phase::Turn => (omega, m * self.gravity * r * place.cos(), self.inertia()),
+            Phase::Turn => (omega, m * g * r * place.cos(), self.inertia()),
             Phase::Asleep => (0.0, 0.0, toy.inertia),
             Phase::Hanging | Phase::Caught => return [0.0; 6],
         };
@@ -399,7 +391,7 @@ impl Flow<6> for Playing {
 
     fn next(&self, (phase, end): Stage, _: Stop, _: f64, y: &mut Numbers) -> Result<Stage> {
         let toy = &self.play.toy;
-        let twice = 2.0 * self.pull();
+        let twice = 2.0 * toy.pull(self.play.gravity);
         y[1] = y[1].max(0.0);
         Ok(match phase {
             // Too slow to carry the axle round the end of the string.
@@ -432,7 +424,7 @@ impl Flow<6> for Playing {
             }
             Phase::Up => {
                 // At rest at the depth that its energy allows.
-                let depth = -y[ENERGY] / (toy.mass * self.gravity);
+                let depth = -y[ENERGY] / (toy.mass * self.play.gravity);
                 (y[0], y[1]) = (depth / toy.length, 0.0);
                 (Phase::Down, 0.0)
             }
@@ -454,7 +446,7 @@ impl Flow<6> for Playing {
         let (energy, fastest) = self.greatest();
         let toy = &self.play.toy;
         let speed = toy.axle * fastest;
-        let force = toy.mass * (self.gravity + speed * fastest);
+        let force = toy.mass * (self.play.gravity + speed * fastest);
         let scales = [toy.length, speed, fastest, force, energy, energy, energy];
         let [a, b] = [a, b].map(|(stage, y)| self.told(*stage, y));
         apart(&a, &b, &scales)
@@ -482,11 +474,9 @@ impl Scene for Play {
 
     fn simulate(&self, request: &Request) -> Result<Motion<YoYoState>> {
         let plan = self.plan(request)?;
-        let gravity = self.gravity.unwrap_or(0.0);
         let playing = Playing {
             play: *self,
-            gravity,
-            energy: Unwinding::energy_at(&self.toy, gravity, 0.0, self.throw)?,
+            energy: Unwinding::energy_at(&self.toy, self.gravity, 0.0, self.throw)?,
             closed: plan.solver == Solver::Events,
         };
         let start = playing.start()?.1;
@@ -507,7 +497,7 @@ impl Scene for Play {
     }
 
     fn further(&self) -> Columns<YoYoState> {
-        let (toy, weight) = (self.toy, self.toy.mass * self.gravity.unwrap_or(0.0));
+        let (toy, weight) = (self.toy, self.toy.mass * self.gravity);
         let inertia = toy.inertia;
         columns! { |state: &YoYoState|
             "potential", "J", "energy of the weight below the hand" => -weight * state.depth;

@@ -108,6 +108,12 @@ impl YoYo {
         self.inertia / self.mass
     }
 
+    /// n = m g r/(I + m r²) with r the radius of the axle, s⁻²: half the increase of ω² in a fall by that radius at the end of the string.
+    pub(crate) fn pull(&self, gravity: f64) -> f64 {
+        let r = self.axle;
+        gravity * r / (r * r + self.gyration_squared())
+    }
+
     /// r², m², at a depth; above the hand and below the end of the string that of the nearer one.
     pub(crate) fn radius_squared(&self, depth: f64) -> f64 {
         let depth = depth.clamp(0.0, self.length);

@@ -28,8 +28,6 @@ pub struct Turn {
     pub mean_tension_at_constant_spin: f64,
     toy: YoYo,
     gravity: f64,
-    /// n, s⁻².
-    pull: f64,
     modulus: Modulus,
 }
 
@@ -70,7 +68,7 @@ impl Turn {
         let omega = positive("the spin at the end of the string", omega)?;
         let gravity = not_negative("gravity", gravity)?;
         let r = toy.axle;
-        let pull = gravity * r / (r * r + toy.gyration_squared());
+        let pull = toy.pull(gravity);
         let (slack, fastest) = (omega * omega - 2.0 * pull, omega * omega + 2.0 * pull);
         if slack <= 0.0 {
             let condition = "the spin at the end of the string must carry the axle round it, omega² > 2 m g r/(I + m r²)";
@@ -91,7 +89,6 @@ impl Turn {
             mean_tension_at_constant_spin: pull_of(at_constant_spin)?,
             toy,
             gravity,
-            pull,
             modulus: Modulus::new(parameter),
         })
     }
@@ -117,7 +114,8 @@ impl Turn {
         // α = π/2 + 2 am: its sine and cosine follow from those of twice the amplitude.
         let (sin_alpha, cos_alpha) = ((cosine - sine) * (cosine + sine), -2.0 * sine * cosine);
         let r = self.toy.axle;
-        let centripetal = r * (omega * omega * sin_alpha - self.pull * cos_alpha * cos_alpha);
+        let pull = self.toy.pull(self.gravity);
+        let centripetal = r * (omega * omega * sin_alpha - pull * cos_alpha * cos_alpha);
         Ok(TurnState {
             angle: core::f64::consts::FRAC_PI_2 + 2.0 * jacobi.am,
             omega,

@@ -4,6 +4,7 @@ use core::f64::consts::FRAC_PI_2;
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
+use crate::euler_equations::quaternion_rate;
 use crate::frame::finite_vector;
 use crate::phenomena::quadrature::integral;
 use crate::phenomena::{self, Bend, EqualHalves, ShapePlane};
@@ -170,10 +171,10 @@ impl Cat {
         self.body.angular_velocity(&self.bend(t), l)
     }
 
-    fn state(&self, t: f64, y: &[f64; 4], exact: bool) -> Result<CatState> {
+    fn state(&self, t: f64, y: &[f64; 4], equal: Option<&EqualHalves>) -> Result<CatState> {
         let (attitude, bend) = (unit(y), self.bend(t));
-        let omega = match self.equal_halves().filter(|_| exact) {
-            Some(equal) => self.omega_known(&equal, &bend),
+        let omega = match equal {
+            Some(equal) => self.omega_known(equal, &bend),
             None => self.omega(t, &attitude)?,
         };
         let fallen = self.gravity.map_or(0.0, |g| 0.5 * g * t * t);
@@ -209,10 +210,8 @@ impl Flow<4> for Cat {
     }
 
     fn rate(&self, (): (), t: f64, y: &[f64; 4]) -> [f64; 4] {
-        let omega = self.omega(t, &unit(y));
-        let omega = omega.map_or(Vector3::repeat(f64::NAN), |o| o.components());
-        let rate = Quaternion::new(y[0], y[1], y[2], y[3]) * Quaternion::from_imag(omega) * 0.5;
-        [rate.w, rate.i, rate.j, rate.k]
+        let unknown = BodyVector::from([f64::NAN; 3]);
+        quaternion_rate(*y, self.omega(t, &unit(y)).unwrap_or(unknown))
     }
 
     fn lasts_until(&self, (): (), t: f64) -> f64 {
@@ -246,14 +245,14 @@ impl Scene for Cat {
 
     fn simulate(&self, request: &Request) -> Result<Motion<CatState>> {
         let plan = self.plan(request)?;
-        let (run, exact) = ((self, &plan, request), plan.solver == Solver::Exact);
-        let equal = self.equal_halves();
-        let trace = solved(run, AN_INTEGRAL, &|t| match &equal {
+        let exact = |_: &_| plan.solver == Solver::Exact;
+        let equal = self.equal_halves().filter(exact);
+        let trace = solved((self, &plan, request), AN_INTEGRAL, &|t| match &equal {
             Some(equal) => self.known(equal, t),
             None => self.start().map(|((), y)| y),
         })?;
         let rows = request.times().iter().zip(&trace.samples);
-        let states = rows.map(|(&t, ((), y))| self.state(t, y, exact));
+        let states = rows.map(|(&t, ((), y))| self.state(t, y, equal.as_ref()));
         let states: Vec<CatState> = states.collect::<Result<_>>()?;
         // Drifts are relative to the angular momenta of the fastest parts, whose sum is the whole.
         let pace =

@@ -1,5 +1,7 @@
 //! The equations of a top in steps: L along the body's axes, the attitude's quaternion and, with resistance, the energy lost.
 
+use nalgebra::Vector3;
+
 use super::body::{DOUBT, Start};
 use super::effects::{State, Top};
 use super::ledger::{self, Conserved};
@@ -18,7 +20,7 @@ pub(super) struct Turning {
     /// The unit, kg.
     pub unit: f64,
     pub moments: [f64; 3],
-    inverse: [f64; 3],
+    inverse: Vector3<f64>,
     /// (I₂ − I₃)/(I₂I₃) and cyclic: L₁′ is this times L₂L₃, so that nearly equal moments lose no digits.
     difference: [f64; 3],
     pub lever: Option<[f64; 3]>,
@@ -58,7 +60,7 @@ impl Turning {
         Ok(Self {
             unit,
             moments,
-            inverse: moments.map(|moment| 1.0 / moment),
+            inverse: Vector3::from(moments).map(|moment| 1.0 / moment),
             difference: core::array::from_fn(|k| {
                 let (a, b) = (moments[(k + 1) % 3], moments[(k + 2) % 3]);
                 (a - b) / a / b
@@ -79,29 +81,22 @@ impl Turning {
 
     // ANCHOR: resistance
     /// The torque of all resistances, N m.
-    fn resistance(&self, spin: Spin, omega: [f64; 3]) -> [f64; 3] {
-        let mut torque = [0.0; 3];
+    fn resistance(&self, spin: Spin, omega: &Vector3<f64>) -> Vector3<f64> {
+        let mut torque = Vector3::zeros();
         if let Some(c) = self.pivot_friction {
-            for k in 0..3 {
-                torque[k] -= c * omega[k];
-            }
+            torque -= c * omega;
         }
         if let Some(c) = self.bearing_friction {
-            torque[0] -= c * omega[0];
-            torque[1] -= c * omega[1];
+            torque -= c * Vector3::new(omega.x, omega.y, 0.0);
         }
         if let Some(k) = self.air_drag {
-            let [x, y, z] = omega;
-            // Not `hypot`, which would take longer than all the rest.
-            let strength = k * (x * x + y * y + z * z).sqrt();
-            for k in 0..3 {
-                torque[k] -= strength * omega[k];
-            }
+            // Not by `hypot`, which would take longer than all the rest.
+            torque -= k * omega.norm() * omega;
         }
         if let Some(dry) = self.tip_friction
             && spin == Spin::Spinning
         {
-            torque[2] -= dry;
+            torque.z -= dry;
         }
         torque
     }
@@ -123,8 +118,18 @@ impl Turning {
         let Phase { l, q } = Phase::new(l, attitude);
         let y = numbers(l, q, 0.0);
         let [n1, n2, n3, ..] = Flow::<8>::rate(self, Spin::Spinning, 0.0, &y);
-        let [j1, j2, j3] = self.inverse;
-        BodyVector::new(j1 * n1, j2 * n2, j3 * n3)
+        BodyVector::from_components(self.omega([n1, n2, n3]))
+    }
+
+    /// Ω, rad/s, for this L; and Ω̇ for this torque.
+    #[inline]
+    fn omega(&self, l: [f64; 3]) -> Vector3<f64> {
+        self.inverse.component_mul(&Vector3::from(l))
+    }
+
+    /// |Ω|, rad/s, for this L.
+    fn speed(&self, l: [f64; 3]) -> f64 {
+        BodyVector::from_components(self.omega(l)).norm()
     }
 }
 
@@ -144,7 +149,7 @@ impl<const N: usize> Flow<N> for Turning {
     }
 
     fn doubt(&self) -> [f64; N] {
-        let rate = speed(self.start.l, self.inverse);
+        let rate = self.speed(self.start.l);
         let [w, x, y, z] = self.start.q;
         let q = Start::tilted(nalgebra::Quaternion::new(w, x, y, z));
         let mut l = core::array::from_fn(|n| DOUBT[n] * self.moments[n] * rate);
@@ -167,30 +172,22 @@ impl<const N: usize> Flow<N> for Turning {
     /// L′ = L∧Ω + N, q′ = ½qΩ, and the power lost to resistance.
     fn rate(&self, spin: Spin, _: f64, y: &[f64; N]) -> [f64; N] {
         let phase = phase(y);
-        let [a, b, c] = phase.l;
-        let [j1, j2, j3] = self.inverse;
-        let omega = [j1 * a, j2 * b, j3 * c];
-        let [d1, d2, d3] = self.difference;
-        let mut torque = [d1 * (b * c), d2 * (c * a), d3 * (a * b)];
-        if let Some([l1, l2, l3]) = self.lever {
+        let ([a, b, c], [d1, d2, d3]) = (phase.l, self.difference);
+        let omega = self.omega(phase.l);
+        let mut torque = Vector3::new(d1 * (b * c), d2 * (c * a), d3 * (a * b));
+        if let Some(lever) = self.lever {
             // The third row of the rotation matrix for |q| = 1; the equations are smooth off that norm, too, and every step restores it.
-            let up = phase.up();
-            torque[0] += up[1] * l3 - up[2] * l2;
-            torque[1] += up[2] * l1 - up[0] * l3;
-            torque[2] += up[0] * l2 - up[1] * l1;
+            torque += Vector3::from(phase.up()).cross(&Vector3::from(lever));
         }
-        let [o1, o2, o3] = omega;
-        let turned = quaternion_rate(phase.q, BodyVector::new(o1, o2, o3));
+        let turned = quaternion_rate(phase.q, BodyVector::from_components(omega));
         let mut power = 0.0;
         // With seven components nothing resists.
         if N > 7 {
-            let resistance = self.resistance(spin, omega);
-            for k in 0..3 {
-                torque[k] += resistance[k];
-                power -= resistance[k] * omega[k];
-            }
+            let resistance = self.resistance(spin, &omega);
+            torque += resistance;
+            power -= resistance.dot(&omega);
         }
-        numbers(torque, turned, power)
+        numbers(torque.into(), turned, power)
     }
 
     fn margin(&self, spin: Spin, _: f64, y: &[f64; N]) -> Option<f64> {
@@ -205,8 +202,8 @@ impl<const N: usize> Flow<N> for Turning {
 
     fn furthest_apart(&self, a: &[At<Spin, N>], b: &[At<Spin, N>], seen: &[At<Spin, N>]) -> f64 {
         // A lower bound of the fastest rate of the motion, rad/s.
-        let start = speed(self.start.l, self.inverse);
-        let speeds = seen.iter().map(|(_, y)| speed(phase(y).l, self.inverse));
+        let start = self.speed(self.start.l);
+        let speeds = seen.iter().map(|(_, y)| self.speed(phase(y).l));
         let fastest = match speeds.fold(start, f64::max) {
             0.0 => self.pace,
             fastest => fastest,
@@ -217,7 +214,7 @@ impl<const N: usize> Flow<N> for Turning {
             let Phase { l, q } = phase(&between);
             let turned: f64 = q.iter().map(|part| part.powi(2)).sum();
             let lost = between.get(7).map_or(0.0, |lost| lost.abs() / self.energy);
-            let turning = (2.0 * turned.sqrt()).max(speed(l, self.inverse) / fastest);
+            let turning = (2.0 * turned.sqrt()).max(self.speed(l) / fastest);
             greater(turning, lost)
         };
         let apart = a.iter().zip(b).map(|((_, a), (_, b))| apart(a, b));
@@ -238,10 +235,4 @@ fn numbers<const N: usize>(l: [f64; 3], q: [f64; 4], lost: f64) -> [f64; N] {
     all[..3].copy_from_slice(&l);
     all[3..7].copy_from_slice(&q);
     all
-}
-
-/// |Ω|, rad/s.
-fn speed(l: [f64; 3], inverse: [f64; 3]) -> f64 {
-    let [x, y, z] = core::array::from_fn(|k| l[k] * inverse[k]);
-    x.hypot(y).hypot(z)
 }

@@ -1,8 +1,8 @@
 //! Off the table and back: the free body in closed form, and the impact with which it lands.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
-use super::body::{ConvexBody, inverse};
+use super::body::ConvexBody;
 use super::equations::{Numbers, Pose, Table, Yielding};
 use super::friction::Friction;
 use crate::error::{Result, stopped};
@@ -320,8 +320,8 @@ impl ConvexBody {
         let velocity = pose.level + pose.up * climb;
         let arm = self.arm(&pose.up);
         let change = contact - (velocity + pose.omega.cross(&arm));
-        let inverse = inverse(&self.yielding(&arm));
-        let impulse = inverse.unwrap_or(Matrix3::repeat(f64::NAN)) * change;
+        let (matrix, free, up) = (self.yielding(&arm), -change, pose.up);
+        let impulse = Yielding { matrix, free, up }.holding();
         let omega = pose.omega + self.inverse * arm.cross(&impulse);
         let after = velocity + impulse / self.mass;
         let level = pose.turn * after;

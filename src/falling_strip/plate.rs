@@ -2,6 +2,8 @@
 
 use core::f64::consts::PI;
 
+use nalgebra::{Rotation2, Vector2};
+
 use crate::error::{Result, finite, not_negative, positive, within};
 use crate::integrators::System;
 
@@ -136,8 +138,7 @@ struct Masses {
 /// Force along the chord and across it (N/m), torque about the long axis (N), and the power turned into heat (W/m).
 #[derive(Default)]
 struct Load {
-    along: f64,
-    across: f64,
+    force: Vector2<f64>,
     torque: f64,
     heating: f64,
 }
@@ -190,24 +191,20 @@ impl Equations {
     }
 
     /// Force and torque on the plate, given sine and cosine of its angle and the sign of its spin.
-    fn load(&self, slope: (f64, f64), sense: f64, state: &[f64; 7], masses: &Masses) -> Load {
+    fn load(&self, slope: Vector2<f64>, sense: f64, state: &[f64; 7], masses: &Masses) -> Load {
         let [.., u, w, omega, _] = *state;
         let (plate, a, density) = (&self.plate, self.plate.half_chord, self.plate.fluid_density);
-        let speed = u.hypot(w);
+        let (velocity, speed) = (Vector2::new(u, w), u.hypot(w));
         let mut load = Load::default();
         if let Some(g) = self.gravity {
-            let weight = plate.mass * g;
-            load.along -= weight * slope.0;
-            load.across -= weight * slope.1;
+            load.force -= plate.mass * g * slope;
         }
         if let Some(lift) = self.lift {
             let mut circulation = lift.rotational * a * omega;
             if speed > 0.0 {
                 circulation -= lift.translational * u * (w / speed);
             }
-            let per_speed = density * (2.0 * a * circulation);
-            load.along -= per_speed * w;
-            load.across += per_speed * u;
+            load.force += density * (2.0 * a * circulation) * Vector2::new(-w, u);
         }
         if let Some(drag) = self.drag
             && speed > 0.0
@@ -215,8 +212,7 @@ impl Equations {
             let (edgewise, broadside) = (u / speed, w / speed);
             let aspect = drag.mean - drag.contrast * (edgewise * edgewise - broadside * broadside);
             let per_speed = density * a * speed * aspect;
-            load.along -= per_speed * u;
-            load.across -= per_speed * w;
+            load.force -= per_speed * velocity;
             load.heating += per_speed * speed * speed;
         }
         if let Some(damping) = self.damping {
@@ -236,13 +232,13 @@ impl Equations {
         let [_, _, theta, u, w, omega, _] = *state;
         let (sine, cosine) = theta.sin_cos();
         let masses = self.masses();
-        let load = self.load((sine, cosine), sense, state, &masses);
+        let load = self.load(Vector2::new(sine, cosine), sense, state, &masses);
         [
             u * cosine - w * sine,
             u * sine + w * cosine,
             omega,
-            (masses.across * omega * w + load.along) / masses.along,
-            (load.across - masses.along * omega * u) / masses.across,
+            (masses.across * omega * w + load.force.x) / masses.along,
+            (load.force.y - masses.along * omega * u) / masses.across,
             load.torque / masses.moment,
             load.heating,
         ]
@@ -259,10 +255,9 @@ impl Equations {
     /// Momentum of plate and fluid in the axes of space (right, up), kg/s.
     pub(crate) fn impulse(&self, state: &[f64; 7]) -> [f64; 2] {
         let masses = self.masses();
-        let (sine, cosine) = state[2].sin_cos();
-        let (along, across) = (masses.along * state[3], masses.across * state[4]);
-        let right = along * cosine - across * sine;
-        [right, along * sine + across * cosine]
+        let [_, _, angle, u, w, ..] = *state;
+        let momentum = Vector2::new(masses.along * u, masses.across * w);
+        (Rotation2::new(angle) * momentum).into()
     }
 }
 

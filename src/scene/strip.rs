@@ -1,5 +1,7 @@
 //! The scene `strip` (tutorial 4.10): a strip that falls through a fluid, seen along its length.
 
+use nalgebra::{Rotation2, Vector2};
+
 use super::engine::ROUNDING;
 use super::path::MOST_TURNED;
 use super::prelude::*;
@@ -136,9 +138,8 @@ impl Strip {
 
     /// The state in the equations for this position, angle and velocity, with the spin of the start.
     fn numbers(&self, place: [f64; 2], angle: f64, velocity: [f64; 2]) -> [f64; 7] {
-        let ([x, y], [vx, vy]) = (place, velocity);
-        let (sine, cosine) = angle.sin_cos();
-        let (along, across) = (vx * cosine + vy * sine, vy * cosine - vx * sine);
+        let ([x, y], turn) = (place, Rotation2::new(-angle));
+        let [along, across] = (turn * Vector2::from(velocity)).into();
         [x, y, angle, along, across, self.start.omega, 0.0]
     }
 
@@ -152,8 +153,7 @@ impl Strip {
 
     fn state(&self, y: &[f64; 7]) -> StripState {
         let &[x, height, angle, u, w, omega, heat] = y;
-        let (sine, cosine) = angle.sin_cos();
-        let [vx, vy] = [u * cosine - w * sine, u * sine + w * cosine];
+        let [vx, vy] = (Rotation2::new(angle) * Vector2::new(u, w)).into();
         let equations = &self.equations;
         let mut energy = equations.kinetic_energy(y);
         if let Some(g) = equations.gravity {

@@ -93,7 +93,7 @@ impl<T: Real> Integrator<T> for FreeSplitting {
             Order::Four => S6,
             Order::Six => S10,
         };
-        let motions = (about(outer, middle), (), about(inner, middle));
+        let motions = (about(outer, middle), nothing, about(inner, middle));
         let rule = Alternating::new(splitting, step, 2, motions, move |run, steps| {
             // The attitude q exp(tL₀/2I₂) times the product of the other rotations.
             let (sine, cosine) = T::sine_and_cosine(half * DoubleDouble::from(steps as f64));
@@ -167,9 +167,19 @@ impl<T: Real, N: Torque<T>> Integrator<T> for HeavySplitting<N> {
     fn start(&self, phase: &Phase<T>, step: T) -> Result<Box<dyn Stepper<T> + '_>> {
         let run = Run::new(phase, step)?;
         let [outer, (_, middle), inner] = self.axes;
+        // The change of L by the torque.
+        let kick = move |run: &mut Run<T>, h: T| {
+            let torque = self.torque.torque(&run.phase());
+            run.l.add_all(torque.map(|component| component * h));
+        };
+        // The rotation about L, by half its angle per unit of L and time, and the one about the inner axis.
         let about_momentum = T::from_double(0.5) * T::from_double(middle).reciprocal();
-        let kick = Kick(&self.torque);
-        let drift = Drift(about_momentum, about(inner, middle));
+        let about_inner = about(inner, middle);
+        let drift = move |run: &mut Run<T>, h: T| {
+            let turn = exponential(run.l.values.map(|x| x * (about_momentum * h)));
+            run.q.add_all(product(run.q.values, turn));
+            about_inner.over(run, h);
+        };
         // A rotation with rate 0 is left out.
         let unequal = outer.1 != middle;
         let splitting = match self.order {
@@ -183,45 +193,27 @@ impl<T: Real, N: Torque<T>> Integrator<T> for HeavySplitting<N> {
             let rule = Alternating::new(splitting, step, 3, motions, |_, _| ());
             Steps::boxed(run, rule)
         } else {
-            let rule = Alternating::new(splitting, step, 2, (kick, (), drift), |_, _| ());
+            let rule = Alternating::new(splitting, step, 2, (kick, nothing, drift), |_, _| ());
             Steps::boxed(run, rule)
         })
     }
 }
 
-/// A motion that is exact over any time `h`.
+/// A motion that is exact over any time `h`. A closure is one.
 trait Motion<T: Real> {
     fn over(&self, run: &mut Run<T>, h: T);
 }
 
+impl<T: Real, F: Fn(&mut Run<T>, T)> Motion<T> for F {
+    #[inline(always)]
+    fn over(&self, run: &mut Run<T>, h: T) {
+        self(run, h);
+    }
+}
+
 /// No motion.
-impl<T: Real> Motion<T> for () {
-    #[inline(always)]
-    fn over(&self, _: &mut Run<T>, _: T) {}
-}
-
-/// The change of L by a torque.
-struct Kick<'a, N>(&'a N);
-
-impl<T: Real, N: Torque<T>> Motion<T> for Kick<'_, N> {
-    #[inline(always)]
-    fn over(&self, run: &mut Run<T>, h: T) {
-        let torque = self.0.torque(&run.phase());
-        run.l.add_all(torque.map(|component| component * h));
-    }
-}
-
-/// The rotation about L, given by half its angle per unit of L and time, and the one about an axis.
-struct Drift<T>(T, About<T>);
-
-impl<T: Real> Motion<T> for Drift<T> {
-    #[inline(always)]
-    fn over(&self, run: &mut Run<T>, h: T) {
-        let turn = exponential(run.l.values.map(|x| x * (self.0 * h)));
-        run.q.add_all(product(run.q.values, turn));
-        self.1.over(run, h);
-    }
-}
+#[inline(always)]
+fn nothing<T>(_: &mut Run<T>, _: T) {}
 
 /// The rotation about one of the body's axes, by half its angle per unit of L along it and time.
 struct About<T> {

@@ -379,8 +379,9 @@ const GREATEST_TOLERANCE: f64 = 1e-2;
 const CHECKS: usize = 8;
 /// Below this angle, rad, runs are compared only at the requested times, for no quantity has returned to an earlier value.
 const SHORT: f64 = 3.0;
-/// The reported error, in units of the distance of two runs: of five thousand random scenes two were off by more, six by more than half as much.
-const LUCK: f64 = 4.0;
+/// The reported error, in units of twice the distance of two runs and the errors of the steps: of five thousand random scenes six were off by more than that sum, two by
+/// more than twice as much.
+const LUCK: f64 = 2.0;
 /// Weight of the distance at times that were not requested, after the first pair.
 const CHECKED: f64 = 0.1;
 /// A phase of at most this many steps is compared with one of twice as many.
@@ -396,7 +397,7 @@ pub(crate) const ROUNDING: f64 = 4e-16;
 /// Two runs are compared, whose tolerances differ by a factor of twenty, or whose steps differ by a factor of two, as do those in phases of few
 /// steps. Their distance is the error of the looser run; the better run, which is returned, is taken to be off by as much. Where that exceeds
 /// the accuracy, one or two further runs take their place, and the better one must agree with them too. The reported error is larger: four times the
-/// distance and the sum of the errors of the steps, as long as it is below the accuracy. A flow may depend on the tolerance of its run, which
+/// distance and twice the sum of the errors of the steps, as long as it is below the accuracy. A flow may depend on the tolerance of its run, which
 /// `flow` receives.
 ///
 /// Runs that begin with the same rounded state agree on what the motion makes of that rounding. If the flow states the [`doubt`](Flow::doubt) of its
@@ -507,12 +508,12 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
             let growth = growth(&flow, stepper, efforts.better(), &times, budget)?;
             return Err(request.amplified(error, growth));
         }
-        // The runs agree within the accuracy. Below it four times as much and the sum of the steps' errors are reported: both may have been lucky.
-        let mut whole = LUCK * error;
+        // The runs agree within the accuracy. Below it more is reported, with the sum of the steps' errors: both may have been lucky.
+        let mut whole = 2.0 * error;
         if !efforts.even {
             whole += better.cost.steps as f64 * of_a_step(&flow, efforts.better, seen);
         }
-        better.error = greater(error, whole.min(accuracy));
+        better.error = greater(error, (LUCK * whole).min(accuracy));
         better.samples.truncate(count);
         better.cost = cost;
         return Ok(better);

@@ -150,12 +150,12 @@ fn what_two_runs_cost_is_what_each_costs() {
         // Each looks at one time more, a radian after the start: eleven evaluations.
         near!(cost(asked), alone[0] + alone[1] + 22.0, 0.01 * alone[0]);
     }
-    // Of a ball that glides steps err by nothing: told are four times ten tolerances, and two of each step of the better run, which takes half or two thirds of all.
+    // Of a ball that glides steps err by nothing: told are four times ten tolerances, and four of each step of the better run, which takes half or two thirds of all.
     let ball = RoundBody::new(0.17, 0.03, 0.4).unwrap();
     let ball = spinning_bodies::scene::Roller::new(ball, 9.81, 2.0, 0.7).unwrap();
     let motion = ball.simulate(&using(&asking([3.0], 1e-2), OURS)).unwrap();
     let told = motion.error_estimate / (2.5e-4 / 16.0) - 40.0;
-    let part = told / (2.0 * motion.cost.steps as f64);
+    let part = told / (4.0 * motion.cost.steps as f64);
     assert!((0.49..0.7).contains(&part), "{part}");
 }
 

@@ -505,7 +505,7 @@ fn what_has_come_to_rest_is_told() {
         let (scene, request) = parse(column, text).unwrap();
         let told = scene.simulate(&request).unwrap();
         let [last] = *told.numbers([column]).unwrap().last().unwrap();
-        assert!((last - rest).abs() < 1e-9, "{column}: {last}");
+        assert!((last - rest).abs() < 2e-15, "{column}: {last:?}");
     }
 }
 
@@ -517,7 +517,10 @@ fn a_ball_that_hardly_loses_speed_keeps_its_digits() {
     let (scene, request) = parse("lively", text).unwrap();
     let told = scene.simulate(&request).unwrap();
     let [climb] = told.numbers(["climb"]).unwrap()[0];
-    assert!((climb - 0.180_456_979_772_186_02).abs() < 1e-13, "{climb}");
+    assert!(
+        (climb - 0.180_456_979_772_186_02).abs() < 2e-16,
+        "{climb:?}"
+    );
 }
 
 /// Both ends are on the page of keys.

@@ -29,13 +29,14 @@ pub(crate) fn both_ways<Y>(
     let mut order = ascending(Vec::from_iter(0..times.len()), times);
     let before = order.partition_point(|&place| times[place] < 0.0);
     order[..before].reverse();
-    let mut states = Vec::with_capacity(times.len());
+    let mut states = Vec::from_iter(times.iter().map(|_| None));
     for way in [&order[..before], &order[before..]] {
         if !way.is_empty() {
             let ordered: Vec<f64> = way.iter().map(|&place| times[place]).collect();
-            states.extend(way.iter().zip(follow(&ordered)?));
+            for (&place, state) in way.iter().zip(follow(&ordered)?) {
+                states[place] = Some(state);
+            }
         }
     }
-    states.sort_by_key(|&(place, _)| place);
-    Ok(states.into_iter().map(|(_, state)| state).collect())
+    Ok(states.into_iter().flatten().collect())
 }

@@ -29,8 +29,9 @@
 
 use core::cell::Cell;
 
-use nalgebra::Vector3;
+use nalgebra::{Quaternion, Vector3};
 
+use super::engine::{DOUBT, tilted};
 use super::prelude::*;
 use crate::error::stopped;
 use crate::integrators::Watched;
@@ -544,6 +545,14 @@ impl Flow<NUMBERS> for OnTheTable {
         let (body, v, w) = (&self.table.body, self.velocity_scale(), self.turning);
         let (size, energy) = (body.surface.size, body.mass() * v * v);
         [1.0, 1.0, 1.0, 1.0, w, w, w, v, v, size, size, energy]
+    }
+
+    fn doubt(&self) -> Numbers {
+        let [w, x, y, z, a, b, c, ..] = self.start;
+        let q = tilted(Quaternion::new(w, x, y, z));
+        let rate = Vector3::new(a, b, c).norm();
+        let [a, b, c] = [0, 1, 2].map(|n| DOUBT[n] * rate);
+        [q.w, q.i, q.j, q.k, a, b, c, 0.0, 0.0, 0.0, 0.0, 0.0]
     }
 
     fn pace(&self) -> f64 {

@@ -5,6 +5,8 @@
 //! after the start ([`Run::at`]), repeats the run with smaller tolerances until two runs agree within the accuracy ([`to_accuracy`]), and, where no
 //! two do, measures how much the motion amplifies a change of its start. Every evaluation counts against the budget of the request.
 
+use nalgebra::{Quaternion, Vector3};
+
 use super::motion::OpenLedger;
 use super::{Budget, Choice, Plan, Request, Solver};
 use crate::error::{Error, Result, each_finite, stopped};
@@ -361,6 +363,15 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
 /// The components of a slice of length N.
 fn sized<const N: usize>(slice: &[f64]) -> [f64; N] {
     *slice.first_chunk().unwrap_or(&[0.0; N])
+}
+
+/// For a [`Flow::doubt`] several times the possible rounding error of a start: of a rate along each axis, as a fraction of the whole, and half the turn in space, rad. They
+/// differ, so that the displacement lacks the symmetries of the motion.
+pub(crate) const DOUBT: [f64; 6] = [2e-14, -1.5e-14, 1.8e-14, -1.2e-14, 1e-14, 8e-15];
+
+/// What a turn in space by [`DOUBT`] adds to the quaternion. It is mostly a tilt: a turn about the vertical grows in no motion.
+pub(crate) fn tilted(q: Quaternion<f64>) -> Quaternion<f64> {
+    Quaternion::from_imag(Vector3::new(DOUBT[3], DOUBT[4], DOUBT[5])) * q
 }
 
 /// Ratio of the tolerances of two compared runs; by order 8 the tighter run costs half as much again as the looser.

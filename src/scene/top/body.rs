@@ -8,6 +8,7 @@ use crate::frame::{Attitude, BodyVector, finite_vector};
 use crate::inertia::{InertiaMatrix, MassProperties, PrincipalMoments, principal_axes_of};
 use crate::integrators::geometric::Phase;
 use crate::precise::{Extended, Number, power_of_two_below};
+use crate::scene::engine::{DOUBT, tilted};
 
 /// A rigid body with a fixed point: mass, principal moments about the pivot in the order of the axes, centre of mass relative to the pivot.
 ///
@@ -232,9 +233,6 @@ impl Body {
     }
 }
 
-/// Several times the possible rounding error of a start: of Ω or L along each axis, as a fraction of the whole, and half the turn in space, rad. They differ,
-/// so that the displacement lacks the symmetries of the motion.
-pub(super) const DOUBT: [f64; 6] = [2e-14, -1.5e-14, 1.8e-14, -1.2e-14, 1e-14, 8e-15];
 /// The reported error is this fraction of the effect of such a displacement.
 pub(super) const DOUBTED: f64 = 0.15;
 
@@ -318,17 +316,12 @@ impl Start {
         }
     }
 
-    /// What a turn in space by [`DOUBT`] adds to the quaternion. It is mostly a tilt: a turn about the vertical grows in no motion.
-    pub(super) fn tilted(q: Quaternion<f64>) -> Quaternion<f64> {
-        Quaternion::from_imag(Vector3::new(DOUBT[3], DOUBT[4], DOUBT[5])) * q
-    }
-
     /// A start displaced by [`DOUBT`], turning a little faster or slower.
     pub(super) fn beside(&self, moments: [f64; 3], sense: f64) -> Result<Self> {
         let [a, b, c, ..] = DOUBT;
         let omega = self.omega(moments)?;
         let q = self.attitude.quaternion().into_inner();
-        let q = q + Self::tilted(q);
+        let q = q + tilted(q);
         let attitude = Attitude::from_quaternion(q.w, q.i, q.j, q.k)?;
         let moved = omega + BodyVector::new(a, b, c) * (sense * omega.norm());
         Ok(Self::with_omega(moved, attitude))

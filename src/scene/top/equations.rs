@@ -2,12 +2,12 @@
 
 use nalgebra::Vector3;
 
-use super::body::{DOUBT, Start};
 use super::effects::{State, Top};
 use super::ledger::{self, Conserved};
 use crate::euler_equations::{AxisMoments, quaternion_rate};
 use crate::integrators::geometric::Phase;
 use crate::precise::power_of_two_below;
+use crate::scene::engine::{DOUBT, tilted};
 use crate::scene::prelude::*;
 
 /// A top as a flow of seven components, L and the quaternion, and with resistance an eighth, the energy lost.
@@ -151,7 +151,7 @@ impl<const N: usize> Flow<N> for Turning {
     fn doubt(&self) -> [f64; N] {
         let rate = self.speed(self.start.l);
         let [w, x, y, z] = self.start.q;
-        let q = Start::tilted(nalgebra::Quaternion::new(w, x, y, z));
+        let q = tilted(nalgebra::Quaternion::new(w, x, y, z));
         let mut l = core::array::from_fn(|n| DOUBT[n] * self.moments[n] * rate);
         if self.tip_friction.is_some() && self.start.l[2] == 0.0 {
             // A spin stopped by dry friction is exactly 0.

@@ -22,7 +22,7 @@ pub use effects::{State, Top};
 
 pub use super::effects::{AirDrag, BearingFriction, Gravity, PivotFriction, TipFriction};
 
-use super::engine::{Stepper, vouched};
+use super::engine::{DOUBT, Stepper, vouched};
 use super::prelude::*;
 use super::{Budget, Geometric};
 
@@ -120,7 +120,7 @@ impl Top {
         let doubted = self.doubted(closed, request)?;
         let told = closed.rounding(request.furthest, angle) + body::DOUBTED * doubted;
         // A change of the rates grows by the angle.
-        let growth = angle.max(doubted / body::DOUBT[0]);
+        let growth = angle.max(doubted / DOUBT[0]);
         let within = |error: f64| match error <= request.accuracy {
             true => Ok(error),
             false => Err(request.amplified(error, growth)),

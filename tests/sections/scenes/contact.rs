@@ -46,10 +46,6 @@ fn skidding(ball: ConvexBody, attitude: Attitude, speed: f64) -> TableTop {
     heavy(ball, start).with(Coulomb::new(0.2).unwrap()).unwrap()
 }
 
-fn same(a: &State, b: &State) -> bool {
-    a.attitude == b.attitude && a.omega == b.omega && a.velocity == b.velocity
-}
-
 fn angle(a: &State, b: &State) -> f64 {
     a.attitude.angle_to(&b.attitude)
 }
@@ -72,8 +68,7 @@ fn every_effect_changes_the_answer_and_without_strength_no_bit() {
     for (i, a) in all.iter().enumerate() {
         assert!(all[..i].iter().all(|b| angle(a, b) > 1e-5), "{i}");
     }
-    let nothing = laws(0.0).map(under);
-    assert!(nothing.iter().all(|state| same(&smooth, state)));
+    assert_eq!(laws(0.0).map(under), [smooth; 4]);
 }
 
 #[test]
@@ -249,8 +244,7 @@ fn what_cannot_be_run_is_refused() {
     let scene = skew().with(gravity()).unwrap();
     refused!(scene.simulate(&Request::at([-1.0]).unwrap()), OutOfRange);
     for solver in [Solver::Exact, Solver::Events] {
-        let request = Request::at([1.0]).unwrap().by(Choice::Use(solver));
-        refused!(scene.simulate(&request), Solver);
+        refused!(scene.simulate(&using(&asking([1.0], 1e-8), solver)), Solver);
     }
     assert!(Gravity::new(f64::NAN).is_err() && skew().with(Gravity::new(0.0).unwrap()).is_err());
     let refused = skew().with(AirDrag::new(1e-6).unwrap()).unwrap_err();
@@ -259,6 +253,10 @@ fn what_cannot_be_run_is_refused() {
     assert!(Viscous::new(f64::INFINITY).is_err() && Resistance::new(0.1, -1.0).is_err());
     assert!(Start::about_vertical(f64::NAN, 0.0, 1.0).is_err());
     assert!(bodies::egg(0.0, 1.0, 1.0).is_err() && bodies::hoop_with_clay(1.0, 1.0, 1.0).is_err());
+    // Two runs from one start agree to 7.5e-11 here, but the last digits of the start grow sixty thousand times: the runs must not begin alike.
+    let wild = "kind = 'table-top'\n[body]\nmass = 2.6e-4\nshape = 'ellipsoid'\nsemi_axes = [7.1e-3, 1.9e-3, 5.4e-3]\n[initial]\ntilt = 1.3\naxial_spin = 0.98\n[run]\ntimes = [1.7]\naccuracy = 8e-11\n[effects]\ngravity = 0.98\nfriction = 0.011\nfriction_law = 'coulomb'";
+    let (scene, request) = spinning_bodies::scene::files::parse("", wild).unwrap();
+    refused!(scene.simulate(&request), Amplified);
 }
 
 #[test]

@@ -80,6 +80,15 @@ fn three_hundred_keep_the_promise() {
     keep(&all);
 }
 
+/// By a start displaced in one sense alone both were answered, and were off by 2.0 and 1.2 times the accuracy.
+#[test]
+fn errors_that_cancel_are_seen() {
+    for case in tops::with_errors_that_cancel() {
+        let outcome = case.judged();
+        assert!(outcome.faults().is_empty(), "{outcome:?}");
+    }
+}
+
 #[test]
 #[ignore = "five thousand: .ci/run"]
 fn every_top_keeps_the_promise() {

@@ -223,11 +223,11 @@ pub fn set(text: &str, path: &str, number: f64) -> Option<String> {
     let table = DeTable::parse(text).ok()?;
     let value = find(table.get_ref(), path)?;
     values::number(value.get_ref())?;
-    let whole = number.fract() == 0.0 && number.abs() < 1e15;
+    let exact = format!("{number:?}");
     let written = match value.get_ref() {
-        DeValue::Integer(_) if whole => format!("{number}"),
-        _ => format!("{number:?}"),
+        DeValue::Integer(_) => exact.trim_end_matches(".0"),
+        _ => &exact,
     };
     let place = value.span();
-    Some([text.get(..place.start)?, &written, text.get(place.end..)?].concat())
+    Some([text.get(..place.start)?, written, text.get(place.end..)?].concat())
 }

@@ -222,7 +222,7 @@ fn numbers_of_a_file_are_found_and_set() {
     assert!(numbers(&text).contains(&"body.moments.2".to_owned()));
     let heavier = set(&text, "body.moments.2", 2.5).unwrap();
     assert_eq!(heavier, text.replace("2.0, 3.0]", "2.0, 2.5]"));
-    for (samples, written) in [(4.0, "= 4 #"), (4.5, "= 4.5 #")] {
+    for (samples, written) in [(4.0, "= 4 #"), (4.5, "= 4.5 #"), (1e20, "= 1e20 #")] {
         let other = set(&text, "run.samples", samples).unwrap();
         assert_eq!(other, text.replace("= 3 #", written));
     }

@@ -186,7 +186,7 @@ impl Flow<7> for Strip {
         let [vx, vy] = self.start.velocity;
         let speed = (g * a).sqrt() + vx.hypot(vy) + a * self.start.omega.abs();
         // A strip that nothing moves stays where it is: its scale is a speed so low that no time makes a distance of it.
-        let speed = if speed > 0.0 { speed } else { 1e-100 * a };
+        let speed = speed.max(1e-100 * a);
         let energy = (self.equations.plate.mass * speed * speed).max(f64::MIN_POSITIVE);
         [a, a, 1.0, speed, speed, speed / a, energy]
     }

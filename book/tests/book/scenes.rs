@@ -151,6 +151,8 @@ title = "A racket" | kind = "toop" | kind | top | toop
 title = "A racket" | title = 7 | title | quotes | 7
 [body] | [body | 3
 [effects] | [effects]\ngravity = 9.81 | mass | missing | gravity
+[effects] | [[effects]] | effects | must be a table
+omega = [0.01 | omega = ["a" | rad/s, got the string
 moments = [1.0, 2.0, 3.0] | moments = [0, 0, 0] | moments | zero
 until = 10.0 | until = 0 | until | not 0
 "#;

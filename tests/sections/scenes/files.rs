@@ -71,15 +71,9 @@ fn the_key_that_is_to_blame_is_named_first() {
     let superball = "kind = \"superball\"\n[body]\nmass = 1\n[initial]\nheight = 1\n[effects]\nceiling = 2\n[run]\nuntil = 1\n";
     let roller = "kind = \"roller\"\n[body]\nmass = 1\nradius = 1\n[initial]\nvelocity = 1\ncue_height = 1\n[effects]\ngravity = 9\nfriction = 0.2\nstatic_friction = 0.3\n[run]\nuntil = 1\n";
     for (text, right, wrong, line, key) in [
-        (superball, "height = 1", "height = -1", 5, "height"),
         (superball, "height = 1", "height = 3", 7, "ceiling"),
-        (roller, "mass = 1", "mass = 0", 3, "mass"),
-        (roller, "ty = 1", "ty = -1", 6, "velocity"),
-        (roller, "gravity = 9", "gravity = 0", 9, "gravity"),
-        (roller, "n = 0.3", "n = 0.1", 11, "static_friction"),
         (roller, "friction = 0.2\n", "", 10, "static_friction"),
         (roller, "us = 1", "us = 1\nshape = 'bal'", 5, "shape"),
-        (RACKET, "2.0, 3.0]", "2.0, 4.0]", 2, "moments"),
     ] {
         let changed = text.replacen(right, wrong, 1);
         assert_ne!(changed, text, "{right}");
@@ -125,7 +119,8 @@ fn the_last_of_the_times_is_the_one_asked_for() {
         let (_, request) = parse("mine.toml", &text).unwrap();
         let times = request.times();
         assert_eq!(times.len(), samples);
-        assert_eq!([times[0], times[samples - 1]], [0.0, until]);
+        // The first is no negative zero.
+        assert_eq!((times[0].to_bits(), times[samples - 1]), (0, until));
         let step = until / (samples - 1) as f64;
         assert!((times[1] / step - 1.0).abs() < 1e-15);
     }

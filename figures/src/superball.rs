@@ -143,15 +143,18 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
     let out = second + motions[2].velocity;
     let which = match grip == 1.0 {
         true => "A superball".to_owned(),
-        false => format!(
-            "A ball that gets back {} of its contact speed",
-            short(grip, 2)
-        ),
+        false => {
+            let part = match grip == 0.0 {
+                true => "nothing".to_owned(),
+                false => short(grip, 2),
+            };
+            format!("A ball that gets back {part} of its contact speed")
+        }
     };
     let after = if out < EDGE {
         "comes back out"
     } else if motions[2].velocity < 0.0 {
-        "turns back, but not before it has met the table once more"
+        "turns back, but meets the table once more on its way"
     } else {
         "has not turned round: after three bounces it still goes on"
     };

@@ -19,7 +19,7 @@ pub fn path(values: &Values) -> Result<Figure> {
     let end = 1.25 * (spin / 200.0) / (3.0 * mu);
     let rows = run(&toy_scene(alpha, spin, mu)?, end, 4000)?;
     let aloft = rows.iter().filter(|row| row.1.support == Support::Airborne);
-    let aloft = short(100.0 * aloft.count() as f64 / rows.len() as f64, 2);
+    let aloft = 100.0 * aloft.count() as f64 / rows.len() as f64;
     // The contact lies opposite to the vertical, seen from K in the body's axes.
     let path: Vec<Vector> = rows.iter().map(|(_, s)| -s.up().components()).collect();
     let turned = path.windows(2).map(|pair| {
@@ -40,14 +40,16 @@ pub fn path(values: &Values) -> Result<Figure> {
         format!("On the ball, the point of contact stays within {most} degrees of the heavy pole.")
     };
     let rounds = number(turns, 1);
-    let flight = match aloft.as_str() {
-        "0" => ", and it never leaves the table".to_owned(),
-        _ => format!("; for {aloft} per cent of that time it is in the air"),
+    let flight = match number(aloft.max(1.0), 0) {
+        _ if aloft == 0.0 => ", and it never leaves the table".to_owned(),
+        aloft => format!("; for {aloft} per cent of that time it is in the air"),
     };
+    let spins = rows.iter().map(|(_, s)| s.spin()).sum::<f64>();
+    let whole = number(spins * end / rows.len() as f64 / TAU, 0);
     let words = words!(
         "{claim}",
         "A ball of $R = 2$ cm, $\\alpha = {alpha:.2}$, $\\mu = {mu:.3}$ smoothed over 1 mm/s, spun about the vertical at {spin:.0} rad/s: the place that touches the table, seen from \
-         the ball, during {end:.2} s. The ball turns about the vertical meanwhile, so the path goes round only {rounds} times while the tilt grows to {tilt:.0}°{flight}.",
+         the ball, during {end:.2} s. The ball turns {whole} times about the vertical meanwhile; the path on it goes round {rounds} times while the tilt grows to {tilt:.0}°{flight}.",
         "A ball with the centre of mass below its centre. A line on its surface starts near the south pole, goes round {rounds} times and ends {tilt:.0} degrees from there; \
          behind the ball it is faint."
     );

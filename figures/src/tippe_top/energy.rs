@@ -54,7 +54,11 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
     let steady = energies.is_sorted_by(|before, after| *after <= before * (1.0 + 1e-6));
     let [low, high] = numbers([first, last].map(|s| 1e3 * s.position.z()), 2);
     let climb = number(1e3 * gain.abs(), 2);
-    let costs = if gain < 0.0 { "gives back" } else { "costs" };
+    let pays = match (climb.as_str(), gain < 0.0) {
+        ("0.00", _) => "The height hardly changes".to_owned(),
+        (_, true) => format!("The height gives back {climb} mJ"),
+        (_, false) => format!("The height costs {climb} mJ"),
+    };
     let energies = [first, last].map(|s| 1e3 * s.energy);
     let [before, after] = numbers(energies, 2);
     let falls = if steady {
@@ -67,7 +71,7 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
     let words = words!(
         "{claim}",
         "Tippe top of 20 g, $R = 2$ cm, $\\alpha = {alpha:.2}$, spun at {spin:.0} rad/s about its axis, viscous friction {friction:.2} s/m. $C$ goes from {low} to {high} mm. \
-         {side}. The height {costs} {climb} mJ. The energy falls from {before} to {after} mJ{falls}",
+         {side}. {pays}. The energy falls from {before} to {after} mJ{falls}",
         "Two curves against time from 0 to {END} seconds. The upper one, total energy, falls from {more} to {less} millijoules. The lower one, dashed, the potential energy, \
          goes from {lower} to {upper}. {side}. The gap between the curves is the kinetic energy."
     );

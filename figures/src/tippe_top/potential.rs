@@ -62,7 +62,7 @@ pub fn effective(values: &Values) -> Result<Figure> {
             "Spin moves the lowest place from upright as far as {farthest} at {fastest} rad/s, and at no spin to the head; friction brings the top there."
         ),
         (Inversion::Complete, Some(invert)) if invert > SPINS[3] => format!(
-            "Spin moves the lowest place from upright as far as {farthest} at {fastest} rad/s, and to the head at {invert:.1}; friction brings the top there."
+            "Spin moves the lowest place from upright as far as {farthest} at {fastest} rad/s, and to the head at {invert:.1} rad/s; friction brings the top there."
         ),
         (Inversion::Complete, _) => "Spin moves the lowest place from upright to upside down, and friction brings the top there.".to_owned(),
     };

@@ -37,6 +37,9 @@ pub fn both_spins(values: &Values) -> Result<Figure> {
         [false, true] => {
             "The same top, released the same way: anticlockwise it turns over, clockwise it does not."
         }
+        [false, false] if side.iter().any(Option::is_some) => {
+            "Released like this, the top falls over, but does not get to its head within three seconds."
+        }
         [false, false] => {
             "Released like this, the top turns over neither way within three seconds."
         }

@@ -65,7 +65,7 @@ pub fn solution(values: &Values) -> Result<Figure> {
             "$\\Omega_2$ goes as sn, $\\Omega_1$ as {first}, $\\Omega_3$ as {third}. Period {period:.3} s; after half of it ${turned}$ and $\\Omega_2$ have changed \
              sign and ${name}$ has its old value."
         ),
-        None => "On the separatrix there is no period, and here no swing is left.".to_owned(),
+        None => "there is no period on the separatrix, and here no swing is left.".to_owned(),
     };
     let claim = match (period, rests) {
         (None, _) => "On the separatrix the top swings over at most once and then rests about its middle axis for ever.".to_owned(),

@@ -134,8 +134,8 @@ fn told(kind: Nutation, pace: f64) -> &'static str {
         Nutation::Cusps => "cusps",
         Nutation::Loops => "loops",
         Nutation::PurePrecession => "a circle",
-        Nutation::SphericalPendulum => "a spherical pendulum",
-        Nutation::PlanePendulum => "a pendulum in one plane",
+        Nutation::SphericalPendulum => "the path of a spherical pendulum",
+        Nutation::PlanePendulum => "the arc of a pendulum in one plane",
         Nutation::Waking => "the way up to the upright position and back, for ever",
         _ => "a point",
     }

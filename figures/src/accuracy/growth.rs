@@ -64,7 +64,7 @@ pub fn growth(_: &Values) -> Result<Figure> {
     let exact = exact_errors()?;
     let told = told.join(", ");
     let words = words!(
-        "In the long run a general method loses two digits a decade of time, a geometric one loses one, and the closed form none.",
+        "In the long run a general method loses nearly two digits a decade of time, a geometric one loses one, and the closed form none.",
         "The same free body, the same effort throughout: 32 steps a turn for rk4, tolerance $10^{{-11}}$ for dop853, 8 steps a turn for rotations-4, 16 for moser-veselov-10. \
          Digits lost in the last decade: {told}.",
         "Error in the attitude against the number of turns, 1 to a million, on logarithmic axes. The lines of rk4 and dop853 become ever steeper, up to nearly two decades \

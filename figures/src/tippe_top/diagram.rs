@@ -150,7 +150,10 @@ pub fn energies(values: &Values) -> Result<Figure> {
             spins.map(|spin| beside(spin, energy(&top, 0.0, spin), aside))
         });
         pen.name(upright.concat(), "upright", label(Ink));
-        let inverted = beside(1.0, energy(&top, PI, 1.0), [6.0, -10.0]);
+        // As wide as 24 rad/s, and above every line that passes below it.
+        let passing = tilted.iter().filter(|p| p[0] < 24.0).map(|p| p[1]);
+        let passing = passing.chain([0.0, PI].map(|tilt| energy(&top, tilt, 24.0)));
+        let inverted = beside(1.0, passing.fold(0.0, f64::max), [6.0, -8.0]);
         pen.label(inverted, Start, "upside down");
         // Without a branch no state is tilted, and no stable state loses energy.
         if rise.is_some() {

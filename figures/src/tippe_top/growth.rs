@@ -64,10 +64,14 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
     let told =
         slopes.map(|slope| slope.map_or("not to be had".to_owned(), |slope| number(slope, 2)));
     let [first, second] = &told;
+    let absent = match !points.is_empty() && points.iter().all(|(_, [_, mean])| *mean <= 0.0) {
+        true => " The mean is negative throughout, and a logarithmic axis has no place for it.",
+        false => "",
+    };
     let words = words!(
         "{claim}",
         "Growth rates of the chiral top's slow swing about its quasi-steady state, in units of $\\sqrt{{g/R}}$, at ${spin:.1}\\sqrt{{g/R}}$, $\\alpha = {alpha:.2}$, the \
-         products of inertia {skew:.2} times the book's: half the difference of the two senses and their mean. Dotted: slopes 2 and 1. Where a curve falls off it changes sign.",
+         products of inertia {skew:.2} times the book's: half the difference of the two senses and their mean. Dotted: slopes 2 and 1. Where a curve falls off it changes sign.{absent}",
         "Two curves on doubly logarithmic axes, friction from 0.001 to 0.25. The half difference of the growth rates starts with slope {first}. The mean, \
          grey, starts with slope {second}. Dotted lines of slopes two and one for comparison."
     );
@@ -114,17 +118,34 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
             }
             let half = 4.2 * text.chars().count() as f64;
             let side = [1.0, -1.0][which];
-            let sides = [26.0, 44.0, -26.0, -44.0].map(|far| side * far);
+            let sides = [[26.0, 44.0], [66.0, 88.0], [-26.0, -44.0]];
+            let sides = sides.map(|pair| pair.map(|far: f64| side * far));
             let middle = line.len() / 2;
             let order = (0..line.len()).map(|k| match k % 2 {
                 0 => middle - k / 2,
                 _ => (middle + k / 2 + 1).min(line.len() - 1),
             });
-            let places = order.flat_map(|k| {
-                let [x, y] = line[k];
-                let x = x.clamp(84.0 + half, 556.0 - half);
-                sides.map(|side| [x, (y + side).clamp(44.0, 344.0)])
-            });
+            let other = curve(1 - which);
+            let far = |at: Point, from: &[Point]| {
+                let away = from.iter().map(|p| (p[0] - at[0]).hypot(p[1] - at[1]));
+                away.fold(f64::INFINITY, f64::min)
+            };
+            let beside = |sides: [f64; 2]| -> Vec<Point> {
+                let places = order.clone().flat_map(|k| {
+                    let [x, y] = line[k];
+                    let x = x.clamp(84.0 + half, 556.0 - half);
+                    sides.map(|side| [x, (y + side).clamp(44.0, 344.0)])
+                });
+                places.collect()
+            };
+            let [near, farther, mut across] = sides.map(beside);
+            // Not beyond the other curve.
+            across.retain(|at| far(*at, &line) < far(*at, &other));
+            let places = match which {
+                0 => [near, farther, across],
+                _ => [near, across, farther],
+            };
+            let places = places.concat();
             pen.name(places, &text, label(role));
         }
     });

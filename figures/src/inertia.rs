@@ -38,11 +38,15 @@ pub fn ellipsoid(values: &Values) -> Result<Figure> {
     let [a, b, c] = shorts(edges, 2);
     let [p, q, r] = numbers(semi, 3);
     let [i1, i2, i3] = shorts(moments, 2);
+    let which = match moments[0] < moments[1] * (1.0 - 1e-9) {
+        true => "the long axis has the small moment",
+        false => "the short axis has the large moment",
+    };
     let words = words!(
         "As far as spinning goes, this box is its ellipsoid of inertia.",
         "A box of {heavy} kg with edges of {a}, {b} and {c} m, and the homogeneous ellipsoid of the same mass and \
          the same inertia: semi-axes {p}, {q} and {r} m, each the half edge times {times}. Both have the principal moments \
-         $I_1 = {i1}$, $I_2 = {i2}$, $I_3 = {i3}$ kg m²; the long axis has the small moment.",
+         $I_1 = {i1}$, $I_2 = {i2}$, $I_3 = {i3}$ kg m²; {which}.",
         "A rectangular box seen from above a corner. A shaded ellipsoid with the same centre and axes bulges out of \
          every face, while the eight corners stick out of the ellipsoid. Three principal axes leave the tips, \
          labelled with the moments {i1}, {i2} and {i3}: smallest along the longest edge, largest along the shortest."

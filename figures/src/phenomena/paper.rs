@@ -101,7 +101,7 @@ pub fn paper_cat(values: &Values) -> Result<Figure> {
     let words = words!(
         "The paper cat is turned by the air, like a shuttlecock.",
         "Its centre of mass lies {lever} mm below the point at which the air pushes; weight and drag turn the feet down from every tilt but exactly upside down. Let go {shy}° from upside down, it \
-         tilts by {second}° after {early} s and {third}° after {late} s, and points its feet down first after {fall:.3} m of fall. Terminal speed {speed} m/s, mass {mass} g, \
+         tilts by {second}° after {early} s and {third}° after {late} s, and first points its feet down after {fall:.3} m of fall. Terminal speed {speed} m/s, mass {mass} g, \
          air of {dense} kg/m³. Lever drawn larger than it is.",
         "A cat cut from stiff paper in three positions, tilted by {first}, {second} and {third} degrees. In each an arrow of weight points down from a \
          dot; in the second and third, which fall fast, an arrow of drag points up to the middle of the back."

@@ -166,8 +166,8 @@ pub fn strips(paper: Paper) -> Result<String> {
     };
     let told = [
         format!("And a whole sheet, {width} mm wide, dropped flat: it {does}."),
-        "Computed for strips without ends, in still air, by a model whose coefficients were fitted to strips of paper: expect the order, \
-         not the last digit. Short strips turn more slowly, for air goes round their ends; a curled or creased one does what it likes. Film them: a \
+        "Computed for strips without ends, in still air, by a model whose coefficients were fitted to strips of paper: expect the size, \
+         not the second digit. Short strips turn more slowly, for air goes round their ends; a curled or creased one does what it likes. Film them: a \
          telephone counts turns better than an eye."
             .to_owned(),
     ];

@@ -40,7 +40,7 @@ pub fn path(values: &Values) -> Result<Figure> {
         format!("On the ball, the point of contact stays within {most} degrees of the heavy pole.")
     };
     let rounds = number(turns, 1);
-    let flight = match number(aloft.max(1.0), 0) {
+    let flight = match number(aloft, if aloft < 1.0 { 2 } else { 0 }) {
         _ if aloft == 0.0 => ", and it never leaves the table".to_owned(),
         aloft => format!("; for {aloft} per cent of that time it is in the air"),
     };

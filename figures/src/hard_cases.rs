@@ -87,7 +87,7 @@ pub fn tops(_: &Values) -> Result<Figure> {
 /// The other families.
 pub fn bodies(_: &Values) -> Result<Figure> {
     let words = words!(
-        "It is not only tops.",
+        "Long times, small angles and thin bodies cost digits, too.",
         "Six more walks: relative error against the distance that is left. For the long time and the bounces that is 1 over the time or their number, \
          for the tetrahedron its size over the distance from the origin.",
         "Six small panels with logarithmic axes: an ordinary top after a long time, a superball after many bounces, dn next to a quarter period, a small angle, a moment of a distant body, a needle. The line of the textbook climbs from \

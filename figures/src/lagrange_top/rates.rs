@@ -97,7 +97,8 @@ pub fn precession_rates(values: &Values) -> Result<Figure> {
         let (tilt, axial) = (number(end.to_degrees(), 2), brief(*axial));
         format!("{tilt}° for $L_3 = {axial}$")
     };
-    let told: Vec<String> = slow.iter().map(told).collect();
+    let mut told: Vec<String> = slow.iter().map(told).collect();
+    told.dedup();
     let (claim, meeting) = match told[..] {
         [] => (
             "Spun fast enough, a top can precess slowly or fast at every tilt.",

@@ -80,7 +80,7 @@ fn three_hundred_keep_the_promise() {
     keep(&all);
 }
 
-/// By a start displaced in one sense alone both were answered, and were off by 2.0 and 1.2 times the accuracy.
+/// By one displaced start, and an undoubled distance, all were answered, and were off by 2.0, 1.2 and 1.2 times the accuracy.
 #[test]
 fn errors_that_cancel_are_seen() {
     for case in tops::with_errors_that_cancel() {

@@ -732,8 +732,9 @@ impl Case {
     }
 }
 
-/// Two tops that amplify what steps round to about the accuracy, and in which a start displaced in one sense does not show it.
-pub fn with_errors_that_cancel() -> [Case; 2] {
+/// Three tops that amplify what steps round to about the accuracy. In the first two a start displaced in one sense does not show it, in the third a doubled
+/// distance does.
+pub fn with_errors_that_cancel() -> [Case; 3] {
     [
         Case {
             top: Top {
@@ -794,6 +795,32 @@ pub fn with_errors_that_cancel() -> [Case; 2] {
             ],
             times: vec![24.042_642_455_869_764],
             accuracy: 2.097e-12,
+        },
+        Case {
+            top: Top {
+                moments: [
+                    0.664_721_610_367_746,
+                    0.705_907_189_946_307_7,
+                    0.130_290_076_871_980_96,
+                ],
+                mass: 1.0,
+                center: [
+                    0.012_582_552_608_051_203,
+                    -0.001_066_031_029_207_252_3,
+                    -0.031_156_018_150_136_8,
+                ],
+                gravity: Some(1.0),
+                frictions: [None; 4],
+            },
+            spin: Spin::Omega([0.0; 3]),
+            attitude: [
+                -0.275_551_778_097_035_9,
+                -0.610_162_722_570_608_9,
+                -0.624_973_139_452_219_4,
+                -0.401_473_840_413_071_6,
+            ],
+            times: vec![112.816_207_307_525_2],
+            accuracy: 3.2e-13,
         },
     ]
 }

@@ -391,7 +391,7 @@ const CHECKS: usize = 8;
 /// Below this angle, rad, runs are compared only at the requested times, for no quantity has returned to an earlier value.
 const SHORT: f64 = 3.0;
 /// The reported error, in units of twice the distance of two runs and the errors of the steps: of five thousand random scenes six were off by more than that sum, two by
-/// more than twice as much. The same for what the last pair may be off by, in units of its distance: of 2,500 tops at the edge of refusal one was off by 1.3 distances.
+/// more than twice as much.
 const LUCK: f64 = 2.0;
 /// Weight of the distance at times that were not requested, after the first pair.
 const CHECKED: f64 = 0.1;
@@ -413,7 +413,7 @@ pub(crate) const ROUNDING: f64 = 4e-16;
 ///
 /// Runs that begin with the same rounded state agree on what the motion makes of that rounding. If the flow states the [`doubt`](Flow::doubt) of its
 /// start, the looser run begins beside the other and is led away from it on the way, so that the distance contains the effect; with tolerances
-/// near rounding twice, once in each direction.
+/// near rounding twice, once in each direction, and in the last pair what steps round counts twice.
 ///
 /// # Errors
 /// [`Error::Amplified`] where rounding, amplified by the motion, exceeds the accuracy, with the factor by which a change of the start
@@ -508,14 +508,16 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
                 continue;
             }
             // No tighter tolerance is left, but the worse run can be brought nearer. At times that were not requested, amplified rounding is no reason
-            // for an error, so there the runs have the same start, and the distance counts less. One sense of the doubt alone may cancel what steps round; and all these
-            // distances are of one size.
+            // for an error, so there the runs have the same start, and the distance counts less. One sense of the doubt alone may cancel what steps round; and
+            // what two runs round may cancel in part, so it counts once more.
             efforts.spread(NEARER);
             let checked = run(efforts.worse(), 0.0, &[])?.1;
             let told = |asked: &Trace<_, N>| told(asked, &checked, CHECKED);
-            error = told(&checked);
+            let of_steps = told(&checked);
+            error = of_steps;
             for off in [1.0, -1.0].into_iter().filter(|_| !sure) {
-                error = greater(error, LUCK * told(&run(efforts.worse(), off, &[])?.1));
+                let asked = told(&run(efforts.worse(), off, &[])?.1);
+                error = greater(error, asked + of_steps - rounding);
             }
         }
         if error > accuracy {

@@ -187,8 +187,8 @@ fn s4_7_the_table_bears_what_the_height_says() {
     let start = Start::about_third_axis(1.1, 0.4, 60.0).unwrap();
     let table = on_a_table(body.unwrap(), start, G, NoSlip);
     let heavy = table.with(Resistance::new(3e-4, 1e-4).unwrap()).unwrap();
-    let rows = run(&heavy, 0.04, 40, 1e-13);
-    let free = run(&table, 0.04, 40, 1e-13);
+    let rows = run(&heavy, 0.04, 40, 1e-12);
+    let free = run(&table, 0.04, 40, 1e-12);
     let (h, mut worst, mut matters) = (1e-3_f64, 0.0_f64, 0.0_f64);
     for (five, other) in rows.windows(5).zip(&free[2..]) {
         let z = [0, 1, 2, 3, 4].map(|k| five[k].1.position.z());

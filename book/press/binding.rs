@@ -117,6 +117,11 @@ fn build(settings: Config, root: &Path, folder: &Path, drawings: &[Drawing]) -> 
     indexed.map_err(wrong)?;
     book.build().map_err(|e| Error::Failed(format!("{e:#}")))?;
     typesetter.pieces.fill_folder(folder)?;
+    // On paper, and in a PDF that is passed on, a link to a file beside the pages leads nowhere.
+    let printed = folder.join("print.html");
+    let page = std::fs::read_to_string(&printed).map_err(Error::file(&printed))?;
+    let page = page.replace("<a href=\"sheets/", "<a data-href=\"sheets/");
+    std::fs::write(&printed, page).map_err(Error::file(&printed))?;
     for paper in Paper::ALL {
         drawings::sheets(paper, &folder.join("sheets"))?;
     }

@@ -90,8 +90,8 @@ fn row(ledger: &Ledger, claim: &Claim) -> String {
     let mut chapters: Vec<&str> = chapters.map(|(chapter, _)| *chapter).collect();
     chapters.dedup();
     let link = |chapter: &&str| {
-        let (place, name) = (place_id(chapter, &claim.id), chapter.replace('-', " "));
-        format!("<a href=\"{chapter}.html#{place}\">{}</a>", inert(&name))
+        let place = place_id(chapter, &claim.id);
+        format!("<a href=\"{chapter}.html#{place}\">{}</a>", inert(chapter))
     };
     let test = |place: &TestUse| {
         let file = place.file.strip_prefix("tests/").unwrap_or(&place.file);
@@ -117,13 +117,18 @@ fn row(ledger: &Ledger, claim: &Claim) -> String {
     )
 }
 
-/// The register is plain text: `L_vert` and `V_{n−1}` have an index, `w^{−1}` a power.
+/// The register is plain text: `L_vert`, `V_{n−1}` and `I₁` have an index, `w^{−1}` a power. Few fonts have small digits of their own.
 fn with_indices(html: &str) -> String {
     static INDEX: LazyLock<Regex> = LazyLock::new(|| {
-        let pattern = r"&#(95|94);(?:&#123;(.+?)&#125;|(\w+))";
+        let pattern = r"&#(95|94);(?:&#123;(.+?)&#125;|(\w+))|([₀-₉]+)";
         Regex::new(pattern).expect("it is well formed")
     });
+    let digit = |c: char| char::from_digit(u32::from(c) - u32::from('₀'), 10);
     let set = |found: &Captures<'_>| {
+        if let Some(small) = found.get(4) {
+            let digits: String = small.as_str().chars().filter_map(digit).collect();
+            return format!("<sub>{digits}</sub>");
+        }
         let tag = if &found[1] == "95" { "sub" } else { "sup" };
         let letters = found.get(2).or(found.get(3)).map_or("", |one| one.as_str());
         format!("<{tag}>{letters}</{tag}>")

@@ -11,8 +11,8 @@ use crate::scene::shape::{Cat, Crawler, PaperCat, Skater, Swivel};
 
 tables! { SwivelKeys
     [body]
-    lower: f64, "a moment in kg m²", Positive;
-    upper: f64, "a moment, of no effect beside `four_phases`, in kg m²", Positive;
+    lower: f64, "the moment of the lower part in kg m²", Positive;
+    upper: f64, "the moment of the upper part, of no effect beside `four_phases`, in kg m²", Positive;
     [initial]
     angular_momentum: f64 = 0.0, "an angular momentum in kg m²/s";
     [effects]
@@ -21,10 +21,10 @@ tables! { SwivelKeys
 }
 
 keys! { FourPhases
-    arms_out: f64, "a moment in kg m²", Positive;
-    arms_in: f64, "a moment in kg m²", Positive;
-    twist: f64, "an angle in rad";
-    duration: f64, "a time in s", Positive;
+    arms_out: f64, "the upper moment with the arms out in kg m²", Positive;
+    arms_in: f64, "the upper moment with the arms in, in kg m²", Positive;
+    twist: f64, "the angle by which the upper part twists, and back, in rad";
+    duration: f64, "the time of a cycle in s", Positive;
     pace: Pace, "";
 }
 
@@ -56,7 +56,7 @@ pub fn swivel(file: &Reader<'_>, given: SwivelKeys) -> Option<AnyScene> {
 
 tables! { SkaterKeys
     [body]
-    core: f64, "a moment in kg m²", Positive;
+    core: f64, "the moment without the hands in kg m²", Positive;
     hand: f64, "the mass of each hand in kg, not negative";
     [initial]
     reach: f64, "the distance of the hands in m, not negative";
@@ -67,9 +67,9 @@ tables! { SkaterKeys
 }
 
 keys! { Draw
-    to: f64, "a distance in m", NotNegative;
-    begin: f64 = 0.0, "a time in s", NotNegative;
-    duration: f64, "a time in s", Positive;
+    to: f64, "the last distance of the hands in m", NotNegative;
+    begin: f64 = 0.0, "the time at which the hands begin in s", NotNegative;
+    duration: f64, "the time that the hands take in s", Positive;
     pace: Pace, "";
 }
 
@@ -104,9 +104,9 @@ pub fn skater(file: &Reader<'_>, given: SkaterKeys) -> Option<AnyScene> {
 tables! { CatKeys
     [body]
     mass: [f64; 2], "two masses in kg", Positive;
-    axial: [f64; 2], "two moments in kg m²", Positive;
-    transverse: [f64; 2], "two moments in kg m²", Positive;
-    to_joint: [f64; 2], "two distances in m", Positive;
+    axial: [f64; 2], "two moments about the spine in kg m²", Positive;
+    transverse: [f64; 2], "two moments across the spine in kg m²", Positive;
+    to_joint: [f64; 2], "two distances from centre of mass to joint in m", Positive;
     [initial]
     attitude: Attitude, "a unit quaternion w x y z";
     [effects]
@@ -115,9 +115,9 @@ tables! { CatKeys
 }
 
 keys! { Turnover
-    forward: f64, "an angle in rad", From(0.0, PI);
-    back: f64, "an angle in rad", From(0.0, PI);
-    duration: f64, "a time in s", Positive;
+    forward: f64, "the bend forward in rad", From(0.0, PI);
+    back: f64, "the bend backward, half-way round, in rad", From(0.0, PI);
+    duration: f64, "the time of the whole turn in s", Positive;
     pace: Pace, "";
 }
 
@@ -170,7 +170,7 @@ tables! { PaperCatKeys
     [body]
     card: Postcard;
     [initial]
-    tilt: f64, "an angle in rad", From(-MOST_TURNED, MOST_TURNED);
+    tilt: f64, "the tilt from feet-down in rad", From(-MOST_TURNED, MOST_TURNED);
     [effects]
     gravity: Option<Gravity>, "an acceleration in m/s²";
     air: Option<Air>, "a density in kg/m³", NotNegative;
@@ -180,11 +180,11 @@ const POSTCARD: Postcard = Postcard::POSTCARD;
 
 keys! { Postcard
     mass: f64 = POSTCARD.mass, "a mass in kg", Positive;
-    area: f64 = POSTCARD.area, "an area in m²", Positive;
-    lever: f64 = POSTCARD.lever, "a distance in m";
-    gyration: f64 = POSTCARD.gyration, "a distance in m", Positive;
-    coefficient: f64 = POSTCARD.coefficient, "a number", Positive;
-    damping: f64 = POSTCARD.damping, "an area in m²", Positive;
+    area: f64 = POSTCARD.area, "the area of the sheet in m²", Positive;
+    lever: f64 = POSTCARD.lever, "the height of the centre of pressure above the centre of mass, feet down, in m";
+    gyration: f64 = POSTCARD.gyration, "the radius of gyration in m", Positive;
+    coefficient: f64 = POSTCARD.coefficient, "the coefficient of the normal force, a number", Positive;
+    damping: f64 = POSTCARD.damping, "the square of the damping length in m²", Positive;
 }
 
 pub fn paper_cat(file: &Reader<'_>, given: PaperCatKeys) -> Option<AnyScene> {
@@ -215,14 +215,14 @@ tables! { CrawlerKeys
 }
 
 keys! { Strokes
-    gap: f64, "a distance in m", Positive;
-    length: f64, "a distance in m", Positive;
-    push: f64, "a time in s", Positive;
-    pull: f64, "a time in s", Positive;
+    gap: f64, "the least distance of the feet in m", Positive;
+    length: f64, "the length of a push in m", Positive;
+    push: f64, "the time of a push in s", Positive;
+    pull: f64, "the time of a pull in s", Positive;
 }
 
 section! { GroundFriction
-    coefficient: Coulomb, "a number", NotNegative;
+    coefficient: Coulomb, "the coefficient of friction, a ratio", NotNegative;
     gravity: Gravity, "an acceleration in m/s²", Positive;
 }
 

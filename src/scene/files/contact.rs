@@ -224,8 +224,8 @@ tables! { PlanetKeys
     omega: Option<BodyVector>, "an angular velocity in rad/s";
     [effects]
     impact_mass: Option<f64>, "the mass of the meteorite in kg", Positive;
-    impact_velocity: Option<BodyVector>, "a velocity in m/s";
-    impact_at: Option<BodyVector>, "a place in m";
+    impact_velocity: Option<BodyVector>, "the velocity of the meteorite in m/s";
+    impact_at: Option<BodyVector>, "the place of the impact, from the centre of the planet, in m";
 }
 
 pub fn meteorite(file: &Reader<'_>, given: PlanetKeys) -> Option<AnyScene> {

@@ -11,7 +11,7 @@ tables! { StripKeys
     width: f64, "a width in m", Positive;
     areal_density: f64, "a mass per area in kg/m²", Positive;
     fluid_density: f64 = 0.0, "a density in kg/m³", NotNegative;
-    thickness_ratio: f64 = 0.0, "a number from 0 to 1";
+    thickness_ratio: f64 = 0.0, "the thickness over the width, a number from 0 to 1";
     inertia_factor: Option<f64>, "a number, 1/3 for a thin plate", Positive;
     [initial]
     start: StripStart;

@@ -19,7 +19,7 @@ tables! { YoYoKeys
     gravity: Option<Gravity>, "an acceleration in m/s²", Positive;
     turn_loss: Option<TurnLoss>, "the part of the spin that a turn leaves", From(0.0, 1.0);
     hand: Option<Hand>, "the work of the hand at a turn in J", NotNegative;
-    sleep: Option<Sleep>, "a time in s", NotNegative;
+    sleep: Option<Sleep>, "the time that it sleeps at the end of the string in s", NotNegative;
     axle_friction: Option<AxleFriction>, "a torque in N m", NotNegative;
     air_drag: Option<AirDrag>, "a coefficient in kg m²", NotNegative;
 }

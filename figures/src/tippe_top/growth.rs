@@ -86,11 +86,6 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
             ["friction *μ*", "growth rate, √(*g*/*R*)"],
         );
         let shown = |rate: f64| rate > RATE[0] && rate < RATE[1];
-        let texts_of = ["half the difference", "mean"];
-        let curve = |which: usize| -> Vec<Point> {
-            let seen = points.iter().filter(|p| shown(p.1[which]));
-            seen.map(|p| frame.at(p.0, p.1[which])).collect()
-        };
         for (which, power) in [(0, 2.0), (1, 1.0)] {
             let role = [Ink, Muted][which];
             let seen = |p: &&(f64, [f64; 2])| shown(p.1[which]);
@@ -105,48 +100,25 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
                 beaded(pen, &line, stroke(role, DATA));
             }
         }
-        // Each name as near to the middle of its curve as there is room, the steep one rather below it.
-        for which in [0, 1] {
-            let role = [Ink, Muted][which];
-            let text = match slopes[which] {
-                Some(slope) => format!("{}: slope {}", texts_of[which], number(slope, 1)),
-                None => texts_of[which].to_owned(),
-            };
-            let line = curve(which);
-            if line.is_empty() {
-                continue;
-            }
+        // Both curves rise: there is room above the upper one to the left, and below the lower one to the right, most where they are far apart.
+        let apart = |rates: [f64; 2]| (rates[0] / rates[1]).abs().ln().abs();
+        let mut ordered = points.clone();
+        ordered.sort_by(|a, b| apart(b.1).total_cmp(&apart(a.1)));
+        for (which, name) in ["half the difference", "mean"].into_iter().enumerate() {
+            let slope = slopes[which].map(|slope| format!(": slope {}", number(slope, 1)));
+            let text = name.to_owned() + &slope.unwrap_or_default();
             let half = 4.2 * text.chars().count() as f64;
-            let side = [1.0, -1.0][which];
-            let sides = [[26.0, 44.0], [66.0, 88.0], [-26.0, -44.0]];
-            let sides = sides.map(|pair| pair.map(|far: f64| side * far));
-            let middle = line.len() / 2;
-            let order = (0..line.len()).map(|k| match k % 2 {
-                0 => middle - k / 2,
-                _ => (middle + k / 2 + 1).min(line.len() - 1),
+            let seen = ordered.iter().filter(|p| shown(p.1[which]));
+            let beside = seen.map(|&(mu, rates)| {
+                let [x, y] = frame.at(mu, rates[which]);
+                let side = (rates[1 - which] - rates[which]).signum();
+                let x = x + side * half;
+                [x.clamp(84.0 + half, 556.0 - half), y + 18.0 * side]
             });
-            let other = curve(1 - which);
-            let far = |at: Point, from: &[Point]| {
-                let away = from.iter().map(|p| (p[0] - at[0]).hypot(p[1] - at[1]));
-                away.fold(f64::INFINITY, f64::min)
-            };
-            let beside = |sides: [f64; 2]| -> Vec<Point> {
-                let places = order.clone().flat_map(|k| {
-                    let [x, y] = line[k];
-                    let x = x.clamp(84.0 + half, 556.0 - half);
-                    sides.map(|side| [x, (y + side).clamp(44.0, 344.0)])
-                });
-                places.collect()
-            };
-            let [near, farther, mut across] = sides.map(beside);
-            // Not beyond the other curve.
-            across.retain(|at| far(*at, &line) < far(*at, &other));
-            let places = match which {
-                0 => [near, farther, across],
-                _ => [near, across, farther],
-            };
-            let places = places.concat();
-            pen.name(places, &text, label(role));
+            let places: Vec<Point> = beside.collect();
+            if !places.is_empty() {
+                pen.name(places, &text, label([Ink, Muted][which]));
+            }
         }
     });
     let columns = "friction | half the difference over √(g/R) | mean over √(g/R)";

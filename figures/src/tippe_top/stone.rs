@@ -19,7 +19,7 @@ const BELLY: [f64; 3] = [0.2, 0.03, 0.02];
 const MIDDLE: Point = [300.0, 82.0];
 const METRE: f64 = 1250.0;
 /// The lens at the tip: its middle, radius and magnification.
-const LENS: (Point, f64, f64) = ([494.0, 232.0], 74.0, 8.0);
+const LENS: (Point, f64, f64) = ([494.0, 232.0], 74.0, 6.0);
 
 /// The stone of Kane and Levinson with this product of inertia (m²).
 fn stone(product: f64) -> Result<ConvexBody> {
@@ -124,26 +124,20 @@ fn lens(pen: &mut Pen, outline: &[Point], angle: f64, [belly, inertia]: [Stroke;
     let to = [MIDDLE[0] + tip, MIDDLE[1] + 8.0];
     let ends = [to, [to[0] - 4.0, center[1] - radius]];
     pen.line(ends, muted(AXIS).dotted());
-    let (side, left) = (15.0 * angle.signum(), shifted(center, [-0.4 * radius, 0.0]));
-    let curves = [
-        (outline.to_vec(), inked(SECONDARY), None),
-        (axis(0.0), belly, Some(("belly", side))),
-        (axis(angle), inertia, Some(("inertia", -side))),
-    ];
-    let mut names = Vec::new();
-    for (curve, style, name) in curves {
+    for (curve, style) in [
+        (outline.to_vec(), inked(SECONDARY)),
+        (axis(0.0), belly),
+        (axis(angle), inertia),
+    ] {
         let placed: Vec<Point> = curve.iter().map(place).collect();
         pen.lines(placed.split(|p| !within(p)), style);
-        let near = placed
-            .into_iter()
-            .filter(|p| distance(*p, center) < 0.6 * radius);
-        // Each name on the far side of its axis from the other.
-        if let Some(((text, down), at)) = name.zip(nearest(left, near)) {
-            names.push((shifted(at, [0.0, down]), text));
-        }
     }
-    for (at, text) in names {
-        pen.name([at], text, small(Ink));
+    // Each name outside, where its axis enters.
+    let left = tip - 1.4 * radius / times;
+    let heights = [0.0, angle].map(|turned| place(&[left, left * turned.tan()])[1]);
+    for (text, y) in ["belly", "inertia"].into_iter().zip(spread(heights, 18.0)) {
+        let out = (radius.powi(2) - (y - center[1]).powi(2)).max(0.0).sqrt();
+        pen.note([center[0] - out - 6.0, y + 5.0], End, text);
     }
 }
 

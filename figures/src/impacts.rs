@@ -129,15 +129,16 @@ fn glass(pen: &mut Pen, exact: Point, rough: Point) {
         .find(|times| times * apart < 50.0)
         .unwrap_or(1.0);
     let rim = (GLASS_RADIUS / magnified + 3.0).min(14.0);
-    pen.ring(exact, rim, inked(AXIS));
-    let (dx, dy) = (GLASS[0] - exact[0], GLASS[1] - exact[1]);
+    let middle = between(exact, rough, 0.5);
+    pen.ring(middle, rim, inked(AXIS));
+    let (dx, dy) = (GLASS[0] - middle[0], GLASS[1] - middle[1]);
     let way = dy.atan2(dx);
-    let start = polar(exact, rim, -way);
+    let start = polar(middle, rim, -way);
     let stop = polar(GLASS, -GLASS_RADIUS, -way);
     pen.line([start, stop], inked(HAIR));
     pen.disc(GLASS, GLASS_RADIUS, Ink, 0.04);
     pen.ring(GLASS, GLASS_RADIUS, inked(SECONDARY));
-    let enlarged = |[x, y]: Point| planned(GLASS, magnified, [x - exact[0], exact[1] - y]);
+    let enlarged = |[x, y]: Point| planned(GLASS, magnified, [x - middle[0], middle[1] - y]);
     for (tip, style) in [
         (exact, stroke(Omega, 2.8)),
         (rough, stroke(Omega, SECONDARY).dashed()),
@@ -152,8 +153,11 @@ fn glass(pen: &mut Pen, exact: Point, rough: Point) {
         }
         pen.arrow(on(t), there, style);
     }
-    let tips = [enlarged(exact), enlarged(rough)];
-    for (tip, lines) in tips.into_iter().zip([&["exact"][..], &["first", "order"]]) {
+    for (tip, other, lines) in [
+        (exact, rough, &["exact"][..]),
+        (rough, exact, &["first", "order"]),
+    ] {
+        let [tip, other] = [tip, other].map(enlarged);
         let half = [20.0, 8.0 * lines.len() as f64];
         let places = (0..24).flat_map(|k| {
             [30.0, 38.0, 46.0].map(|far| {
@@ -161,7 +165,10 @@ fn glass(pen: &mut Pen, exact: Point, rough: Point) {
                 shifted(tip, [x, 0.8 * y])
             })
         });
+        // On the side of its tip where the other one is not.
         let inside = places.filter(|p| distance(*p, GLASS) < GLASS_RADIUS - 24.0);
+        let inside =
+            inside.filter(|p| distance(*p, other) >= distance(*p, tip).hypot(distance(tip, other)));
         let [x, y] = pen.room(inside, half);
         for (line, text) in lines.iter().enumerate() {
             let at = [x, y + 13.0 - half[1] + 16.0 * line as f64];

@@ -211,12 +211,18 @@ pub fn bands(values: &Values) -> Result<Figure> {
     // The range of the polynomial between its outermost roots, and slightly beyond them.
     let (from, to) = (real[0] - 1.1, real[real.len() - 1] + 0.35);
     let grid: Vec<(f64, f64)> = spaced([from, to], 600).map(|s| (s, value(s))).collect();
-    let made = figure("kovalevskaya-bands", 226.0, words, |pen| {
-        let x = |s: f64| 30.0 + 540.0 * (s - from) / (to - from);
+    let made = figure("kovalevskaya-bands", 246.0, words, |pen| {
+        let axis = Axis::linear([from, to], [30.0, 570.0]);
+        let x = |s: f64| axis.at(s);
         let y = |p: f64| LEVEL - 13.0 * (p / 0.01).asinh();
         let seen = |[_, y]: &Point| (8.0..=216.0).contains(y);
         let graph: Vec<Point> = grid.iter().map(|&(s, p)| [x(s), y(p)]).collect();
         pen.line([[20.0, LEVEL], [580.0, LEVEL]], inked(AXIS));
+        // Numbers stand below the curve, with a faint line to each.
+        for (s, text) in axis.ticks(70.0) {
+            pen.line([[x(s), 8.0], [x(s), 216.0]], inked(HAIR).alpha(0.18));
+            pen.tick_below([x(s), 216.0], 22.0, &text);
+        }
         // Nothing is drawn where it is beyond the picture.
         pen.lines(graph.split(|p| !seen(p)), inked(DATA));
         if let Some((((low, high), turn), _)) = moving {

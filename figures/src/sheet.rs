@@ -71,8 +71,8 @@ pub fn speeds(values: &Values) -> Result<Figure> {
     let slips: Vec<f64> = corners.iter().map(|&t| course.at(t).slip).collect();
     let least = slips.iter().copied().fold(0.0, f64::min);
     let most = slips.iter().copied().fold(0.0, f64::max);
-    let [pull, on_sheet, on_table] = shorts(values.each([PULL, ON_SHEET, ON_TABLE]), 2);
-    let (inertia, ratio) = (short(kappa, 3), short(1.0 / kappa, 2));
+    let [pull, on_sheet, on_table] = briefs(values.each([PULL, ON_SHEET, ON_TABLE]));
+    let (inertia, ratio) = (brief(kappa), short(1.0 / kappa, 2));
     let [gone, way] = numbers([1e3 * leaves, 1e3 * place], 1);
     let end = number(1e3 * stops, 0);
     let [velocity, rim] = numbers([then.velocity, then.rim_speed], 2);

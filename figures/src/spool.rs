@@ -67,9 +67,9 @@ fn told(way: Way) -> &'static str {
     }
 }
 
-/// To a tenth of a degree, without a trailing zero.
+/// In degrees, as the sliders give it.
 fn degrees(angle: f64) -> String {
-    short(angle.to_degrees(), 1) + "°"
+    brief(angle.to_degrees()) + "°"
 }
 
 /// The line of force above, through and below the point of contact.
@@ -94,7 +94,7 @@ pub fn three_tugs(values: &Values) -> Result<Figure> {
             "The line of force decides: at {first} the spool {low}, at {third} it {steep}."
         ),
     };
-    let axle = number(ratio, 2);
+    let axle = brief(ratio);
     let words = words!(
         "{claim}",
         "Axle {axle} of the discs, string leaving from below, tug to the left at {first}, {second} and {third} (the tutorial's pictures f, e \
@@ -144,7 +144,7 @@ pub fn dial(values: &Values) -> Result<Figure> {
     let at = |angle: f64| Ok(spool.rolling_acceleration(Tug::new(tension, angle)?));
     let rays = tried(spaced([0.0, PI], 36), |angle| Ok((angle, at(angle)?)))?;
     let (level, back) = (at(0.0)?, at(PI)?);
-    let (axle, force) = (number(ratio, 2), brief(tension));
+    let [axle, force] = briefs([ratio, tension]);
     let [most, away, after] = numbers([level, -at(PI / 2.0)?, -back], 2);
     let words = words!(
         "The spool comes for every tug lower than {degrees} degrees, runs away from a steeper one, and follows a hand beyond the vertical.",

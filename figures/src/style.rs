@@ -654,6 +654,11 @@ pub fn short(value: f64, digits: usize) -> String {
     }
 }
 
+/// Several numbers as sliders give them.
+pub fn briefs<const N: usize>(values: [f64; N]) -> [String; N] {
+    values.map(brief)
+}
+
 /// Several numbers with this number of decimals each.
 pub fn numbers<const N: usize>(values: [f64; N], digits: usize) -> [String; N] {
     values.map(|value| number(value, digits))

@@ -103,8 +103,7 @@ pub fn ice(values: &Values) -> Result<Figure> {
     let slid = [1, 2, 3].map(|k| placed[k][0] - placed[0][0]);
     let mass: f64 = poses[0].parts().iter().map(|part| part.mass).sum();
     let [left, right, _] = numbers(slid, 3);
-    let [whole, body] = shorts([mass, trunk], 1);
-    let [less, more] = shorts([0.9 * lean, lean], 2);
+    let [whole, body, less, more] = briefs([mass, trunk, 0.9 * lean, lean]);
     let [first, second, _] = numbers(slid, 2);
     let words = words!(
         "However you wriggle, the centre of mass keeps to one vertical line.",
@@ -182,9 +181,9 @@ pub fn crawler(values: &Values) -> Result<Figure> {
             "Without friction nobody gets anywhere, and these strokes hardly do with friction either."
         }
     };
-    let [rear, push, pull] = shorts([values.of(&REAR), strokes.push, strokes.pull], 2);
+    let [rear, push, pull] = briefs([values.of(&REAR), strokes.push, strokes.pull]);
     let (apart, iced) = (strokes.length, short(way(&ice), 3));
-    let (lasts, rough, reached) = (short(span, 2), short(mu, 3), short(far, 3));
+    let (lasts, rough, reached) = (short(span, 2), brief(mu), short(far, 3));
     let words = words!(
         "{claim}",
         "Left, seen from above: six parts on ice, pulled about by fifteen muscles for 5 s; the dot is the track of their centre of mass. Right: two feet of \

@@ -193,7 +193,7 @@ pub fn momentum_flow(values: &Values) -> Result<Figure> {
             format!("; a dot every {tick} s. {saddles}"),
             format!(
                 "Closed curves circle the axis of the smallest moment and the axis of the largest one. At the axis of the middle moment two heavy great circles cross, \
-                 inwards along one, outwards along the other; they divide the sphere into four parts. Dots stand every {tick} seconds."
+                 inwards along one, outwards along the other; they divide the sphere into four parts. Dots stand {tick} s apart."
             ),
         ],
         _ => [
@@ -201,7 +201,7 @@ pub fn momentum_flow(values: &Values) -> Result<Figure> {
                 "; a dot every {tick} s. Nothing departs from the equator of the equal axes. The flow is nowhere faster than {fastest:.4} per second."
             ),
             format!(
-                "Circles go round the axis whose moment differs from the other two. Dots stand every {tick} seconds."
+                "Circles go round the axis whose moment differs from the other two. Dots stand {tick} s apart."
             ),
         ],
     };

@@ -73,14 +73,13 @@ pub fn two_axes(values: &Values) -> Result<Figure> {
         ),
     };
     let [[from, to], [top, bottom]] = extremes.map(|ends| numbers(ends, 0));
-    let rounds = number(days / going_round, 0);
     let words = words!(
         "{claim}",
         "Where its long axis (thick, a dot a day in the first week) and its short axis (thin) point for {days} days from 9 November 1992, on a sphere with \
          $L$ upright. The long axis keeps between {low}° and {high}° from $L$ and goes round in {round} days; about it \
          the body rolls in {rolls} days, and the short axis draws a net, from {least}° to {most}°.{begins}",
         "A sphere with the angular momentum pointing up. The long axis of the asteroid runs round it nearly in a circle of latitude, {from} to \
-         {to} degrees from the top, {rounds} times in {days} days. The short axis draws loops between {top} and {bottom} degrees, which in time make a fine net \
+         {to} degrees from the top, once in {round} of the {days} days. The short axis draws loops between {top} and {bottom} degrees, which in time make a fine net \
          over a belt of the sphere."
     );
     let made = figure("toutatis", 392.0, words, |pen| {

@@ -159,7 +159,7 @@ pub fn polhodes(values: &Values) -> Result<Figure> {
         "An ellipsoid with its longest axis upright, its semi-axes as the roots of {inertia}, covered by closed curves: flat rings round the upright third axis, upright \
          rings round the first axis on the left. Two crossing ellipses, the separatrix, part them and meet on the second \
          axis, which points at the reader's right. Dots at equal times are wide apart where a curve swings across and \
-         crowd together next to the crossing: there the top dawdles, and from there it runs across to the far side. One curve is thick, on a sphere {thick} degrees from the \
+         crowd together next to the crossing: there the top dawdles, and from there it runs across to the far side. One curve is thick, on a sphere {thick}° from the \
          first axis."
     );
     let made = figure("polhodes", 448.0, words, |pen| {

@@ -63,7 +63,7 @@ pub fn thrown_brick(values: &Values) -> Result<Figure> {
         };
     let [low, high] = &told;
     let [long, middle, thin] = EDGES.map(|edge| short(1e2 * edge, 1));
-    let (spun, lean) = (short(turns, 2), short(off, 1));
+    let [spun, lean] = briefs([turns, off]);
     let apart = short(FLIGHT / f64::from(PICTURES - 1), 3);
     let words = words!(
         "{claim}",

@@ -84,7 +84,7 @@ pub fn gyroscope(values: &Values) -> Result<Figure> {
         }
     };
     let (pace, round) = (number(rate, 3), number(TAU / rate, 2));
-    let [spun, lean] = shorts([turns, degrees], 1);
+    let [spun, lean] = briefs([turns, degrees]);
     let words = words!(
         "The weight's torque pushes the tip of L sideways, so the axle goes round instead of down: at {pace} rad/s, {beside}.",
         "A wheel of 0.1 kg at $\\ell = 4$ cm from its support, $I_3 = 6 \\cdot 10^{{-5}}$ kg m², {spun} turns a second, axle {lean}° from the vertical: $Mg\\ell/L_3 = {law:.4}$ \

@@ -46,8 +46,7 @@ pub fn meteorite(values: &Values) -> Result<Figure> {
         true => "A small meteorite can tilt a planet's axis a long way.".to_owned(),
         false => format!("Hit like this, the planet's axis tilts by {tilt} degrees only."),
     };
-    let (ratio, light) = (short(moment, 3), short(small_mass, 4));
-    let (across, up) = (short(velocity.y(), 1), short(height, 3));
+    let [ratio, light, across, up] = briefs([moment, small_mass, velocity.y(), height]);
     let [across, up, exactly, roughly] = [across, up, triple(after), triple(rough)].map(ascii);
     let (outward, off, over) = (short(out, 3), number(miss, 1), short(height, 2));
     let words = words!(

@@ -34,8 +34,8 @@ pub fn ellipsoid(values: &Values) -> Result<Figure> {
     let semi = ellipsoid_of_inertia(mass, &principal.principal_moments())?;
     let half = Vector::from(edges) / 2.0;
 
-    let (heavy, times) = (short(mass, 2), number(semi[0] / half[0], 3));
-    let [a, b, c] = shorts(edges, 2);
+    let (heavy, times) = (brief(mass), number(semi[0] / half[0], 3));
+    let [a, b, c] = briefs(edges);
     let [p, q, r] = numbers(semi, 3);
     let [i1, i2, i3] = shorts(moments, 2);
     let which = match moments[0] < moments[1] * (1.0 - 1e-9) {

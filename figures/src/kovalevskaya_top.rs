@@ -35,7 +35,7 @@ fn start(values: &Values) -> Result<TopState> {
 }
 
 fn spun(values: &Values) -> String {
-    let told = shorts(values.each([FIRST, SECOND, THIRD]), 2).join(", ");
+    let told = briefs(values.each([FIRST, SECOND, THIRD])).join(", ");
     format!("$\\Omega=({})$ rad/s", told.replace('\u{2212}', "-"))
 }
 
@@ -89,7 +89,7 @@ pub fn circle(values: &Values) -> Result<Figure> {
     let round = angles[0] + TAU - angles[angles.len() - 1];
     let open = angles.windows(2).map(|pair| pair[1] - pair[0]);
     let open = open.fold(round, f64::max);
-    let named = short(ratio, 2);
+    let named = brief(ratio);
     let [low, high] = [least, greatest].map(|radius| number(radius, 2));
     let mut told = "It does not wander.".to_owned();
     let mut ring = "the same circle".to_owned();

@@ -92,16 +92,12 @@ pub fn gas_box(values: &Values) -> Result<Figure> {
             halves(defect).replace('\u{2212}', "-")
         ),
     };
-    let angle = number(values.of(&ANGLE), 0);
-    let side = |k: usize| {
-        let text = number(sides[k], 2);
-        text.strip_suffix(".00").unwrap_or(&text).to_owned()
-    };
+    let angle = brief(values.of(&ANGLE));
     let turns = match torques[1] < 0.0 {
         true => "clockwise",
         false => "anticlockwise",
     };
-    let [ar, rb, ab] = [0, 1, 2].map(side);
+    let [ar, rb, ab] = briefs(sides);
     let [arm_ar, arm_rb, arm_ab] = arms.map(halves);
     let [first, second, third] = &shown;
     let [one, two] = [first, second].map(|torque| torque.replace('\u{2212}', "-"));

@@ -59,10 +59,10 @@ pub fn billiard(values: &Values) -> Result<Figure> {
     };
     let which = match kappa == 0.4 {
         true => "a billiard ball".to_owned(),
-        false => format!("a ball of inertia factor {}", short(kappa, 3)),
+        false => format!("a ball of inertia factor {}", brief(kappa)),
     };
-    let [heights, slips] = [0, 1].map(|k| listed(k, 2));
-    let (factor, height) = (short(kappa, 3), short(sweet, 3));
+    let [heights, slips] = [(0, 3), (1, 2)].map(|(k, digits)| listed(k, digits));
+    let (factor, height) = (brief(kappa), short(sweet, 3));
     let percent = short(50.0 * sweet, 1);
     let words = words!(
         "Hit at {percent} per cent of its height, {which} rolls at once.",

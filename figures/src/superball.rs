@@ -58,7 +58,7 @@ fn three_bounces<T: Copy>(
 /// The exact number if that is short, for the text.
 fn inline(value: f64, exact: Option<Ratio<i128>>) -> String {
     let Some(exact) = exact.filter(|exact| *exact.denom() < 1000) else {
-        return short(value, 3);
+        return brief(value);
     };
     exact.to_string().replace('-', "\u{2212}")
 }
@@ -146,7 +146,7 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
         false => {
             let part = match grip == 0.0 {
                 true => "nothing".to_owned(),
-                false => short(grip, 2),
+                false => brief(grip),
             };
             format!("A ball that gets back {part} of its contact speed")
         }
@@ -161,7 +161,7 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
     let plain = |text: &str| text.replace('\u{2212}', "-");
     let about_spin = match spin == 0.0 {
         true => "no spin".to_owned(),
-        false => format!("rim speed ${}\\,V$", plain(&short(spin, 2))),
+        false => format!("rim speed ${}\\,V$", plain(&brief(spin))),
     };
     let inertia = inline(kappa, fraction_of(kappa));
     let [p1, p2, p3] = velocities.each_ref().map(|text| plain(text));

@@ -78,7 +78,7 @@ pub fn tops(values: &Values) -> Result<Figure> {
     let listed = |m: [f64; 3]| shares(m).map(|i| number(i, 3)).join(", ");
 
     let [a, b, c, d, e] = [book, phone, racket, brick, water].map(listed);
-    let [length, width, height] = numbers(edges, 0);
+    let [length, width, height] = briefs(edges);
     let way = number(flatness, 4);
     let lies = if inside { "inside" } else { "close to an edge" };
     let words = words!(

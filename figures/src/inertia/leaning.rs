@@ -38,7 +38,7 @@ pub fn leaning(values: &Values) -> Result<Figure> {
     let momentum = |angle: f64| inertia.angular_momentum(spin(angle));
     let angle = direction.to_radians();
     let lean = inertia.angle_between_l_and_omega(spin(angle))?.to_degrees();
-    let (told, shown) = (short(direction, 1), number(lean, 1));
+    let (told, shown) = (brief(direction), number(lean, 1));
     let parallel = lean < 0.05;
     let claim = match parallel {
             true => "Spun about a principal axis, the box has its angular momentum along the axis of rotation.".to_owned(),
@@ -46,7 +46,7 @@ pub fn leaning(values: &Values) -> Result<Figure> {
                 "Spun about an axis {told}° off its long edge, the box has an angular momentum that leans {shown}° away from that axis."
             ),
         };
-    let [a, b, c] = shorts([long, middle, thin], 2);
+    let [a, b, c] = briefs([long, middle, thin]);
     let ratio = number(largest / smallest, 2);
     let [most, at] = numbers([worst, at_worst].map(f64::to_degrees), 1);
     let stands = match parallel {

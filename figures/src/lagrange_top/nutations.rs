@@ -216,7 +216,7 @@ pub fn nutations(values: &Values) -> Result<Figure> {
     let [slow, fast] = [4, 5].map(|k: usize| globes[k].pace());
     let yours = yours(values);
     let own = yours.trace()?;
-    let [vertical, axial] = numbers(yours.momenta, 2);
+    let [vertical, axial] = briefs(yours.momenta);
     let tilts = own.heights.map(|height| height.clamp(-1.0, 1.0).acos());
     let [greatest, least] = numbers(tilts.map(f64::to_degrees), 1);
     let kind = [told(own.kind, yours.pace()), "a circle"][usize::from(least == greatest)];

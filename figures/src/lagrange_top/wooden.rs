@@ -48,7 +48,7 @@ fn launched(values: &Values) -> Result<LagrangeTop> {
 
 /// The part of the caption that the figures share.
 fn described(values: &Values) -> String {
-    let [tilt, turns] = shorts(values.each([TILT, TURNS]), 1);
+    let [tilt, turns] = briefs(values.each([TILT, TURNS]));
     format!(
         "A wooden top of 100 g, its centre of mass 4 cm above the tip, $I_1 = 2 \\cdot 10^{{-4}}$ and $I_3 = 7 \\cdot 10^{{-5}}$ kg m², tilted by {tilt}° and spun at {turns} turns a second; \
          the disc is the thin one of the same $I_3$."
@@ -57,7 +57,7 @@ fn described(values: &Values) -> String {
 
 /// The question: which way?
 pub fn wooden_top(values: &Values) -> Result<Figure> {
-    let (body, tilt) = (described(values), short(values.of(&TILT), 1));
+    let (body, tilt) = (described(values), brief(values.of(&TILT)));
     let words = words!(
         "A spinning top leans, and a finger holds its axis still.",
         "{body} Which way does the nose go when the finger lets go?",
@@ -124,7 +124,7 @@ fn drawn(name: &'static str, values: &Values, words: Words, path: bool) -> Resul
                 pen.name(beyond, "?", label(Ink));
             }
         }
-        let tilt = format!("{}°", short(values.of(&TILT), 1));
+        let tilt = brief(values.of(&TILT)) + "°";
         let between = (0..40).map(|k| at(&((Vector::z() + held) * (0.01 + 0.001 * f64::from(k)))));
         pen.name(between, &tilt, small(Ink));
     });

@@ -75,7 +75,7 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
     let low = (curves[0].1[0][1] / 30.0).floor() * 30.0;
     let frame = Frame::linear([0.0, 90.0], [low, 240.0], [LEFT, RIGHT, BOTTOM, TOP]);
     let needed = |k: usize| curves[k].2.map(|back| number(back, 2));
-    let name = |forward: f64| short(forward, 1);
+    let name = brief;
     let told = |k: usize| {
         let (back, forward) = (needed(k)?, name(curves[k].0));
         Some(format!("{back}° back after {forward}° forward"))
@@ -87,7 +87,7 @@ pub fn back_bend(values: &Values) -> Result<Figure> {
         false => format!("Half a turn takes {}", listed.join(", ")),
     };
     let names: Vec<String> = forwards.iter().map(|forward| name(*forward)).collect();
-    let (shape, names) = (short(ratio, 2), names.join(", "));
+    let (shape, names) = (brief(ratio), names.join(", "));
     let cut = curves.iter().filter(|curve| curve.2.is_some()).count();
     let words = words!(
         "The more a cat bends forward, the less it must bend backward.",

@@ -43,10 +43,10 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
     let round = || spaced([0.0, TAU], 240).map(|s| path(s).shape);
     let turn = turn_within(&cat, path, Hub::Pole)?.to_degrees();
     let net = waist.swivel_angle(FRAC_PI_2)?.to_degrees();
-    let [below, out, near] = shorts([waist.lower, waist.upper_arms_out, waist.upper_arms_in], 2);
+    let [below, out, near] = briefs([waist.lower, waist.upper_arms_out, waist.upper_arms_in]);
     let [held, holds] = [3, 1].map(|digits| number(net.abs(), digits));
     let widest = number(WIDEST.to_degrees(), 0);
-    let bent = short(forward.to_degrees(), 1);
+    let bent = brief(forward.to_degrees());
     let [behind, backward] = [2, 1].map(|digits| number(back.to_degrees(), digits));
     let charge = short(turn.abs(), 4);
     let words = words!(

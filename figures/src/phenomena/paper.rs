@@ -93,11 +93,10 @@ pub fn paper_cat(values: &Values) -> Result<Figure> {
     let terminal = cat.terminal_speed(air, GRAVITY);
     let tilts = [0, 1, 2].map(|n| rows[n].1.tilt);
     let drags = [0, 1, 2].map(|n| (rows[n].1.velocity / terminal).powi(2));
-    let [lever, shy] = shorts([values.of(&LEVER), error.to_degrees()], 1);
+    let [lever, shy, mass, dense] = briefs(values.each([LEVER, SHY, MASS, THICK]));
     let [first, second, third] = numbers(tilts.map(f64::to_degrees), 0);
     let [_, early, late] = numbers(times, 2);
     let speed = number(terminal, 3);
-    let [mass, dense] = shorts([values.of(&MASS), air], 2);
     let words = words!(
         "The paper cat is turned by the air, like a shuttlecock.",
         "Its centre of mass lies {lever} mm below the point at which the air pushes; weight and drag turn the feet down from every tilt but exactly upside down. Let go {shy}° from upside down, it \
@@ -149,8 +148,7 @@ pub fn paper_cat_fall(values: &Values) -> Result<Figure> {
     let cat = cat(values);
     let decade = cat.fall_per_decade(values.of(&THICK), GRAVITY);
     let [a, b, c, d] = [0, 1, 2, 3].map(|k: usize| number(falls[k], 3));
-    let lever = short(values.of(&LEVER), 1);
-    let [mass, air] = shorts(values.each([MASS, THICK]), 2);
+    let [lever, mass, air] = briefs(values.each([LEVER, MASS, THICK]));
     let words = words!(
         "Ten times nearer to upside down costs the paper cat the same fall again.",
         "Height of fall after which the feet first point down, against the angle by which the cat was not upside down. 30°, 10°, 5° and 1° take {a}, {b}, {c} and {d} m; \

@@ -89,8 +89,7 @@ pub fn swivel(values: &Values) -> Result<Figure> {
             number(net.abs(), 2)
         ),
     };
-    let twist = short(values.of(&TWIST), 1);
-    let [out, near, below] = shorts([change.arms_out, change.arms_in, lower], 2);
+    let [twist, out, near, below] = briefs(values.each([TWIST, OUT, IN, LOWER]));
     let [there, back] = [states[1].lower, states[3].lower - states[2].lower].map(degrees);
     let end = number(net, 3);
     let [left, right, aside] = [states[1].upper, -states[1].lower, -states[4].lower].map(degrees);

@@ -41,8 +41,7 @@ pub fn lines(values: &Values) -> Result<Figure> {
     let finals: Vec<String> = finals.map(|pace| number(pace, 2)).collect();
     let [lowest, highest] = [0, 4].map(|k| shots[k].rim_speed);
     let sweet = short(ball.pure_rolling_height(), 2);
-    let [factor, rough] = shorts([kappa, mu], 3);
-    let [pace, least, most] = shorts([speed, lowest, highest], 2);
+    let [factor, rough, pace, least, most] = briefs([kappa, mu, speed, lowest, highest]);
     let finals = finals.join(", ");
     let words = words!(
         "Wherever the cue strikes, velocity and rim speed meet, and from then on the ball rolls.",
@@ -70,7 +69,7 @@ pub fn lines(values: &Values) -> Result<Figure> {
             pen.line([meeting, at(until, rolls)], inked(SECONDARY));
             pen.dot(meeting, 4.5);
             name = (frame.y.at(rolls) + 5.0).min(name - 16.0);
-            let text = format!("*H* = {} *R*", short(height, 2));
+            let text = format!("*H* = {} *R*", brief(height));
             pen.note([RIGHT + 12.0, name], Start, &text);
         }
         let meeting = |k: usize| {
@@ -101,7 +100,7 @@ pub fn lines(values: &Values) -> Result<Figure> {
             let moment = course.at(t);
             [t, moment.velocity, moment.rim_speed]
         };
-        let shot = format!("H = {} R", short(height, 2));
+        let shot = format!("H = {} R", brief(height));
         made.data(shot, columns, corners.map(row))
     }))
 }

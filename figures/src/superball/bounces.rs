@@ -63,7 +63,7 @@ pub fn reflections(values: &Values) -> Result<Figure> {
     let plural = if count == 1 { "" } else { "s" };
     let told = |(n, angle): (usize, &f64)| format!("{n} at {}", number(angle.to_degrees(), 1));
     let listed: Vec<String> = angles.iter().enumerate().map(told).collect();
-    let (factor, listed) = (short(kappa, 3), listed.join(", "));
+    let (factor, listed) = (brief(kappa), listed.join(", "));
     let words = words!(
         "A bounce is a reflection; floor and ceiling have a mirror each.",
         "The motion of a superball is a point of a circle: across, the velocity $V$; upward, the spin as $\\sqrt{{\\kappa}}\\,R\\Omega$. The floor reflects it \
@@ -166,7 +166,7 @@ pub fn three_balls(values: &Values) -> Result<Figure> {
     let last = motions.map(|of| number(of[2].velocity, 3)).join(", ");
     let name = |kappa: f64| match fraction_of(kappa) {
         Some(exact) => exact.to_string(),
-        None => short(kappa, 3),
+        None => brief(kappa),
     };
     let names = balls.map(|(kappa, _)| name(kappa));
     let exactly = match told(0)? {

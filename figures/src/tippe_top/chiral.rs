@@ -54,11 +54,11 @@ pub fn both_spins(values: &Values) -> Result<Figure> {
         }
     });
     let told = told.join(" ");
-    let spun = number(spin, 1);
+    let [spun, askew, mu] = briefs([spin, tilt, mu]);
     let words = words!(
         "{claim}",
-        "Tilt of the chiral top, a ball of $R = 2$ cm, released at {tilt:.0}° with {spun} rad/s about the vertical, $\\mu = {mu:.2}$ smoothed over 1 mm/s. {told}",
-        "Tilt in degrees against time up to {END} seconds. Both curves, clockwise and, in grey, anticlockwise, start at {tilt:.0} degrees. {told}"
+        "Tilt of the chiral top, a ball of $R = 2$ cm, released at {askew}° with {spun} rad/s about the vertical, $\\mu = {mu}$ smoothed over 1 mm/s. {told}",
+        "Tilt in degrees against time up to {END} seconds. Both curves, clockwise and, in grey, anticlockwise, start at {askew}°. {told}"
     );
     let made = figure("chiral-top", 402.0, words, |pen| {
         let frame = Frame::linear([0.0, END], [0.0, 180.0], [58.0, 572.0, 350.0, 34.0]);

@@ -39,6 +39,7 @@ pub fn path(values: &Values) -> Result<Figure> {
         let most = number(greatest_tilt(&rows), 0);
         format!("On the ball, the point of contact stays within {most} degrees of the heavy pole.")
     };
+    let [spun, lever, rough] = briefs([spin, alpha, mu]);
     let rounds = number(turns, 1);
     let flight = match number(aloft, if aloft < 1.0 { 2 } else { 0 }) {
         _ if aloft == 0.0 => ", and it never leaves the table".to_owned(),
@@ -48,7 +49,7 @@ pub fn path(values: &Values) -> Result<Figure> {
     let whole = number(spins * end / rows.len() as f64 / TAU, 0);
     let words = words!(
         "{claim}",
-        "A ball of $R = 2$ cm, $\\alpha = {alpha:.2}$, $\\mu = {mu:.3}$ smoothed over 1 mm/s, spun about the vertical at {spin:.0} rad/s: the place that touches the table, seen from \
+        "A ball of $R = 2$ cm, $\\alpha = {lever}$, $\\mu = {rough}$ smoothed over 1 mm/s, spun about the vertical at {spun} rad/s: the place that touches the table, seen from \
          the ball, during {end:.2} s. The ball turns {whole} times about the vertical meanwhile; the path on it goes round {rounds} times while the tilt grows to {tilt:.0}°{flight}.",
         "A ball with the centre of mass below its centre. A line on its surface starts near the south pole, goes round {rounds} times and ends {tilt:.0} degrees from there; \
          behind the ball it is faint."

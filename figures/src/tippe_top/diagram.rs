@@ -62,8 +62,8 @@ pub fn energies(values: &Values) -> Result<Figure> {
             "No tilted branch leaves the upright one: that is stable at every spin.".to_owned()
         }
     };
-    let (alpha, gamma) = (number(values.of(&OFFSET), 2), number(values.of(&GAMMA), 3));
-    let [slow, chosen, fast] = numbers(spins, 0);
+    let [alpha, gamma] = briefs(values.each([OFFSET, GAMMA]));
+    let [slow, chosen, fast] = briefs(spins);
     let [a, b, c] = [0, 1, 2].map(|k: usize| &falls[k].1);
     let steep = match rise {
         Some(rise) => format!("up to {rise:.0} radians a second and dashed beyond"),

@@ -61,9 +61,10 @@ pub fn egg_film(values: &Values) -> Result<Figure> {
         format!("{angle} degrees at {time} s")
     };
     let times = Vec::from_iter(frames.iter().map(told)).join(", ");
+    let [turns, mu] = briefs([turns, mu]);
     let words = words!(
         "{claim}",
-        "Picture h of the tutorial. An egg of 6 by 4 cm and 60 g at {turns:.0} turns a second, $\\mu = {mu:.2}$ smoothed over 2 mm/s, drawn when its long axis first stands at \
+        "Picture h of the tutorial. An egg of 6 by 4 cm and 60 g at {turns} turns a second, $\\mu = {mu}$ smoothed over 2 mm/s, drawn when its long axis first stands at \
          the angles marked; the camera goes round with it.",
         "Pictures of an egg on a table, from left to right with its long axis this far from the vertical: {times}."
     );

@@ -68,9 +68,10 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
     };
     let [more, less] = numbers(energies, 1);
     let [lower, upper] = numbers([first, last].map(|s| 1e3 * weight * s.position.z()), 1);
+    let [spin, friction, alpha] = briefs([spin, friction, alpha]);
     let words = words!(
         "{claim}",
-        "Tippe top of 20 g, $R = 2$ cm, $\\alpha = {alpha:.2}$, spun at {spin:.0} rad/s about its axis, viscous friction {friction:.2} s/m. $C$ goes from {low} to {high} mm. \
+        "Tippe top of 20 g, $R = 2$ cm, $\\alpha = {alpha}$, spun at {spin} rad/s about its axis, viscous friction {friction} s/m. $C$ goes from {low} to {high} mm. \
          {side}. {pays}. The energy falls from {before} to {after} mJ{falls}",
         "Two curves against time from 0 to {END} seconds. The upper one, total energy, falls from {more} to {less} millijoules. The lower one, dashed, the potential energy, \
          goes from {lower} to {upper}. {side}. The gap between the curves is the kinetic energy."

@@ -50,13 +50,13 @@ pub fn hoop_with_clay(values: &Values) -> Result<Figure> {
         )
     };
     let dips = torques.map(|n| (n.z() / n.x()).atan().to_degrees());
-    let ([low, high], [dip, dive]) = (numbers(degrees, 0), numbers(dips, 0));
-    let turns = match number(values.of(&TURNS), 0).as_str() {
+    let ([low, high], [dip, dive]) = (briefs(degrees), numbers(dips, 0));
+    let turns = match brief(values.of(&TURNS)).as_str() {
         "1" => "once".to_owned(),
         turns => format!("{turns} times"),
     };
     let [first, second] = numbers(slips.map(|slip| slip.y()), 2);
-    let off = number(values.of(&OFFSET), 2);
+    let off = brief(values.of(&OFFSET));
     let words = words!(
         "{claim}",
         "Pictures i and j of the tutorial. The hoop spins anticlockwise from above, {turns} a second. At tilts of {low}° and {high}° the contact plunges into the page, with \

@@ -74,12 +74,12 @@ pub fn effective(values: &Values) -> Result<Figure> {
         Some(invert) => format!("the head is reached from {invert:.2} rad/s on"),
         None => "the head is never reached".to_owned(),
     };
-    let (alpha, gamma) = (number(alpha, 2), number(gamma, 3));
+    let [heavy, alpha, gamma] = briefs([chosen, alpha, gamma]);
     let (count, listed) = (spins.len(), listed.join(", "));
     let words = words!(
         "{claim}",
         "Effective potential $V(\\theta)$ of a tippe top with $\\alpha = {alpha}$, $I_1/I_3 = {gamma}$, less $V(0)$, over $MgR$, for {count} spins about the upright axis; \
-         heavy: {chosen:.1} rad/s. Discs: where a top ends, at {listed}. {lost}, {reached}.",
+         heavy: {heavy} rad/s. Discs: where a top ends, at {listed}. {lost}, {reached}.",
         "Curves over the tilt from 0 to 180 degrees, all from the same point at 0. A disc marks the place where a top of each ends: \
          from the slowest to the fastest at {listed}."
     );
@@ -102,7 +102,7 @@ pub fn effective(values: &Values) -> Result<Figure> {
             frame.curve(pen, curve(spin), stroke(role, width));
             let at = frame.at(ends[k].to_degrees(), height(&top, spin, ends[k]));
             pen.dot(at, 5.0);
-            let text = format!("{spin:.0} rad/s");
+            let text = brief(spin) + " rad/s";
             pen.text([516.0, labels[k] + 5.0], Start, &text, small(role));
         }
     });

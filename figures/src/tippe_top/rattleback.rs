@@ -40,7 +40,7 @@ pub fn reversals(values: &Values) -> Result<Figure> {
     });
     let greatest = quick.iter().chain(slow).map(|(_, s)| s.spin().abs());
     let greatest = greatest.fold(spin, f64::max);
-    let [spun, askew] = numbers([spin, tilt], 1);
+    let [spun, askew] = briefs([spin, tilt]);
     let [wrong, right] = &told;
     let words = words!(
         "A rattleback spun the wrong way rattles, stops and turns back; spun the right way it {then}.",

@@ -56,8 +56,8 @@ pub fn two_pairs_of_axes(values: &Values) -> Result<Figure> {
         _ if angle == 0.0 => "With its axes of inertia in line with those of its belly, rattling grows in neither sense of spin.".to_owned(),
         _ => format!("At this spin rattling grows in neither sense, though the stone's axes stand {out}° out of line."),
     };
-    let off = short(product, 2).replace('\u{2212}', "-");
-    let (times, spun) = (LENS.2, short(spin, 2));
+    let off = brief(product).replace('\u{2212}', "-");
+    let (times, spun) = (LENS.2, brief(spin));
     let [clockwise, other] = &told;
     let passes = match angle == 0.0 {
         true => "lies on it",

@@ -25,16 +25,16 @@ pub fn strobed(values: &Values) -> Result<Figure> {
         let scene = chiral_scene(spin, tilt.to_radians(), 0.0, mu)?;
         run(&scene, end, PICTURES - 1)
     })?;
-    let spun = number(spin, 1);
+    let [spun, askew, mu, every] = briefs([spin, tilt, mu, step]);
     let [above, below] = [0, 1].map(|k: usize| {
         let told = tilts(&rows[k]).map(|[_, tilt]| number(tilt, 0));
         told.collect::<Vec<_>>().join(", ")
     });
     let words = words!(
         "Seven looks at one top: clockwise above, anticlockwise below.",
-        "The chiral top every {step:.2} s, released at {tilt:.0}° with {spun} rad/s, $\\mu = {mu:.2}$ smoothed over 1 mm/s. The filled cap marks the light side of the ball, so it is on top of one that \
+        "The chiral top every {every} s, released at {askew}° with {spun} rad/s, $\\mu = {mu}$ smoothed over 1 mm/s. The filled cap marks the light side of the ball, so it is on top of one that \
          stands on its foot and at the bottom of one that has turned over. Under each ball its tilt.",
-        "Two rows of seven balls with a filled cap, {step:.2} seconds apart. In the upper row the cap is tilted by {above} degrees, in the lower row by {below}."
+        "Two rows of seven balls with a filled cap, {every} seconds apart. In the upper row the cap is tilted by {above} degrees, in the lower row by {below}."
     );
     let made = figure("chiral-strobe", 300.0, words, |pen| {
         row(pen, &rows[0], 106.0, "clockwise");

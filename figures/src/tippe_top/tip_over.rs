@@ -30,7 +30,7 @@ pub fn tip_over(values: &Values) -> Result<Figure> {
     };
     let means = [mean(0), mean(1)];
     let off = means.map(|mean| mean.map(|mean| 100.0 * (mean / rate.to_degrees() - 1.0).abs()));
-    let named = alphas.map(|alpha| short(alpha, 3));
+    let named = briefs(alphas);
     let claim = match off {
         [Some(light), Some(heavy)] => {
             let worst = light.max(heavy);
@@ -49,13 +49,14 @@ pub fn tip_over(values: &Values) -> Result<Figure> {
         Some(mean) => format!("{}° a second", number(mean, 1)),
         None => "it does not get there".to_owned(),
     });
-    let (turns, slope) = (number(values.of(&TURNS), 0), number(rate.to_degrees(), 2));
+    let [turns, mu] = briefs([values.of(&TURNS), mu]);
+    let slope = number(rate.to_degrees(), 2);
     let ([slow, fast], [light, heavy]) = (&told, &named);
     let reached = number((PI - START) / rate, 1);
     let [low, high] = [0, 1].map(|k: usize| number(degrees(&runs[k][250].1), 0));
     let words = words!(
         "{claim}",
-        "Tilt of the tutorial's toy, a ball with $R = 2$ cm, $I = \\frac25MR^2$, {turns} turns a second, $\\mu = {mu:.3}$ smoothed over 1 mm/s, released at {START} rad. Dashed: \
+        "Tilt of the tutorial's toy, a ball with $R = 2$ cm, $I = \\frac25MR^2$, {turns} turns a second, $\\mu = {mu}$ smoothed over 1 mm/s, released at {START} rad. Dashed: \
          the estimate, {slope}° a second. Mean pace from 30° to 150°: {slow} for $\\alpha = {light}$, {fast} for $\\alpha = {heavy}$. Dotted: by Jellett's integral, for \
          $\\alpha = {heavy}$.",
         "Tilt in degrees against time in seconds. A dashed straight line rises from near zero to 180 degrees at {reached} seconds. A grey curve is for the lighter clay, \

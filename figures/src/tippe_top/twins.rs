@@ -43,11 +43,12 @@ pub fn twins(values: &Values) -> Result<Figure> {
         Some(time) => format!("is on its side after {time:.2} s"),
         None => format!("stays below {}°", number(most[k], 1)),
     });
-    let (spun, every) = (number(spin, 1), number(END / (PICTURES - 1) as f64, 0));
+    let [spun, askew, mu] = briefs([spin, tilt, mu]);
+    let every = number(END / (PICTURES - 1) as f64, 0);
     let [own, image] = told;
     let words = words!(
         "{claim}",
-        "Above: the three rods in the chiral top and in its image in a mirror between them. Below: both, spun clockwise at {spun} rad/s and {tilt:.0}° from the vertical, $\\mu = {mu:.2}$ smoothed over 1 mm/s, every {every} s. \
+        "Above: the three rods in the chiral top and in its image in a mirror between them. Below: both, spun clockwise at {spun} rad/s and {askew}° from the vertical, $\\mu = {mu}$ smoothed over 1 mm/s, every {every} s. \
          The top {own}, its image {image}.",
         "Left and right of a dotted line two transparent balls, each with three crossed rods that lean opposite ways. Below each a row of {PICTURES} balls with a filled cap, from release to {END} \
          seconds later. The top on the left {own}, its mirror image on the right {image}."

@@ -63,7 +63,7 @@ pub fn string(values: &Values) -> Result<Figure> {
     }
     let milliseconds = 1e3 * turn.duration;
     let [weights, mean] = [0, 1].map(|digits| number(turn.mean_tension / weight, digits));
-    let [long, thick, leaves] = shorts([length, axle, left], 2);
+    let [long, thick, leaves] = briefs([length, axle, left]);
     let (rise, leaves) = match left < 1.0 {
         true => ("less high every time", format!("${leaves}$")),
         false => ("all the way up every time", "all".to_owned()),
@@ -112,8 +112,8 @@ pub fn speed(values: &Values) -> Result<Figure> {
         share if share < 1.0 => "On a thick string the yo-yo is fastest shortly before the end.",
         _ => "This string is too thin: the yo-yo is fastest at its end, as on any thin string.",
     };
-    let [axle, wound, core] = shorts(values.each([AXLE, WOUND, CORE]), 2);
-    let (long, last) = (short(length, 2), number(thick.speed(length), 3));
+    let [axle, wound, core, long] = briefs(values.each([AXLE, WOUND, CORE, LENGTH]));
+    let last = number(thick.speed(length), 3);
     let [spin, whirl] = numbers([&thin, &thick].map(|way| way.omega(length)), 0);
     let [end, after, later] = numbers([thin.speed(length), thin.duration()?, thick.duration()?], 4);
     let off = match fastest < length {

@@ -26,7 +26,7 @@ pub fn turn(values: &Values) -> Result<Figure> {
     let peak = pictures[2].1.tension;
     let ends = [1e3 * turn.duration, turn.omega, turn.fastest, peak / weight];
     let [lasts, spun, fastest, most] = numbers(ends, 1);
-    let [long, thick] = shorts([length, 1e3 * axle], 2);
+    let [long, thick] = briefs([length, thick]);
     let words = words!(
         "In {lasts} milliseconds the centre swings half round the end of the thread: the velocity is reversed, the sense of the spin is not.",
         "A yo-yo of 55 g and radius 29 mm on {long} m of string round an axle of radius {thick} mm, to scale, at five equal steps of its turn. Arrows: the velocity of the centre; \

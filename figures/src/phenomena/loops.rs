@@ -76,8 +76,10 @@ pub fn shape_loops(values: &Values) -> Result<Figure> {
         pen.label([left, top - 9.0], Middle, "*A*");
         pen.tick_below(PLANE.at(FRAC_PI_2, 0.0), 22.0, "90°");
         let (out, near) = (waist.upper_arms_out, waist.upper_arms_in);
-        for (upper, name) in [(out, "out"), (near, "in")] {
-            pen.tick_beside(PLANE.at(0.0, upper), name);
+        // Their names need a little more than the least difference.
+        let heights = spread([out, near].map(|upper| PLANE.y.at(upper)), 16.0);
+        for (height, name) in heights.into_iter().zip(["out", "in"]) {
+            pen.tick_beside([left, height], name);
         }
         let corners = boxed(PLANE.at(0.0, out), PLANE.at(FRAC_PI_2, near));
         pen.outline(corners, inked(DATA));

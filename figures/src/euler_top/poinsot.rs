@@ -282,10 +282,14 @@ impl Scene {
         }
         let seen = self.polhode.iter().filter(|p| self.seen(p)).copied();
         let seen: Vec<Vector> = seen.collect();
-        let over = ([488.0, 40.0], Start, "herpolhode", Omega, [484.0, 37.0]);
-        let under = ([78.0, 444.0], End, "polhode", Ink, [82.0, 439.0]);
-        for ((at, anchor, text, role, from), curve) in [(over, &self.past), (under, &seen)] {
-            pen.text(at, anchor, text, small(role));
+        // In a corner that the body leaves free.
+        let over = ([[524.0, 35.0], [76.0, 35.0]], "herpolhode", Omega);
+        let under = ([[52.0, 439.0], [548.0, 439.0]], "polhode", Ink);
+        for ((places, text, role), curve) in [(over, &self.past), (under, &seen)] {
+            let half = 3.7 * text.len() as f64;
+            let [x, y] = pen.room(places, [half, 7.0]);
+            pen.text([x, y + 5.0], Middle, text, small(role));
+            let from = [x + (half + 3.0) * (300.0 - x).signum(), y];
             if let Some(to) = nearest(from, self.view.trace(curve)) {
                 pen.line([from, to], stroke(role, HAIR));
             }

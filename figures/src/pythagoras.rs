@@ -44,6 +44,9 @@ impl Drawn {
             let out = [to[1] - from[1], to[0] - from[0]];
             box_of.push(planned(between(from, to, 0.5), FORCE, out));
         }
+        // The foot of the line of force through the middle of RB.
+        let arm = 0.5 * rb - ar * gamma.cos();
+        box_of.push([-arm * gamma.cos(), arm * gamma.sin()]);
         let [[left, right], [bottom, top]] = [0, 1].map(|k| extent(box_of.iter().map(|p| p[k])));
         let length = (436.0 / (right - left))
             .min(276.0 / (top - bottom))

@@ -149,7 +149,8 @@ pub fn speeds(values: &Values) -> Result<Figure> {
         let slip = corners.iter().zip(&slips).map(|(&t, &u)| [x(t), lower(u)]);
         let slip: Vec<_> = slip.collect();
         pen.line(&slip, inked(DATA));
-        pen.label([edge + 10.0, lower(0.0) + 24.0], Start, "slip");
+        let places = [24.0, -24.0].map(|aside| [edge + aside, lower(0.0) + 19.0]);
+        pen.name(places, "slip", label(Ink));
         let rule = [[x(0.0), 232.0], [x(until), 232.0]];
         pen.line(rule, inked(SECONDARY).alpha(0.15));
     });

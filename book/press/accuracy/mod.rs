@@ -14,10 +14,10 @@ use std::sync::{Mutex, PoisonError};
 use figures::Figure;
 use figures::own::{Curve, prices};
 use lab::accuracy::{JudgedScene, Measurement, NAMES, Problem, Trial, candidates, named, problems};
-use spinning_bodies::scene::Solver;
+use spinning_bodies::scene::{Solver, files};
 
 use crate::progress::watched;
-use crate::scenes::{self, Motion, output::Format};
+use crate::scenes::{self, Motion, TIMES, output::Format};
 use crate::writer::{Target, tell};
 use crate::{Error, Result};
 use patience::{PATIENCE, Swept};
@@ -144,21 +144,18 @@ const MOST_EVALUATIONS: u64 = 5_000_000;
 /// Measures a scene file from its start to its last time by all solvers, no run taking more than `patience` seconds; `told` is called with the progress.
 ///
 /// # Errors
-/// [`Error::Input`] for a file that is no scene, a scene that ends where it begins, or one that cannot be judged.
+/// [`Error::Scene`] for a file that is no scene, a scene that ends where it begins, or one that cannot be judged.
 pub fn measured(file: &Path, patience: f64, told: impl Fn(f64, String)) -> Result<Report> {
     let motion = Motion::read(file)?;
     let [_, end] = motion.ends();
-    let refused = |told: String| {
-        let name = &motion.name;
-        Error::Input(format!("{name}: keys `times`, `until` in [run]: {told}"))
-    };
     if end <= 0.0 {
         let told = "the last time must be positive to measure a motion";
-        return Err(refused(told.into()));
+        return motion.wrong(TIMES, told);
     }
-    let judged = JudgedScene::new(motion.scene, end);
-    let judged =
-        judged.map_err(|error| refused(format!("a run to {end} s cannot be judged: {error}")))?;
+    let judged = JudgedScene::new(motion.scene, end).or_else(|error| {
+        let told = format!(": a run to {end} s cannot be judged: {error}");
+        files::refused(&motion.name, &motion.text, TIMES, &told)
+    })?;
     warn_of_debug();
     let stem = scenes::stem(file);
     let solvers: Vec<Solver> = Solver::all().collect();

@@ -68,7 +68,7 @@ const MAY_LAST: [f64; 2] = [1.0, 60.0];
 /// Runs a scene, which must have all of its columns, and films it, with a warning if it turns too fast for the pictures.
 ///
 /// # Errors
-/// [`Error::Input`] for a single time and for a speed at which the film would be too short or too long; those of [`run`](super::run).
+/// [`Error::Input`] for a single time and for a speed at which the film would be too short or too long; those of [`run`](Motion::run).
 pub fn film(motion: &Motion, speed: Option<f64>) -> Result<Vec<u8>> {
     let span = motion.span("--film")?;
     let speed = speed.unwrap_or(span / LASTS);
@@ -107,7 +107,7 @@ const MOST_STILLS: usize = 10_000;
 ///
 /// # Errors
 /// [`Error::Input`] for an invalid number, and for a folder that is not empty or not a folder; [`Error::File`]; as for [`file`](file()) and
-/// [`run`](super::run).
+/// [`run`](Motion::run).
 pub fn stills(
     folder: &Path,
     count: &OsStr,

@@ -34,6 +34,8 @@ use crate::{Error, Result};
 pub struct Motion {
     /// The file's name.
     pub name: String,
+    /// Its text.
+    pub text: String,
     /// The scene.
     pub scene: AnyScene,
     /// What is asked of it.
@@ -58,6 +60,7 @@ impl Motion {
         let (scene, request) = parse(name, text)?;
         Ok(Self {
             name: name.to_owned(),
+            text: text.to_owned(),
             scene,
             request,
         })
@@ -96,34 +99,85 @@ impl Motion {
     /// The time from the first to the last, s, for an option that draws the motion.
     ///
     /// # Errors
-    /// [`Error::Input`] for a single time.
+    /// [`Error::Scene`] for a single time.
     pub fn span(&self, option: &str) -> Result<f64> {
         let [first, last] = self.ends();
         if last > first {
             return Ok(last - first);
         }
-        let name = &self.name;
-        let told = "key `until` or `times` in [run]: expected more than one time";
-        Err(Error::Input(format!("{option}: {name}: {told}")))
+        self.wrong(TIMES, &format!("{option}: expected more than one time"))
     }
 
     fn asked(&self, times: &[f64]) -> Result<Request> {
         let asked = self.request.of_times(times);
-        asked.map_err(|error| told(&self.name, times, error))
+        asked.or_else(|error| self.refused(times, error))
+    }
+
+    /// Runs the scene. Every number returned is finite.
+    ///
+    /// # Errors
+    /// As for [`simulate`].
+    pub fn run(&self, request: &Request) -> Result<Table> {
+        let table = self.scene.simulate(request);
+        let table = table.or_else(|error| self.refused(request.times(), error))?;
+        for (t, row) in table.rows() {
+            let mut row = table.columns.iter().zip(row);
+            if let Some((column, number)) = row.find(|(_, number)| !number.is_finite()) {
+                let (name, column) = (&self.name, column.name);
+                return Err(Error::Failed(format!(
+                    "{name}: `{column}` is {number} at t = {t:?} s: the motion leaves the range of doubles; other units or an earlier end may help"
+                )));
+            }
+        }
+        Ok(table)
+    }
+
+    /// The error for a file that asks for something impossible, or for a motion that could not be followed: they have different exit statuses.
+    fn refused<T>(&self, times: &[f64], error: spinning_bodies::Error) -> Result<T> {
+        use spinning_bodies::Error as Refusal;
+        let name = &self.name;
+        let failed = |more: &str| Err(Error::Failed(format!("{name}: {error}{more}")));
+        match error {
+            // The numbers of a file are finite, so a product or power of them has overflowed.
+            Refusal::NotFinite { .. } => {
+                failed(": numbers of this size lead out of the range of doubles")
+            }
+            Refusal::OutOfRange { value, .. } if times.contains(&value) => {
+                self.wrong(TIMES, &error.to_string())
+            }
+            Refusal::Integration { .. }
+            | Refusal::Budget { .. }
+            | Refusal::Ledger { .. }
+            | Refusal::Amplified { .. } => failed(""),
+            Refusal::Accuracy { .. } => {
+                failed("; set a larger `accuracy` in [run], or an earlier end")
+            }
+            Refusal::Solver { condition } => self.wrong("run.solver", condition),
+            _ => Err(Error::Input(format!("{name}: {error}"))),
+        }
+    }
+
+    /// The error for keys of the file, given as for [`files::refused`].
+    ///
+    /// # Errors
+    /// [`Error::Scene`], always.
+    pub fn wrong<T>(&self, keys: &str, told: &str) -> Result<T> {
+        let told = format!(": {told}");
+        Ok(files::refused(&self.name, &self.text, keys, &told)?)
     }
 
     /// The motion at these times, s.
     ///
     /// # Errors
-    /// As for [`run`].
+    /// As for [`run`](Self::run).
     pub fn at(&self, times: &[f64]) -> Result<Table> {
-        run(&self.name, &self.scene, &self.asked(times)?)
+        self.run(&self.asked(times)?)
     }
 
     /// The same, showing its progress.
     ///
     /// # Errors
-    /// As for [`run`].
+    /// As for [`run`](Self::run).
     pub fn awaited(&self, times: &[f64]) -> Result<Table> {
         let progress = Progress::default();
         let request = self.asked(times)?.watched(&progress);
@@ -136,13 +190,13 @@ impl Motion {
             );
             (now.time / now.until, told)
         };
-        watched(how_far, || run(&self.name, &self.scene, &request))
+        watched(how_far, || self.run(&request))
     }
 
     /// The motion at this many equal steps from the first of its times to the last, showing its progress.
     ///
     /// # Errors
-    /// As for [`run`].
+    /// As for [`run`](Self::run).
     pub fn evenly(&self, count: usize) -> Result<Table> {
         let [first, last] = self.ends();
         let time = |k: usize| match k {
@@ -154,39 +208,23 @@ impl Motion {
     }
 }
 
+/// The keys of the times of a run.
+pub const TIMES: &str = "run.times, run.until";
+
 /// The title of a picture of the motion of this file: the file's name without folder and ending.
 pub fn stem(name: impl AsRef<Path>) -> String {
     let stem = name.as_ref().file_stem().unwrap_or_default();
     stem.display().to_string()
 }
 
-/// Runs a scene; `name` is that of its file. Every number returned is finite.
-///
-/// # Errors
-/// As for [`simulate`].
-pub fn run(name: &str, scene: &AnyScene, request: &Request) -> Result<Table> {
-    let table = scene.simulate(request);
-    let table = table.map_err(|error| told(name, request.times(), error))?;
-    for (t, row) in table.rows() {
-        let mut row = table.columns.iter().zip(row);
-        if let Some((column, number)) = row.find(|(_, number)| !number.is_finite()) {
-            let column = column.name;
-            return Err(Error::Failed(format!(
-                "{name}: `{column}` is {number} at t = {t:?} s: the motion leaves the range of doubles; other units or an earlier end may help"
-            )));
-        }
-    }
-    Ok(table)
-}
-
 /// Reads a scene file (`-` is standard input) and runs the scene.
 ///
 /// # Errors
-/// [`Error::Scene`] for a file that is not a scene, [`Error::Input`] for a scene that is impossible; [`Error::Failed`] where the motion could not be
+/// [`Error::Scene`] for a file that is not a scene, or not one that can be run; [`Error::Input`] for a scene that is impossible; [`Error::Failed`] where the motion could not be
 /// followed; [`Error::File`].
 pub fn simulate(path: impl AsRef<Path>) -> Result<Table> {
     let motion = Motion::read(path.as_ref())?;
-    run(&motion.name, &motion.scene, &motion.request)
+    motion.run(&motion.request)
 }
 
 /// The file that a name stands for: a path, or a file of `book/scenes` with or without its ending.
@@ -290,28 +328,5 @@ pub(crate) fn source(path: &Path) -> Result<(String, String)> {
         Err(error) => Err(Error::Input(format!(
             "{name}: {error}; expected a scene file"
         ))),
-    }
-}
-
-/// The error for a file that asks for something impossible, or for a motion that could not be followed: they have different exit statuses.
-fn told(name: &str, times: &[f64], error: spinning_bodies::Error) -> Error {
-    use spinning_bodies::Error as Refusal;
-    let wrong = |told: String| Error::Input(format!("{name}: {told}"));
-    let failed = |more: &str| Error::Failed(format!("{name}: {error}{more}"));
-    match error {
-        // The numbers of a file are finite, so a product or power of them has overflowed.
-        Refusal::NotFinite { .. } => {
-            failed(": numbers of this size lead out of the range of doubles")
-        }
-        Refusal::OutOfRange { value, .. } if times.contains(&value) => {
-            wrong(format!("keys `times`, `until` in [run]: {error}"))
-        }
-        Refusal::Integration { .. }
-        | Refusal::Budget { .. }
-        | Refusal::Ledger { .. }
-        | Refusal::Amplified { .. } => failed(""),
-        Refusal::Accuracy { .. } => failed("; set a larger `accuracy` in [run], or an earlier end"),
-        Refusal::Solver { condition } => wrong(format!("key `solver` in [run]: {condition}")),
-        _ => wrong(error.to_string()),
     }
 }

@@ -44,7 +44,7 @@ impl Format {
     /// Runs a scene and writes its rows as they are computed, however many there are. Nothing is written before the first row is known.
     ///
     /// # Errors
-    /// Those of the writer, and inside them those of [`run`](super::run).
+    /// Those of the writer, and inside them those of [`run`](Motion::run).
     pub fn write(self, motion: &Motion, to: &mut dyn Write) -> io::Result<()> {
         match self {
             Self::Csv => csv(motion, to),

@@ -41,7 +41,7 @@ pub fn columns(panels: &[Panel]) -> Vec<&str> {
 /// Runs the scene, which must have the [`columns`] of the panels, and draws them.
 ///
 /// # Errors
-/// [`Error::Input`] for more rows than can be drawn; those of [`run`](super::run).
+/// [`Error::Input`] for more rows than can be drawn; those of [`run`](Motion::run).
 pub fn plot(motion: &Motion, panels: &[Panel]) -> Result<Figure> {
     let rows = motion.request.times().len();
     if rows > MOST {

@@ -65,5 +65,5 @@ impl Priced {
 /// [`crate::Error`].
 pub fn run(name: &str, text: &str) -> Result<Table> {
     let motion = super::Motion::of(name, text)?;
-    motion.at(motion.request.times())
+    motion.run(&motion.request)
 }

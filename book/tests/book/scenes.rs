@@ -362,9 +362,10 @@ const KNOWN: [&str; 5] = ["meteorite", "roller", "spool", "superball", "crawler"
 fn a_run_ends_with_its_budget_and_tells_how_far_it_came() {
     const FEW: u64 = 50;
     let ends = |name: &str, text: &str| {
-        let (scene, request) = parse(name, text).unwrap();
+        let motion = Motion::of(name, text).unwrap();
         let progress = Progress::default();
-        let told = match press::scenes::run(name, &scene, &request.within(FEW).watched(&progress)) {
+        let request = motion.request.clone().within(FEW).watched(&progress);
+        let told = match motion.run(&request) {
             Ok(table) => panic!("{name}: {table:?}"),
             Err(error) => {
                 assert_eq!(error.status(), 1, "{error}");
@@ -384,8 +385,9 @@ fn a_run_ends_with_its_budget_and_tells_how_far_it_came() {
     for priced in PRICED.iter() {
         let text = priced.file(|_| true);
         if KNOWN.contains(&priced.kind.as_str()) {
-            let (scene, request) = parse(&priced.kind, &text).unwrap();
-            assert!(press::scenes::run(&priced.kind, &scene, &request.within(FEW)).is_ok());
+            let motion = Motion::of(&priced.kind, &text).unwrap();
+            let request = motion.request.clone().within(FEW);
+            assert!(motion.run(&request).is_ok());
         } else {
             ends(&priced.kind, &text);
         }
@@ -435,11 +437,13 @@ fn a_solver_that_cannot_run_a_scene_is_refused_by_its_key() {
         let scene = std::fs::read_to_string(&path).unwrap();
         let asked = scene.replace("[run]", "[run]\nsolver = \"moser-veselov-4\"");
         let file = scratch.path().join(name);
-        std::fs::write(&file, asked).unwrap();
+        std::fs::write(&file, &asked).unwrap();
         let error = simulate(&file).unwrap_err();
         let told = error.to_string();
         assert_eq!(error.status(), 2, "{told}");
-        assert!(told.contains("key `solver` in [run]: "), "{told}");
+        let line = asked.lines().position(|line| line == "[run]").unwrap() + 2;
+        let named = format!(":{line}: key `solver` in [run]: ");
+        assert!(told.contains(&named), "{told}");
         assert!(!told.contains("NaN") && !told.contains("got"), "{told}");
     }
 }

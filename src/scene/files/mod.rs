@@ -147,6 +147,22 @@ pub fn parse_with(
     reader.finish(made)
 }
 
+/// A mistake that only the motion shows, in these keys, given by their paths and separated by commas; the line is that of the first one there.
+///
+/// # Errors
+/// Always: the mistake.
+///
+/// ```
+/// use spinning_bodies::scene::files::refused;
+/// let mistake = refused::<()>("mine.toml", "[run]\nuntil = -1\n", "run.times, run.until", " must not be negative");
+/// assert_eq!(mistake.unwrap_err().to_string(), "mine.toml:2: key `times`, `until` in [run] must not be negative");
+/// ```
+pub fn refused<T>(name: &str, text: &str, keys: &str, told: &str) -> Result<T, Mistakes> {
+    let reader = Reader::new(name, text, &out_of_reach)?;
+    let none = reader.wrong(keys, told);
+    reader.finish(none)
+}
+
 /// The possible values of `kind`; the first is the default.
 ///
 /// ```

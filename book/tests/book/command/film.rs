@@ -96,8 +96,9 @@ fn what_is_no_film_is_refused() {
         &["--frames", "stills", "2"],
     ] {
         let done = super::scene(&scene, options);
-        let told = "mine.toml: key `until` or `times` in [run]: expected more than one time";
-        refused(&done, &[options[0], told]);
+        let keys = "mine.toml:10: key `times`, `until` in [run]: ";
+        let told = format!("{keys}{}: expected more than one time", options[0]);
+        refused(&done, &[&told]);
     }
 }
 

@@ -201,7 +201,7 @@ impl Values {
         };
         let unit = if parameter.unit.is_empty() { "" } else { " " };
         Err(format!(
-            "{} is {value}, expected {kind} from {low} to {high}{unit}{}",
+            "{} is {value:?}, expected {kind} from {low} to {high}{unit}{}",
             parameter.key, parameter.unit
         ))
     }

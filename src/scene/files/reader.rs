@@ -152,7 +152,11 @@ pub(super) fn find<'t, 'a>(entries: &'t DeTable<'a>, path: &str) -> Option<&'t T
     let first = entries.get(steps.next()?)?;
     steps.try_fold(first, |value, step| match value.get_ref() {
         DeValue::Table(table) => table.get(step),
-        DeValue::Array(list) => list.get(step.parse::<usize>().ok()?),
+        DeValue::Array(list) => {
+            let place: usize = step.parse().ok()?;
+            // A number has one path: "00" is no place.
+            list.get(place).filter(|_| place.to_string() == step)
+        }
         _ => None,
     })
 }

@@ -17,7 +17,7 @@ pub enum Error {
     #[error(transparent)]
     Column(#[from] UnknownColumn),
     /// A file could not be read or written: exit status 1.
-    #[error("{}: {}", .0.display(), .1)]
+    #[error("{}", one_line(&format!("{}: {}", .0.display(), .1)))]
     File(PathBuf, #[source] std::io::Error),
     /// Anything else: exit status 1.
     #[error("{}", one_line(.0))]

@@ -12,7 +12,7 @@ use super::{Motion, stem};
 use crate::pictures::{Form, can_be_made, file};
 use crate::progress::counted;
 use crate::writer::{can_be_written_into, ending, folder_of, tell, whole};
-use crate::{Error, Result};
+use crate::{Error, Result, error::one_line};
 
 /// The film of a motion in `count` pictures at equal steps from the first of its times to the last. The motion must have all of its columns.
 fn filmed<'a>(motion: &Motion, title: &'a str, count: usize, speed: f64) -> Result<Film<'a>> {
@@ -91,10 +91,10 @@ pub fn film(motion: &Motion, speed: Option<f64>) -> Result<Vec<u8>> {
     let fastest = speeds.fold(0.0, f64::max);
     let between = fastest * span / (count - 1) as f64;
     if between > FRAC_PI_2 {
-        tell(format_args!(
+        tell(one_line(&format!(
             "warning: {}: it turns by up to {between:.1} rad from one picture to the next, too fast for the eye; a smaller --speed or a shorter run would show it",
             motion.name
-        ));
+        )));
     }
     Ok(film.film(seconds).into_bytes())
 }

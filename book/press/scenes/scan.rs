@@ -14,7 +14,7 @@ use super::plot::quantity;
 use super::{Motion, source, stem};
 use crate::progress::on_all_processors;
 use crate::writer::tell;
-use crate::{Error, Result};
+use crate::{Error, Result, error::one_line};
 
 /// Numbers of a scene file that run through their ranges together: `initial.omega.2=50..200:16`.
 #[derive(Debug, Clone, PartialEq)]
@@ -283,9 +283,9 @@ impl Scan {
                 "no point of the scan could be run; the first error: {first}"
             ))),
             Some(first) => {
-                tell(format_args!(
+                tell(one_line(&format!(
                     "warning: {refused} of {all} points are refused; the first error: {first}"
-                ));
+                )));
                 Ok(())
             }
         };
@@ -403,9 +403,9 @@ impl Scan {
             && !ABSOLUTE.into_iter().any(varies)
         {
             let name = &self.name;
-            tell(format_args!(
+            tell(one_line(&format!(
                 "warning: {name}: `body.mass` varies but `{stays}` in [body] does not: each row is a different body, not the same one made heavier"
-            ));
+            )));
         }
     }
 }

@@ -344,13 +344,13 @@ fn what_is_wrong_is_refused_in_one_line_that_names_it() {
             assert!(told.contains(name.as_str()), "{told} does not name {name}");
         }
     }
-    // A key in quotes may have anything in it, and a file may have any number of keys.
+    // A key in quotes may have anything in it, as may a name, and a file may have any number of keys.
     let told = |keys: &str| {
-        parse("a.toml", &format!("{keys}{RACKET}"))
+        parse("a\n.toml", &format!("{keys}{RACKET}"))
             .unwrap_err()
             .to_string()
     };
-    assert!(told("\"a\\n\\u001b\" = 1\n").starts_with("a.toml:1: key `a  ` is unknown"));
+    assert!(told("\"a\\n\\u001b\" = 1\n").starts_with("a .toml:1: key `a  ` is unknown"));
     let many: String = (0..1000).map(|k| format!("k{k} = 1\n")).collect();
     assert_eq!(told(&many).lines().count(), 100);
 }

@@ -66,14 +66,13 @@ impl<'a> Reader<'a> {
 
     /// Records a mistake at this place of the text.
     fn add(&self, place: Option<Range<usize>>, told: &[&str]) {
-        // A key in quotes may have anything in it.
-        let told = told.concat().replace(char::is_control, " ");
         let before = |place: Range<usize>| self.text.get(..place.start).unwrap_or_default();
         let line = place.map(|place| before(place).matches('\n').count() + 1);
-        let mistake = match line {
-            Some(line) => (line, format!("{}:{line}: {told}", self.name)),
-            None => (usize::MAX, format!("{}: {told}", self.name)),
-        };
+        let at = line.map_or_else(String::new, |line| format!(":{line}"));
+        let told = format!("{}{at}: {}", self.name, told.concat());
+        // A key in quotes may have anything in it, and so may the name of a file.
+        let told = told.replace(char::is_control, " ");
+        let mistake = (line.unwrap_or(usize::MAX), told);
         let mut mistakes = self.mistakes.borrow_mut();
         // A key that is read for two purposes is reported once.
         if !mistakes.contains(&mistake) {

@@ -228,7 +228,8 @@ pub fn folder_of(path: &Path) -> &Path {
 /// # Errors
 /// If the links form a circle, or cannot be read.
 pub fn followed(path: &Path) -> io::Result<PathBuf> {
-    let mut path = path.to_owned();
+    // Without the slash at its end, behind which no link is seen.
+    let mut path: PathBuf = path.iter().collect();
     for _ in 0..40 {
         if !path.is_symlink() {
             return Ok(path);

@@ -11,7 +11,7 @@ use spinning_bodies::scene::Sight;
 use super::{Motion, stem};
 use crate::pictures::{Form, can_be_made, file};
 use crate::progress::counted;
-use crate::writer::{can_be_written_into, ending, folder_of, tell, whole};
+use crate::writer::{can_be_written_into, ending, folder_of, followed, tell, whole};
 use crate::{Error, Result, error::one_line};
 
 /// The film of a motion in `count` pictures at equal steps from the first of its times to the last. The motion must have all of its columns.
@@ -131,14 +131,15 @@ pub fn stills(
             "DIR is '{folder}', expected an empty folder or a new one"
         ));
     }
-    can_be_written_into(folder_of(folder))?;
+    let place = &followed(folder).map_err(Error::file(folder))?;
+    can_be_written_into(folder_of(place))?;
     let motion = motion()?;
     if count > 1 {
         motion.span("--frames")?;
     }
     let title = stem(&motion.name);
     let film = filmed(&motion, &title, count, 1.0)?;
-    whole(folder, |stills| {
+    whole(place, |stills| {
         std::fs::create_dir(stills).map_err(Error::file(folder))?;
         let digits = count.to_string().len();
         counted(count, "stills", |done| {
@@ -151,8 +152,8 @@ pub fn stills(
             })
         })?;
         // One that was empty gives way if it is so still.
-        match folder.exists() {
-            true => std::fs::remove_dir(folder).map_err(Error::file(folder)),
+        match place.exists() {
+            true => std::fs::remove_dir(place).map_err(Error::file(folder)),
             false => Ok(()),
         }
     })?;

@@ -35,6 +35,14 @@ fn a_link_is_followed() {
     let output = scene(&file, &["--output", round.to_str().unwrap()]);
     assert_eq!(output.status.code(), Some(1));
     assert!(round.is_symlink() && text(&output.stderr).contains("round.csv"));
+    // So is one to a folder, empty or not there, and a slash behind it changes nothing.
+    std::fs::create_dir(other.join("empty")).unwrap();
+    for (link, to) in [("stills", "empty"), ("pictures", "none")] {
+        symlink(other.join(to), folder.path().join(link)).unwrap();
+        let link = folder.path().join(link).join("");
+        printed(&scene(&file, &["--frames", link.to_str().unwrap(), "2"]));
+        assert_eq!(names(&other.join(to)), ["1.svg", "2.svg"]);
+    }
 }
 
 #[test]

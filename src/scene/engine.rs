@@ -383,8 +383,9 @@ const BESIDE: f64 = 0.2;
 const DRIFT: f64 = 0.5;
 /// The error of a run of a few steps, in units of its tolerance.
 const OF_A_STEP: f64 = 10.0;
-/// The least tolerance: below it the error estimate of a step is rounding. The next constant is the greatest one with a meaning.
-const LEAST_TOLERANCE: f64 = 4e-16;
+/// The least tolerance: with a smaller one the error is no longer smaller, for all that is left is what steps round. The next constant is the greatest one with a
+/// meaning.
+const LEAST_TOLERANCE: f64 = 5e-17;
 const GREATEST_TOLERANCE: f64 = 1e-2;
 /// The least number of times at which two runs are compared: at a single one they may agree by chance.
 const CHECKS: usize = 8;
@@ -683,7 +684,7 @@ impl Efforts {
 
     /// Whether rounding is at least a twentieth of the error that the better run allows a step.
     fn near_rounding(&self) -> bool {
-        !self.even && self.better < APART * LEAST_TOLERANCE
+        !self.even && self.better < APART * ROUNDING
     }
 
     /// The least error to be reported: where every phase takes few steps, two runs with the same steps agree.

@@ -89,6 +89,31 @@ fn errors_that_cancel_are_seen() {
     }
 }
 
+/// It rocks without slip over 500 radians and makes a change of its start 200 times as great. With steps whose errors were eight times as large it was refused.
+#[test]
+fn a_long_rocking_is_answered() {
+    const ROCKING: &str = "kind = \"table-top\"
+        [body]\nmass = 0.43\nmoments = [1.75e-5, 5.8e-5, 5.65e-5]\nsemi_axes = [0.024, 0.0107, 0.0094]
+        [initial]\ntilt = 2.593\nazimuth = 3.013\naxial_spin = 0.0
+        [effects]\ngravity = 9.81\nfriction_law = \"no-slip\"\npivoting_resistance = 1.6e-5
+        [run]\ntimes = [4, 8, 12, 16, 20]\naccuracy = 1e-10\n";
+    let by = |solver: &str| match door::simulate(&format!("{ROCKING}solver = \"{solver}\"\n")) {
+        door::Answer::Motion(motion) => motion,
+        door::Answer::Refused(why) => panic!("{solver}: {why}"),
+    };
+    let [ours, others] = ["auto", "verner98"].map(by);
+    let [rows, beside] =
+        [&ours, &others].map(|motion| motion.rows(&["omega1", "omega2", "omega3"]));
+    let (numbers, beside) = (rows.concat(), beside.concat());
+    let apart = numbers
+        .iter()
+        .zip(&beside)
+        .map(|(a, b)| (*a - *b).value().abs());
+    let fastest = support::greatest(numbers.iter().map(|rate| rate.value().abs()));
+    let apart = support::greatest(apart) / fastest;
+    assert!(apart < ours.estimate + others.estimate, "{apart:e}");
+}
+
 #[test]
 #[ignore = "two hundred and fifty tops, three thousand times: .ci/run"]
 fn no_top_at_the_edge_of_refusal_is_off() {

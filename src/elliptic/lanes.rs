@@ -78,16 +78,19 @@ pub(crate) fn phase(rate: DoubleDouble, t: f64, lag: DoubleDouble, quarters: f64
     [twice.high(), low]
 }
 
-/// Sine and cosine of the angle reached at time t, or an error if its digits no longer determine them. Beyond [`EXACT_COUNT`] right angles by the slower
+/// Sine and cosine of the angle rate · t less `lag`, or an error if its digits no longer determine them. Beyond [`EXACT_COUNT`] right angles by the slower
 /// [`DoubleDouble::sin_cos`], which agrees.
-pub(crate) fn turned(angle: DoubleDouble, t: f64) -> Result<(f64, f64)> {
+pub(crate) fn turned(rate: DoubleDouble, t: f64, lag: DoubleDouble) -> Result<(f64, f64)> {
+    let angle = rate * DoubleDouble::from(t) - lag;
     let right_angles = angle.high() * core::f64::consts::FRAC_2_PI;
     if right_angles.abs() < EXACT_COUNT {
         Ok(sine_cosine([angle.high(), angle.low()]))
     } else if angle.high().abs() <= GREATEST_ANGLE {
         Ok(angle.sin_cos())
     } else {
-        Err(too_long(t, GREATEST_ANGLE / (angle.high() / t).abs()))
+        // The angle itself may have overflowed.
+        let mean = rate.high() - lag.high() / t;
+        Err(too_long(t, GREATEST_ANGLE / mean.abs()))
     }
 }
 

@@ -302,8 +302,8 @@ impl Moving {
             let constants = &self.constants;
             work.places.follow_any_time(&constants.course, t)?;
             let lag = constants.turning.lag * DoubleDouble::from(work.places.quarters[0]);
-            let half = (constants.turning_rate * DoubleDouble::from(t) - lag).scaled(0.5);
-            (work.sine[0], work.cosine[0]) = turned(half, t)?;
+            (work.sine[0], work.cosine[0]) =
+                turned(constants.turning_rate.scaled(0.5), t, lag.scaled(0.5))?;
             work.turn(self);
         }
         Ok(work.state(0, self))

@@ -327,6 +327,10 @@ impl EulerTop {
     /// assert_eq!(racket.regime(), Regime::AroundLargest);
     /// let flipped = racket.at(racket.period() / 2.0)?;
     /// assert!((flipped.omega.y() + 1.0).abs() < 1e-15);
+    /// // A phase beyond every double: the error tells how late a time may be.
+    /// let ball = EulerTop::from_omega([1.0; 3], BodyVector::new(0.0, 0.0, 1e10), upright)?;
+    /// let most = |t| ball.at(t).unwrap_err().to_string().contains("-9.2e8 and 9.2e8");
+    /// assert!(most(1e9) && most(1e300));
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     ///
@@ -341,8 +345,7 @@ impl EulerTop {
                 rate,
                 direction,
             } => {
-                let half = (*rate * DoubleDouble::from(t)).scaled(0.5);
-                let (sine, cosine) = turned(half, t)?;
+                let (sine, cosine) = turned(rate.scaled(0.5), t, DoubleDouble::from(0.0))?;
                 let [x, y, z] = direction.map(|component| sine * component);
                 let turn = Quaternion::new(cosine, x, y, z);
                 Ok(State {

@@ -305,8 +305,8 @@ impl Work<1> {
         for k in 0..2 {
             let Parameter { sense, turning } = constants.parameters[k];
             let quarters = DoubleDouble::from((self.places.quarters[0] + k as f64) * sense);
-            let angle = constants.rates[k] * DoubleDouble::from(t) - turning.lag * quarters;
-            (self.sine[k][0], self.cosine[k][0]) = turned(angle, t)?;
+            (self.sine[k][0], self.cosine[k][0]) =
+                turned(constants.rates[k], t, turning.lag * quarters)?;
         }
         Ok(())
     }

@@ -293,8 +293,8 @@ impl LagrangeTop {
         let t = finite("the time", t)?;
         match &self.prepared.motion {
             None => {
-                let half = DoubleDouble::product(self.start.omega.z(), t).scaled(0.5);
-                let (sine, cosine) = turned(half, t)?;
+                let half = DoubleDouble::from(0.5 * self.start.omega.z());
+                let (sine, cosine) = turned(half, t, DoubleDouble::from(0.0))?;
                 let turn = Quaternion::new(cosine, 0.0, 0.0, sine);
                 let q = self.start.attitude.quaternion().into_inner() * turn;
                 let upper = q.w * q.w + q.k * q.k;

@@ -15,9 +15,9 @@ use crate::search::ascending;
 ///
 /// Promised for every matrix: no NaN; the same answer for the same entries; axes orthonormal (largest entry of
 /// VᵀV − 1 at most 1e-15) and right-handed; moments within 1e-15 times the largest of the exact ones. The smallest moment of a needle
-/// is right to 4e-16 of itself where it is between 1e-16 and a sixteenth of the largest; and every moment is right to 1e-14 of itself, however small, with the axis that
-/// belongs to it, where the matrix is graded: D A D with a diagonal D and a positive A, of ones on its diagonal, of condition up to 100
-/// (observed: 3e-16, moments from 1e-150 to 1e150). A diagonal matrix is answered exactly, with
+/// is right to 1e-15 of itself where it is between 1e-16 and a sixteenth of the largest (observed: 5e-16); and every moment is right to 1e-14 of itself, however small, with
+/// the axis that belongs to it, where the matrix is graded: D A D with a diagonal D and a positive A, of ones on its diagonal, of condition up to 100
+/// (observed, for moments from 1e-150 to 1e150: 3e-16, but 9e-15 where the smallest is hardly more than a sixteenth of the largest). A diagonal matrix is answered exactly, with
 /// coordinate axes. Where two moments coincide, their axes are any pair in their plane; where they nearly do, the
 /// axes are uncertain by the rounding of the matrix over the gap between the moments.
 #[derive(Debug, Clone, Copy, PartialEq)]

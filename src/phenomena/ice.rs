@@ -25,21 +25,27 @@ pub struct Part {
 /// // The upper part leans a metre to the right, so the feet move to the left and the centre stays.
 /// let parts = [Part { mass: 1.0, from_feet: [0.0, 0.0] }, Part { mass: 3.0, from_feet: [1.0, 0.0] }];
 /// assert_eq!(feet(&parts, [0.0, 0.0])?, [-0.75, 0.0]);
+/// // A tiny body, whose masses times distances are below every double.
+/// let tiny = parts.map(|part| Part { mass: 1e-200 * part.mass, from_feet: part.from_feet.map(|place| 1e-200 * place) });
+/// assert!((feet(&tiny, [0.0, 0.0])?[0] / -0.75e-200 - 1.0).abs() < 1e-15);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn feet(parts: &[Part], center: [f64; 2]) -> Result<[f64; 2]> {
     let mut mass = 0.0;
-    let mut moment = [0.0; 2];
     for part in parts {
         mass += positive("the mass of a part", part.mass)?;
-        for (sum, place) in moment.iter_mut().zip(part.from_feet) {
-            *sum += part.mass * finite("the place of a part", place)?;
-        }
     }
     not_empty("the list of parts", parts)?;
+    finite("the mass of all parts", mass)?;
+    let mut mean = [0.0; 2];
+    for part in parts {
+        for (mean, place) in mean.iter_mut().zip(part.from_feet) {
+            *mean += part.mass / mass * finite("the place of a part", place)?;
+        }
+    }
     Ok([
-        finite("the place of the feet", center[0] - moment[0] / mass)?,
-        finite("the place of the feet", center[1] - moment[1] / mass)?,
+        finite("the place of the feet", center[0] - mean[0])?,
+        finite("the place of the feet", center[1] - mean[1])?,
     ])
 }
 

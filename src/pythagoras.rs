@@ -216,13 +216,15 @@ impl GasBox {
 /// ```
 /// use spinning_bodies::pythagoras::opposite_side;
 /// assert!((opposite_side(1.0, 1.0, std::f64::consts::FRAC_PI_3)? - 1.0).abs() < 1e-15);
+/// assert!((opposite_side(1e300, 1e300, 5e-324)? / (1e300 * 5e-324) - 1.0).abs() < 1e-15, "the least of angles");
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn opposite_side(ar: f64, rb: f64, gamma: f64) -> Result<f64> {
     let ar = positive("the side AR", ar)?;
     let rb = positive("the side RB", rb)?;
-    let half = (0.5 * angle_of_triangle(gamma)?).sin();
-    let across = 2.0 * half * ar.sqrt() * rb.sqrt();
+    // 2 sin(γ/2) without the half of γ, which may be rounded to zero.
+    let chord = angle_of_triangle(gamma)?.sin() / (0.5 * gamma).cos();
+    let across = chord * ar.sqrt() * rb.sqrt();
     finite("the side AB", (ar - rb).hypot(across))
 }
 

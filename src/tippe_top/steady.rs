@@ -93,13 +93,17 @@ impl TippeTop {
     /// let unit = 0.02 * 0.02 * 0.02; // MR²
     /// let top = TippeTop::new(0.02, 0.02, 0.3, 131.0 / 350.0 * unit, 0.4 * unit, 9.81)?;
     /// assert_eq!(top.inversion(), Inversion::Complete);
+    /// // With equal moments it turns over, however little C is off the centre.
+    /// let nearly_central = TippeTop::new(0.02, 0.02, 1e-17, unit, unit, 9.81)?;
+    /// assert_eq!(nearly_central.inversion(), Inversion::Complete);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn inversion(&self) -> Inversion {
-        let gamma = self.transverse / self.axial;
-        if gamma <= 1.0 - self.alpha {
+        // γ − 1: beside a tiny α the quotient itself would be rounded to 1.
+        let excess = (self.transverse - self.axial) / self.axial;
+        if excess <= -self.alpha {
             Inversion::Never
-        } else if gamma < 1.0 + self.alpha {
+        } else if excess < self.alpha {
             Inversion::Complete
         } else {
             Inversion::Partial

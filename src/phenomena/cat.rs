@@ -310,7 +310,7 @@ impl EqualHalves {
     }
 
     /// The turn, radians, when the bend is γ_forward at ψ = 0 and γ_back at ψ = π, and swings as (γ_f + γ_b)/2 + (γ_f − γ_b)/2 cos ψ:
-    /// Kane and Scher's cat (1969), which bends back less than forward. Observed error: 2e-16.
+    /// Kane and Scher's cat (1969), which bends back less than forward. Observed error: 7e-16 of the turn.
     ///
     /// # Errors
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) for bends outside 0…π.
@@ -329,7 +329,7 @@ impl EqualHalves {
     }
 
     /// The bend γ_back, radians, with which the uneven swing turns the cat by half a turn, or `None` if no bend does. The turn grows with the bend, so
-    /// bisection finds it to the last bit.
+    /// bisection finds it, as far as the rounding of the turn allows: 1e-15 observed.
     ///
     /// # Errors
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) for a bend outside 0…π.

@@ -50,7 +50,7 @@ pub enum Hub {
     Pole,
 }
 
-/// The turn −∮ a dψ along a closed smooth path, s from 0 to 2π, radians. Observed error: 2e-16 of ∮ |a ψ′| ds.
+/// The turn −∮ a dψ along a closed smooth path, s from 0 to 2π, radians. Observed error: 5e-16 of ∮ |a ψ′| ds.
 ///
 /// # Errors
 /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Accuracy`](crate::Error::Accuracy) if forty halvings of the path do not suffice,

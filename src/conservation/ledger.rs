@@ -268,7 +268,8 @@ impl Ledger {
     ///
     /// # Errors
     /// [`Error::NotFinite`] for such a value, and the account keeps an infinite drift;
-    /// [`Error::Condition`] if the account belongs to another ledger.
+    /// [`Error::Condition`] if this ledger has no such account. One of another ledger is not told from its own in the same place, if both are
+    /// numbers or both are vectors.
     ///
     /// ```
     /// use spinning_bodies::{conservation::{Law, Ledger}, frame::SpaceVector};

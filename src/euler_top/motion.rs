@@ -507,6 +507,9 @@ impl EulerTop {
     /// let omega = BodyVector::new(1e-9, 0.0, 1.0);
     /// let top = EulerTop::from_omega([1.0, 1.0, 1.5], omega, Attitude::identity())?;
     /// assert!((top.mean_precession_rate() - 1.5).abs() < 1e-14);
+    /// // The tilt, 10⁻³¹⁰, is below every normal number.
+    /// let upright = EulerTop::new([1.0, 1.0, 1.5], BodyVector::new(1e-155, 0.0, 1e155), Attitude::identity())?;
+    /// assert!((upright.mean_precession_rate() / 1e155 - 1.0).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn mean_precession_rate(&self) -> f64 {

@@ -184,14 +184,15 @@ pub enum Error {
     ///
     /// ```
     /// use spinning_bodies::Error;
-    /// let told = |growth| Error::Amplified { asked: 1e-10, reached: 1e-9, growth }.to_string();
-    /// assert!(told(7.0).contains("the start grows 7 times;"));
-    /// assert!(told(0.5).contains("the start does not grow;"));
-    /// assert!(told(f64::NAN).contains("may grow"));
+    /// let told = |reached, growth| Error::Amplified { asked: 1e-10, reached, growth }.to_string();
+    /// assert!(told(1e-9, 7.0).contains("out of reach, 1e-9 was reached: ") && told(3.0, 7.0).contains("no digit is certain"));
+    /// assert!(told(1e-9, 7.0).contains("the start grows 7 times;"));
+    /// assert!(told(1e-9, 0.5).contains("the start does not grow;"));
+    /// assert!(told(1e-9, f64::NAN).contains("may grow"));
     /// ```
     #[error(
-        "accuracy {} is out of reach, {} was reached: rounding adds up, and in this motion a small change of the start {}; a looser accuracy or an earlier end may do",
-        Number(*asked), estimated(*reached), grown(*growth)
+        "accuracy {} is out of reach, {}: rounding adds up, and in this motion a small change of the start {}; a looser accuracy or an earlier end may do",
+        Number(*asked), known(*reached), grown(*growth)
     )]
     Amplified {
         /// Accuracy asked for.
@@ -238,6 +239,14 @@ impl fmt::Display for Number {
 /// A number that is known to a digit or two, rounded to three.
 fn estimated(value: f64) -> Number {
     Number(format!("{value:.2e}").parse().unwrap_or(value))
+}
+
+/// What is known at this error estimate.
+fn known(error: f64) -> String {
+    match error {
+        less if less < 1.0 => format!("{} was reached", estimated(less)),
+        _ => "no digit is certain".to_owned(),
+    }
 }
 
 /// What a small change of the start does in a motion that has this growth.

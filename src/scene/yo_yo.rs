@@ -48,13 +48,17 @@ state! {
 /// A yo-yo, the speed of its throw, and the effects on it.
 ///
 /// ```
-/// use spinning_bodies::scene::{Play, Request, Scene, effects::Gravity};
+/// use spinning_bodies::scene::effects::{AirDrag, Gravity};
+/// use spinning_bodies::scene::{Phase, Play, Request, Scene};
 /// use spinning_bodies::yo_yo::YoYo;
 ///
 /// let toy = YoYo::disc(0.055, 0.029, 1.0, 0.005)?;
 /// let play = Play::new(toy, 0.0)?.with(Gravity::new(9.81)?)?;
 /// let motion = play.simulate(&Request::at([1.9])?)?;
 /// assert!((motion.rows[0].1.depth - 0.9936).abs() < 1e-4);
+/// // In honey it stops on its way round the end of the string, and hangs there.
+/// let in_honey = play.with(AirDrag::new(1e-5)?)?.simulate(&Request::at([60.0])?)?;
+/// assert_eq!(in_honey.rows[0].1.phase, Phase::Hanging);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 ///
@@ -376,7 +380,8 @@ impl Flow<6> for Playing {
             // Without energy to spare the spin ends the way up; the depth would only graze zero.
             Phase::Up if y[ENERGY] > 0.0 => Some(y[0].min(spin)),
             Phase::Up | Phase::Asleep => Some(spin),
-            Phase::Turn => Some(end - y[0]),
+            // In air the spin may not carry the axle round.
+            Phase::Turn => Some(spin.min(end - y[0])),
             Phase::Hanging | Phase::Caught => None,
         }
     }
@@ -398,6 +403,7 @@ impl Flow<6> for Playing {
             Phase::Down if y[1] * y[1] <= twice => self.hangs(y),
             Phase::Down if self.play.sleep.is_some() => turns(y, 0.0, FRAC_PI_2),
             Phase::Down => turns(y, 0.0, PI),
+            Phase::Turn if y[1] < self.greatest().1 * (end - y[0]) => self.hangs(y),
             Phase::Turn if end < PI => {
                 // The loop slips on the axle, and the string takes the kinetic energy of the centre.
                 let velocity = toy.axle * y[1];

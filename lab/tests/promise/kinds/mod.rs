@@ -84,14 +84,14 @@ pub struct Case {
 type Kind = fn(&mut Random) -> Scene;
 
 /// The strata and how many scenes there are of each: 1,000.
-pub const STRATA: [(&str, usize, Kind); 23] = [
+pub const STRATA: [(&str, usize, Kind); 24] = [
     ("roller", 60, rolling::roller),
     ("roller on a sheet", 50, rolling::sheet),
     ("spool", 60, rolling::spool),
     ("superball, elastic", 50, |r| bouncing::thrown(r, false)),
     ("superball, with losses", 70, |r| bouncing::thrown(r, true)),
-    ("yo-yo", 40, |r| yo_yo::play(r, false)),
-    ("yo-yo in air", 60, |r| yo_yo::play(r, true)),
+    ("yo-yo", 40, |r| yo_yo::play(r, None)),
+    ("yo-yo in air", 40, |r| yo_yo::play(r, Some([1e-5, 0.1]))),
     ("swivel", 30, |r| shapes::swivelling(r, false)),
     ("swivel with friction", 40, |r| shapes::swivelling(r, true)),
     ("skater", 30, |r| shapes::skating(r, false)),
@@ -110,6 +110,7 @@ pub const STRATA: [(&str, usize, Kind); 23] = [
     ("table top, rolling", 30, |r| table_top::put(r, 2)),
     ("table top, a ball by Coulomb's law", 10, table_top::ball),
     ("table top without gravity", 10, table_top::free),
+    ("yo-yo in honey", 20, |r| yo_yo::play(r, Some([3.0, 100.0]))),
 ];
 
 /// One case of one stratum.

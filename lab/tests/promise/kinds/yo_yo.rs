@@ -118,8 +118,11 @@ impl Toy {
                     }
                 }
                 Phase::Asleep => y[1],
-                Phase::IntoSleep => PI * 0.5 - y[0],
-                _ => PI - y[0],
+                _ => {
+                    let end = if phase == Phase::IntoSleep { 0.5 } else { 1.0 };
+                    let (left, spin) = (PI * end - y[0], y[1] / fastest);
+                    if left < spin { left } else { spin }
+                }
             };
             let scales = [size, fastest, scale];
             let mut leg = followed(rate, here, &scales, left, until, longest, event);
@@ -161,6 +164,8 @@ impl Toy {
                 Phase::Down if !turns(spin) => hangs,
                 Phase::Down if self.sleep.is_some() => (Phase::IntoSleep, energy, zero, spin),
                 Phase::Down => (Phase::Turn, energy, zero, spin),
+                // Stopped on its way round.
+                Phase::Turn | Phase::OutOfSleep if (PI - place).hi > 1e-15 => hangs,
                 Phase::IntoSleep => {
                     let lost = 0.5 * m * r * r * spin * spin;
                     (Phase::Asleep, energy - lost, zero, spin)
@@ -204,7 +209,8 @@ impl Toy {
     }
 }
 
-pub fn play(r: &mut Random, air: bool) -> Scene {
+/// `air` is the part of the spin that drag would take on the way down.
+pub fn play(r: &mut Random, air: Option<[f64; 2]>) -> Scene {
     let mass = r.scaled(0.01, 1.0);
     let radius = r.scaled(0.02, 0.1);
     let inertia = mass * radius * radius * r.within(0.3, 1.0);
@@ -234,8 +240,8 @@ pub fn play(r: &mut Random, air: bool) -> Scene {
     let sleep = listed(r, "sleep", 30, [0.1, 3.0].map(|x| x * down));
     let braking = [1e-3, 0.5].map(|x| x * inertia * spin / down);
     let torque = listed(r, "axle_friction", 50, braking);
-    let braking = [1e-5, 0.1].map(|x| x * inertia / (spin * down));
-    let drag = air.then(|| listed(r, "air_drag", 100, braking));
+    let braking = |part: [f64; 2]| part.map(|x| x * inertia / (spin * down));
+    let drag = air.map(|part| listed(r, "air_drag", 100, braking(part)));
     let zero = Dd::ZERO;
     let given = |value: Option<f64>| value.map_or(zero, Dd::from);
     let thinning = thick.map_or(zero, |wound| {

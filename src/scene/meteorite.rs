@@ -13,6 +13,20 @@ use crate::integrators::both_ways;
 ///
 /// It takes one effect, an [`Impact`], with recoil and the meteorite's own moment of inertia. After it the two are one rigid body that turns about an
 /// axis that is not principal: the planet wobbles like Euler's top, and its centre circles the common centre of mass.
+///
+/// ```
+/// use spinning_bodies::frame::BodyVector as V;
+/// use spinning_bodies::impacts::{Impact, Meteorite, Planet};
+/// use spinning_bodies::scene::{Request, Scene, StruckPlanet};
+///
+/// // The Earth runs into a small moon at rest: without momentum, each pulls the other round.
+/// let earth = Planet::spherical(6e24, 8e37, V::zero(), V::new(0.0, 1e-5, 7.3e-5))?;
+/// let moon = Impact { meteorite: Meteorite::new(1e20, V::zero())?, at: V::new(3.7e6, 1e6, 5.1e6) };
+/// let motion = StruckPlanet::new(earth).with(moon)?.simulate(&Request::at([1e3, 1e5])?)?;
+/// let moved = (motion.rows[1].1.center - motion.rows[0].1.center).norm();
+/// assert!(moved > 10.0 && moved < 2.0 * 6.4e6 * 1e20 / 6e24);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct StruckPlanet {
     planet: Planet,
@@ -216,9 +230,10 @@ impl Scene for StruckPlanet {
         let mut turns = opening.angular_momentum.norm();
         if let Some(Impact { meteorite, at }) = self.impact {
             law = Law::NonIncreasing;
-            let speeds = [meteorite.velocity.norm(), planet.velocity.norm()];
-            moves += meteorite.mass * speeds[0];
-            turns += meteorite.mass * at.norm() * (speeds[0] + speeds[1]);
+            // The planet's surface moves, too.
+            let speed = meteorite.velocity.norm() + at.norm() * planet.omega.norm();
+            moves += meteorite.mass * speed;
+            turns += meteorite.mass * at.norm() * (speed + planet.velocity.norm());
             // Beside the moments of a stone far out those of the planet lose digits.
             let [least, ..] = planet.inertia.principal_axes().moments;
             error *= (self.added(&meteorite, at) / least).max(1.0);

@@ -38,6 +38,19 @@ fn energy_is_the_sum_of_its_parts() {
     adds_up("crawler", ["front", "rear", "gap"]);
 }
 
+/// A thin rod that turns quickly about itself, with an L nearly across its Ω: their product is small beside both.
+#[test]
+fn all_the_energy_of_a_free_rod_is_kinetic() {
+    let body = "[body]\nmoments = [1.0, 1.0, 1e-12]\n[run]\ntimes = [0.0, 7.0]";
+    let start = "[initial]\nattitude = [0.6, 0.0, 0.8, 0.0]\nomega = [1.0, 0.3, 1e6]";
+    let names = ["energy", "kinetic"];
+    let (scene, request) = parse("rod", &format!("{body}\n{start}")).unwrap();
+    let table = scene.telling(&names).unwrap().simulate(&request).unwrap();
+    for [energy, kinetic] in table.numbers(names).unwrap() {
+        assert!((kinetic / energy - 1.0).abs() < 1e-15, "{kinetic} {energy}");
+    }
+}
+
 /// What becomes of the energy is told twice: as what resistance has taken, and as a flow of its own.
 #[test]
 fn what_is_lost_is_what_the_start_had_more() {

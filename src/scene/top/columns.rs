@@ -25,7 +25,7 @@ pub(super) fn columns(top: &Top) -> Columns<State> {
         )
         .angular_momentum(|state| state.attitude, momentum)
         .and(columns! { |state: &State|
-            "kinetic", "J", "kinetic energy" => 0.5 * state.attitude.to_body(momentum(state)).dot(&state.omega);
+            "kinetic", "J", "kinetic energy" => body.axis_moments().energy(body.inward(state.omega));
         });
     let Ok(conserved) = Conserved::of(top) else {
         return columns;

@@ -75,7 +75,7 @@ impl Turning {
             start,
             pace: top.pace()?,
             falling: top.falling(),
-            energy: energy / unit,
+            energy: (energy / unit).max(f64::MIN_POSITIVE),
         })
     }
 

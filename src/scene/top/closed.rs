@@ -119,12 +119,12 @@ impl ClosedForm {
         }
     }
 
-    /// The additional relative error of an Ω much slower than the pace (both rad/s), as just after a release: a rounding of the pace, or the stated error in units of the pace.
+    /// The additional relative error of an Ω much slower than the pace (both rad/s), as just after a release: two roundings of the pace, or the stated error in units of the pace.
     pub(super) fn hardly_moving(&self, pace: f64, fastest: impl Fn() -> f64) -> f64 {
         let slowed = |fastest: f64| if fastest > 0.0 { pace / fastest } else { 0.0 };
         match self {
             Self::Free(_) => 0.0,
-            Self::Lagrange(..) => f64::EPSILON * slowed(fastest()),
+            Self::Lagrange(..) => 2.0 * f64::EPSILON * slowed(fastest()),
             Self::Kovalevskaya(top, _) => {
                 top.stated_error(0.0) * (slowed(fastest()) - 1.0).max(0.0)
             }

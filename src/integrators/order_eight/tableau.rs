@@ -47,6 +47,11 @@ impl<const N: usize> Between<N> {
         Self([step.state, change, bend, last, none, none, none, none])
     }
 
+    /// The last coefficient. No value of its term is more than a 119th of it.
+    pub const fn last(&self) -> &[f64; N] {
+        &self.0[7]
+    }
+
     /// The state after this fraction of the step, 0…1.
     pub fn at(&self, part: f64) -> [f64; N] {
         let (s, left) = (part, 1.0 - part);

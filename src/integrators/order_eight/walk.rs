@@ -129,20 +129,23 @@ impl<'a, const N: usize, S: System<N> + ?Sized> Walk<'a, N, S> {
         sum([1.0, 1.0], [&state, &excess])
     }
 
+    /// The root mean square of these changes of the components, each relative to its size.
+    pub(super) fn size(&self, change: &[f64; N]) -> f64 {
+        let (state, scales) = (&self.state.values, self.leg.scales);
+        let weighted = |n: usize| change[n] / (state[n].abs() + scales[n]);
+        let squares: f64 = (0..N).map(|n| weighted(n) * weighted(n)).sum();
+        (squares / N as f64).sqrt()
+    }
+
     /// A first guess at the length of a step, from the rates and their change over a short Euler step (Hairer, Nørsett, Wanner, II.4).
     pub(super) fn first_length(&mut self, tolerance: f64) -> f64 {
         let (span, state) = (self.left(), &self.state.values);
-        let size = |v: &[f64; N]| {
-            let weighted = |n: usize| v[n] / (state[n].abs() + self.leg.scales[n]);
-            let squares: f64 = (0..N).map(|n| weighted(n) * weighted(n)).sum();
-            (squares / N as f64).sqrt()
-        };
-        let rate = size(&self.rate);
+        let rate = self.size(&self.rate);
         let short = (0.01 / rate).min(span.abs());
         let h = short.copysign(span);
         let moved = sum([1.0, h], [state, &self.rate]);
         let there = self.leg.system.rate(self.time.values[0] + h, &moved);
-        let bend = size(&sum([1.0, -1.0], [&there, &self.rate])) / short;
+        let bend = self.size(&sum([1.0, -1.0], [&there, &self.rate])) / short;
         // Both are rates: the size of the first derivative and the root of the second's, which counts for components at rest.
         let pace = rate.max(bend.sqrt());
         let guess = tolerance.min(1.0).sqrt().sqrt().sqrt() * FIRST / pace;

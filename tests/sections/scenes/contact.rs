@@ -215,11 +215,11 @@ fn a_body_hops_rather_than_be_pulled() -> Result<()> {
     // A body thrown up at once is in the air from the start, and does not land there.
     let thrown = "kind = \"table-top\"\n[body]\nmass = 0.2\nmoments = [4, 4, 8]\nsemi_axes = [5, 6, 5]\nsurface_turn = -2.2\n[initial]\ntilt = 1.5707963267948966\naxial_spin = 12\n[effects]\ngravity = 9.81\n[run]\ntimes = [0, 1e-20, 1e-12]\n";
     assert_eq!(last(thrown, ["support"]), [2.0]);
-    // All that the search for a landing looks at is counted, the fifty halvings in which each is located too: without them it is 2985.
+    // All that the search for a landing looks at is counted, the fifty halvings in which each is located too: without them it is 3183.
     let progress = Progress::default();
     table.simulate(&request.watched(&progress))?;
     let looks = progress.reached().evaluations;
-    assert!((3080..3300).contains(&looks), "{looks}");
+    assert!((3280..3500).contains(&looks), "{looks}");
     Ok(())
 }
 

@@ -38,8 +38,8 @@ impl Superball {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(mass: f64, kappa: f64, start: InFlight) -> Result<Self> {
-        let (mass, flight) = (positive("the mass", mass)?, Flight::alone(kappa, start));
-        let flight = flight.checked()?;
+        let mass = positive("the mass", mass)?;
+        let flight = Flight::new(kappa, f64::INFINITY, (None, None, None), start)?;
         Ok(Self { mass, flight })
     }
 

@@ -95,25 +95,14 @@ impl Flight {
         start: InFlight,
     ) -> Result<Self> {
         let flight = Self {
+            kappa,
             room,
             gravity: gravity.unwrap_or(0.0),
             losses,
             grip,
-            ..Self::alone(kappa, start)
+            start,
         };
         flight.checked()
-    }
-
-    /// A ball without ceiling, gravity, losses and slip, not checked yet.
-    pub(crate) const fn alone(kappa: f64, start: InFlight) -> Self {
-        Self {
-            kappa,
-            room: f64::INFINITY,
-            gravity: 0.0,
-            losses: None,
-            grip: None,
-            start,
-        }
     }
 
     /// # Errors

@@ -22,7 +22,22 @@ use crate::search::ascending;
 
 /// States at times in any order, from `follow`, which takes ordered times and gives a state for each: first those before 0, backward from 0, then the others,
 /// ascending.
-pub(crate) fn both_ways<Y>(
+///
+/// # Errors
+/// Those of `follow`.
+///
+/// ```
+/// use spinning_bodies::integrators::both_ways;
+/// let mut calls = Vec::new();
+/// let states = both_ways(&[2.0, -1.0, 1.0, -3.0], &mut |times| {
+///     calls.push(times.to_vec());
+///     Ok(times.iter().map(|t| 10.0 * t).collect())
+/// })?;
+/// assert_eq!(states, [20.0, -10.0, 10.0, -30.0]);
+/// assert_eq!(calls, [[-1.0, -3.0], [1.0, 2.0]]);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
+pub fn both_ways<Y>(
     times: &[f64],
     follow: &mut dyn FnMut(&[f64]) -> Result<Vec<Y>>,
 ) -> Result<Vec<Y>> {

@@ -167,7 +167,7 @@ impl Follow for Sliding {
         let y = self.ball.numbers(start)?;
         let scales = self.ball.scales(&y);
         let run = match self.general {
-            Some(method) => Run::new(&self.ball, &scales, method, effort).solve(0.0, &y, times)?,
+            Some(method) => Run::new(&self.ball, &scales, method, effort).solve(&y, times)?,
             None => {
                 let kept = Kept::UnitQuaternion(0);
                 order_eight(&self.ball, kept, &y, &scales, times, effort)?

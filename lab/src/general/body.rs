@@ -62,7 +62,7 @@ impl<N: Torque<f64>> System<7> for GeneralMethod<N> {
 /// Compiled here, once for all torques.
 #[inline(never)]
 fn solved(run: Run<'_, 7>, start: &[f64; 7], times: &[f64]) -> Result<Solution<[f64; 7]>> {
-    run.solve(0.0, start, times)
+    run.solve(start, times)
 }
 
 impl<N: Torque<f64> + core::fmt::Debug> Follow for GeneralMethod<N> {

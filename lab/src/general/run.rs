@@ -6,7 +6,9 @@ use differential_equations::methods::{ExplicitRungeKutta, ImplicitRungeKutta};
 use differential_equations::ode::{OrdinaryNumericalMethod, solve_ode};
 use differential_equations::solution::Solution as Finished;
 
-use spinning_bodies::integrators::{Cost, Effort, Event, Method, Passage, Solution, Stop, System};
+use spinning_bodies::integrators::{
+    Cost, Effort, Event, Method, Passage, Solution, Stop, System, both_ways,
+};
 use spinning_bodies::{Error, Result};
 
 use crate::finite;
@@ -50,7 +52,7 @@ impl<'a, const N: usize> Run<'a, N> {
         }
     }
 
-    /// States at all of `times` (s, in any order, before and after `start_time`).
+    /// States at all of `times` (s, in any order, before and after the start at 0).
     ///
     /// Each sample is reached by a step of its own from the last step before it, not by dense output, which is less exact by up to
     /// four digits; it costs the evaluations of one step.
@@ -58,34 +60,17 @@ impl<'a, const N: usize> Run<'a, N> {
     /// # Errors
     /// [`Error::NotFinite`] for times and start; [`Error::NotPositive`] for the effort;
     /// [`Error::Integration`] if the method fails.
-    pub fn solve(
-        &self,
-        start_time: f64,
-        start: &[f64; N],
-        times: &[f64],
-    ) -> Result<Solution<[f64; N]>> {
+    pub fn solve(&self, start: &[f64; N], times: &[f64]) -> Result<Solution<[f64; N]>> {
         for &t in times {
             finite("the time", t)?;
         }
-        let mut order: Vec<usize> = (0..times.len()).collect();
-        order.sort_by(|&i, &j| times[i].total_cmp(&times[j]));
-        let first_after = order.partition_point(|&i| times[i] < start_time);
-        let (before, after) = order.split_at_mut(first_after);
-        before.reverse();
-        let mut states = vec![*start; times.len()];
         let mut cost = Cost::default();
-        for places in [before, after] {
-            let Some(&mut last) = places.last_mut() else {
-                continue;
-            };
-            let ordered: Vec<f64> = places.iter().map(|&i| times[i]).collect();
+        let states = both_ways(times, &mut |times| {
             let never = |_: f64, _: &[f64; N]| 1.0;
-            let passage = self.until(start_time, start, &ordered, times[last], &never)?;
+            let passage = self.until(0.0, start, times, times[times.len() - 1], &never)?;
             cost += passage.cost;
-            for (&mut place, state) in places.iter_mut().zip(passage.states) {
-                states[place] = state;
-            }
-        }
+            Ok(passage.states)
+        })?;
         Ok(Solution { states, cost })
     }
 

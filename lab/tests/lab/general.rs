@@ -24,7 +24,7 @@ fn by(method: Method) -> Effort {
 
 /// The pendulum at these times.
 fn swung(times: &[f64], method: Method, effort: Effort) -> Result<Solution<[f64; 2]>> {
-    Run::new(&pendulum, &[1.0; 2], method, effort).solve(0.0, &START, times)
+    Run::new(&pendulum, &[1.0; 2], method, effort).solve(&START, times)
 }
 
 /// Until the event, or to the last time.
@@ -75,11 +75,7 @@ fn evaluations_are_those_made() {
             pendulum(t, y)
         };
         let run = Run::new(&counted, &[1.0; 2], method, by(method));
-        let told = run
-            .solve(0.0, &START, &[1.0, 2.0])
-            .unwrap()
-            .cost
-            .evaluations;
+        let told = run.solve(&START, &[1.0, 2.0]).unwrap().cost.evaluations;
         // Not told: Euler's steps over what rounding has left, one for each sample and the end.
         let untold = made.get() - told;
         assert!(untold <= 4, "{method:?}: {untold} {told}");
@@ -91,7 +87,7 @@ fn what_cannot_be_followed_is_refused() {
     let explodes = |_: f64, y: &[f64; 1]| [y[0] * y[0]];
     for method in [Method::Dopri5, Method::Dop853, Method::Verner98] {
         let run = Run::new(&explodes, &[1.0], method, by(method));
-        let error = run.solve(0.0, &[1.0], &[2.0]).expect_err("it has no end");
+        let error = run.solve(&[1.0], &[2.0]).expect_err("it has no end");
         let told = matches!(error, Error::Integration { .. } | Error::NotFinite { .. });
         assert!(told, "{method:?}: {error:?}");
     }

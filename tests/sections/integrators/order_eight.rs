@@ -39,7 +39,7 @@ fn beside(begun: f64, times: &[f64], tolerance: f64) -> [(f64, u64); 2] {
     let start = comet_at(begun);
     let own = order_eight(&comet, Kept::Nothing, &start, &scales, times, effort).unwrap();
     let crates = Run::new(&comet, &scales, Method::Dop853, effort);
-    let crates = crates.solve(0.0, &start, times).unwrap();
+    let crates = crates.solve(&start, times).unwrap();
     [own, crates].map(|run| {
         let off = times.iter().zip(&run.states).map(|(&t, y)| {
             let [x, z, ..] = comet_at(begun + t);

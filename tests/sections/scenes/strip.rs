@@ -202,7 +202,7 @@ fn turning_back_costs_no_digit() {
         let scales = [0.01, 0.01, 1.0, 0.3, 0.3, 30.0, 1e-4];
         let (method, effort) = (Method::Verner98, Effort::Tolerance(1e-15));
         let plain = Run::new(system, &scales, method, effort);
-        let plain = plain.solve(0.0, &first, &[1.0]).unwrap();
+        let plain = plain.solve(&first, &[1.0]).unwrap();
         let [x, y, angle, _, _, omega, _] = plain.states[0];
         for asked in [1e-9, 1e-11] {
             let request = request().to_accuracy(asked).unwrap();

@@ -70,18 +70,6 @@ fn thetas(p: impl Fn(usize, usize) -> f64) -> [[f64; 4]; 4] {
     [theta1, theta2, theta3, theta4]
 }
 
-/// The same beyond m = 1/2 for a small nome, from `half` = √q; terms of order q³ are left out.
-fn few_thetas(half: f64) -> [[f64; 4]; 4] {
-    let (q, q2) = (half * half, half * half * (half * half));
-    let (z, z2) = (-0.25 * half, -0.25 * half * q);
-    [
-        [1.0 - 3.0 * q2, 4.0 * z2, 0.0, 0.0],
-        [1.0 + q2, -4.0 * z2, 0.0, 0.0],
-        [1.0 + 2.0 * q, -4.0 * z, 0.0, 0.0],
-        [1.0 - 2.0 * q, 4.0 * z, 0.0, 0.0],
-    ]
-}
-
 /// factor · numerator − denominator.
 #[inline(always)]
 fn correction(factor: f64, numerator: [f64; 4], denominator: [f64; 4]) -> [f64; 4] {
@@ -112,13 +100,8 @@ impl Series {
 
     #[inline(always)]
     pub(super) fn hyperbolic(half: f64, complementary_modulus: f64, rate: f64) -> Self {
-        let thetas = if half * half < SMALL {
-            few_thetas(half)
-        } else {
-            hyperbolic_thetas(half)
-        };
         Self {
-            corrections: hyperbolic_corrections(thetas, rate),
+            corrections: hyperbolic_corrections(hyperbolic_thetas(half), rate),
             root: 2.0 * half.sqrt(),
             complementary_modulus,
         }

@@ -188,26 +188,4 @@ mod tests {
         let rest = two.square_root().square() - two;
         assert!(rest.value().abs() < 2f64.powi(-102), "{rest:?}");
     }
-
-    #[test]
-    fn sine_after_many_turns() {
-        // The platform reduces doubles exactly (Payne and Hanek); the two agree up to 10²⁰.
-        let mut argument = 1.1_f64;
-        while argument < 1e20 {
-            let (sin, cos) = DoubleDouble::from(argument).sin_cos();
-            let allowed = 4e-16 + argument * 2f64.powi(-100);
-            assert!((sin - argument.sin()).abs() < allowed, "{argument}: {sin}");
-            assert!((cos - argument.cos()).abs() < allowed, "{argument}: {cos}");
-            argument *= 7.3;
-        }
-    }
-
-    #[test]
-    fn the_trailing_part_counts_in_the_phase() {
-        // sin(a + b) by the addition theorem, with b far below the last place of a.
-        let (a, b) = (3e17_f64, 0.3_f64);
-        let (sin, _) = DoubleDouble::sum(a, b).sin_cos();
-        let expected = a.sin() * b.cos() + a.cos() * b.sin();
-        assert!((sin - expected).abs() < 4e-16, "{sin} against {expected}");
-    }
 }

@@ -37,13 +37,11 @@ pub(super) struct Precession {
     angles: [f64; 3],
 }
 
-/// The greatest disagreement allowed between estimates of the angle at time 0, relative to the sine of the tilt.
-const TRUSTED: f64 = 1e-11;
-
 /// The greatest disagreement allowed between values of α from different states.
 const AGREEING: f64 = 1e-9;
 
-/// The same between α by integrals and its mean over states, or between those states, for an upright start.
+/// The same between α by integrals and its mean over states, or between those states, for an upright start; and, over c where c < 1, half of the greatest angle
+/// between an attitude of the trial and the one found.
 const SURE: f64 = 1e-13;
 
 /// Where the sine of the tilt and K are both below this, the rounding of their directions would cost digits of the attitude.
@@ -140,7 +138,7 @@ impl Precession {
     // ANCHOR_END: choice
 
     /// Completes the solution with the angles at time 0, estimated from several states soon after, since at a single instant the third axis may be nearly upright or
-    /// rounding at its worst. `None` if the estimates do not agree.
+    /// rounding at its worst. `None` unless it then gives the attitudes of the trial.
     fn with_angles(self, constants: &Constants, trial: &Trial) -> Option<Self> {
         let seen = trial[1..].iter().map(|&(t, (state, attitude))| {
             let turning = self.uniformly_turning(constants, t, &state, attitude);
@@ -148,17 +146,16 @@ impl Precession {
         });
         let seen: Vec<[Complex; 3]> = seen.collect();
         let sums = [0, 1, 2].map(|i| seen.iter().map(|all| all[i]).sum::<Complex>());
-        let mean = sums[0].conj() / sums[0].norm();
-        // The azimuth is best determined where the axis leans most, and that decides how uncertain the attitude is.
-        let most = seen
-            .iter()
-            .fold(0.0_f64, |most, all| most.max(all[0].norm()));
-        let near = |all: &[Complex; 3]| (all[0] * mean).im.abs() < TRUSTED * most;
-        let agreed = most > 0.0 && seen.iter().all(near);
-        agreed.then_some(Self {
+        let solved = Self {
             angles: sums.map(Complex::arg),
             ..self
-        })
+        };
+        let off = |&(t, (_, attitude)): &(f64, FullState)| {
+            let (_, known) = solved.full_state(constants, t);
+            (known * attitude.conjugate()).imag().norm()
+        };
+        let sure = SURE / constants.c.value().min(1.0);
+        trial.iter().all(|seen| off(seen) < sure).then_some(solved)
     }
 
     /// The three quantities whose phases are linear in time, for a given attitude: ξ₃G₊G₋, η₂⁴G₊⁴K and η₁⁴G₋⁴K̄, with G± normalised and K as a fraction of its bound; their magnitudes tell how well the phases are determined.

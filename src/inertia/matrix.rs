@@ -6,6 +6,7 @@ use super::moments::possible;
 use super::principal::{PrincipalAxes, principal_axes_of, symmetric, symmetric_axes};
 use crate::error::{Error, Result, each_finite, finite, not_negative, within};
 use crate::frame::{Attitude, BodyVector, finite_vector};
+use crate::precise::power_of_two_below;
 
 /// The inertia matrix I about some point, kg m²: symmetric, with moments that a body can have.
 ///
@@ -210,14 +211,19 @@ impl InertiaMatrix {
     /// let inertia = InertiaMatrix::diagonal(1.0, 2.0, 3.0)?;
     /// let angle = inertia.angle_between_l_and_omega(BodyVector::new(1.0, 1.0, 0.0))?;
     /// assert!((angle - (1.0_f64 / 3.0).atan()).abs() < 1e-15);
+    /// let small = InertiaMatrix::diagonal(1e-201, 2e-201, 3e-201)?;
+    /// let angle = small.angle_between_l_and_omega(BodyVector::new(1.0, 1e-130, 0.0))?;
+    /// assert!((angle / 1e-130 - 1.0).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn angle_between_l_and_omega(&self, omega: BodyVector) -> Result<f64> {
         let omega = omega.direction("the angular velocity")?;
-        let l = self.angular_momentum(omega);
+        // Over a power of two, for small moments times the small components of a direction underflow.
+        let matrix = self.0 / power_of_two_below(self.0.amax());
+        let l = Self(matrix).angular_momentum(omega);
         l.direction("the angular momentum")?;
         let along = omega.dot(&l);
-        let apart = Self(self.0 - Matrix3::from_diagonal_element(along));
+        let apart = Self(matrix - Matrix3::from_diagonal_element(along));
         let across = omega.cross(&apart.angular_momentum(omega));
         Ok(across.norm().atan2(along))
     }

@@ -332,7 +332,9 @@ impl Constants {
         }
         let gain = RIGHT_ANGLE - self.turning.lag;
         let quarters = self.course.rate / quarter;
-        (self.turning_rate + gain * quarters).value()
+        let rate = (self.turning_rate + gain * quarters).value();
+        // The sum has no second word where the first is beyond the doubles.
+        if rate.is_nan() { f64::INFINITY } else { rate }
     }
 
     /// Solid angle of the cone that L traces in the body in one period, with the sign of du/dt.

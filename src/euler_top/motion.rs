@@ -498,18 +498,21 @@ impl EulerTop {
 
     /// Mean rate, rad/s, at which the axis that L circles in the body goes round L in space, right-handed about L (6.5, 6.8).
     ///
-    /// |L|/I₁ for a symmetric top. Where Ω is constant: the rate 2E/|L| at which the body turns about L; 0 at rest. Error: 2 ulp; for a needle that spins about its own axis, with
+    /// |L|/I₁ for a symmetric top. Where Ω is constant: the rate 2E/|L| at which the body turns about L; 0 at rest. Infinite beyond the doubles. Error: 2 ulp; for a needle that spins about its own axis, with
     /// a moment of 10⁻¹⁶ of the others or less, 10⁻³² of the spin.
     ///
     /// ```
     /// use spinning_bodies::{euler_top::EulerTop, frame::{Attitude, BodyVector}};
-    /// // Nearly about axis 3 that is I₃Ω₃/√(I₁I₂), for a symmetric body |L|/I₁.
+    /// // Nearly about axis 3 that is Ω₃(1 + √((I₃−I₁)(I₃−I₂)/I₁I₂)), for a symmetric body |L|/I₁.
     /// let omega = BodyVector::new(1e-9, 0.0, 1.0);
     /// let top = EulerTop::from_omega([1.0, 1.0, 1.5], omega, Attitude::identity())?;
     /// assert!((top.mean_precession_rate() - 1.5).abs() < 1e-14);
     /// // The tilt, 10⁻³¹⁰, is below every normal number.
     /// let upright = EulerTop::new([1.0, 1.0, 1.5], BodyVector::new(1e-155, 0.0, 1e155), Attitude::identity())?;
     /// assert!((upright.mean_precession_rate() / 1e155 - 1.0).abs() < 1e-15);
+    /// // |L|/I₁ = 2·10³⁰⁸.
+    /// let fast = EulerTop::beyond_bodies([0.25, 0.25, 0.75], BodyVector::new(1e300, 0.0, 5e307), Attitude::identity())?;
+    /// assert_eq!(fast.mean_precession_rate(), f64::INFINITY);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn mean_precession_rate(&self) -> f64 {

@@ -162,8 +162,8 @@ impl JacobiEllipsoid {
     /// [bifurcating spheroid](MaclaurinSpheroid::at_jacobi_bifurcation).
     ///
     /// The shortest axis solves a²b²A₁₂ = c²A₃ (Chandrasekhar 1969), written as one integral so that b = a needs no
-    /// limit. Observed error of c/a and Ω²: 1.3·10⁻¹⁵ relative for b/a ≥ 0.002, growing to 3·10⁻¹⁴ at 0.001,
-    /// against Carlson's integrals in 45 digits. Cost: about 55 bisections of 221 integrand values.
+    /// limit. Observed relative error over 1200 ellipsoids: of c/a 3·10⁻¹⁶, of Ω² 1.8·10⁻¹⁵ for b/a ≥ 0.002, growing to 3·10⁻¹⁴ at 0.001,
+    /// against Carlson's integrals in 40 digits. Cost: about 55 bisections of 221 integrand values.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::OutOfRange`](crate::Error::OutOfRange).

@@ -200,9 +200,13 @@ impl Values {
             Spacing::Linear | Spacing::Logarithmic => "a number",
         };
         let unit = if parameter.unit.is_empty() { "" } else { " " };
+        // Far from 1 with an exponent, not with three hundred zeros.
+        let value = format!("{value:?}");
         Err(format!(
-            "{} is {value:?}, expected {kind} from {low} to {high}{unit}{}",
-            parameter.key, parameter.unit
+            "{} is {}, expected {kind} from {low} to {high}{unit}{}",
+            parameter.key,
+            value.trim_end_matches(".0"),
+            parameter.unit
         ))
     }
 }

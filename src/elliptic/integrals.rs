@@ -5,7 +5,7 @@ use super::landen::SMALL;
 use super::modulus::Modulus;
 use super::parameter::{Characteristic, Parameter};
 use crate::error::{Result, finite, not_zero, refused, within};
-use crate::precise::{DoubleDouble as Dd, Extended, Number, RIGHT_ANGLE, power_of_two_below};
+use crate::precise::{DoubleDouble as Dd, Extended, Number, RIGHT_ANGLE};
 
 /// K = ∫₀^{π/2} dθ/√(1 − m sin²θ) for m ≤ 1, the quarter period; π/2 at m = 0, ln(4/√mc) for mc → 0, infinite at mc = 0.
 ///
@@ -584,7 +584,7 @@ fn complement(x: f64) -> Dd {
 ///
 /// Error 0.4 ε at most of 48 rows, x from 10⁻³⁰⁰ to the float below 1, x taken as exact. An error of x enters u
 /// multiplied by 1/(cn dn), which is unbounded next to ±1: use [`inverse_cn`] or [`inverse_cn_sn`] there.
-/// Cost 0.3 µs. Source: Digital Library of Mathematical Functions, 19.25.31, 22.15.
+/// Cost 0.3 µs, up to three times that with numbers beyond 10^±60. Source: Digital Library of Mathematical Functions, 19.25.31, 22.15.
 ///
 /// # Errors
 ///
@@ -598,14 +598,13 @@ fn complement(x: f64) -> Dd {
 /// ```
 pub fn inverse_sn(x: f64, parameter: Parameter) -> Result<f64> {
     let x = within("value of sn", x, -1.0, 1.0)?;
-    let squares = [Dd::product(x, x), complement(x), Dd::from(1.0)];
-    Ok(from_squares(Dd::from(x), squares, parameter).value())
+    Ok(from_sine_cosine([Dd::from(x), complement(x).square_root()], parameter).value())
 }
 
 /// The u in 0…2K with cn u = x; infinite at m = 1, x ≤ 0.
 ///
 /// Error 0.6 ε at most of 48 rows, x from 10⁻³⁰⁰ to the float below 1, both signs. Ill-conditioned next to ±1, as
-/// [`inverse_sn`] is. Cost 0.2–0.5 µs. Source: Digital Library of Mathematical Functions, 19.25.31, 22.15.
+/// [`inverse_sn`] is. Cost 0.2–0.5 µs, up to three times that with numbers beyond 10^±60. Source: Digital Library of Mathematical Functions, 19.25.31, 22.15.
 ///
 /// # Errors
 ///
@@ -614,13 +613,13 @@ pub fn inverse_sn(x: f64, parameter: Parameter) -> Result<f64> {
 /// ```
 /// use spinning_bodies::elliptic::{Parameter, inverse_cn};
 /// assert!((inverse_cn(0.5, Parameter::from_parameter(0.0)?)? - 0.5_f64.acos()).abs() < 3e-16);
+/// // At m = 1, cn u = 1/cosh u.
+/// assert!((inverse_cn(1e-300, Parameter::from_parameter(1.0)?)? - (2.0_f64.ln() + 300.0 * 10.0_f64.ln())).abs() < 1e-12);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn inverse_cn(x: f64, parameter: Parameter) -> Result<f64> {
     let x = within("value of cn", x, -1.0, 1.0)?;
-    let s2 = complement(x);
-    let squares = [s2, Dd::product(x, x), Dd::from(1.0)];
-    let u = from_squares(s2.square_root(), squares, parameter);
+    let u = from_sine_cosine([complement(x).square_root(), Dd::from(x)], parameter);
     Ok(reflected(u, x < 0.0, parameter))
 }
 
@@ -641,7 +640,7 @@ fn reflected(u: Dd, negative: bool, parameter: Parameter) -> f64 {
 /// Well conditioned for every direction, where the inverses from one value alone lose half the digits next to the
 /// extremes of that value. The length of (x, y) does not matter. ±infinity at m = 1, x ≤ 0.
 ///
-/// Error: at most 0.41 of the change of u that a relative change of 4 ε in y/x makes. Cost 0.2–0.5 µs.
+/// Error: at most 0.41 of the change of u that a relative change of 4 ε in y/x makes. Cost 0.2–0.5 µs, up to three times that with numbers beyond 10^±60.
 ///
 /// # Errors
 ///
@@ -650,23 +649,23 @@ fn reflected(u: Dd, negative: bool, parameter: Parameter) -> f64 {
 /// ```
 /// use spinning_bodies::elliptic::{Parameter, inverse_cn_sn};
 /// assert!((inverse_cn_sn(-1.0, 1.0, Parameter::from_parameter(0.0)?)? - 3.0 * std::f64::consts::FRAC_PI_4).abs() < 5e-16);
+/// // At m = 1 it is the inverse hyperbolic sine of y/x, here of 10⁶⁰⁰: ln 2 more than its logarithm.
+/// let far = inverse_cn_sn(1e-300, 1e300, Parameter::from_parameter(1.0)?)?;
+/// assert!((far - (600.0 * 10.0_f64.ln() + 2.0_f64.ln())).abs() < 1e-12);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn inverse_cn_sn(x: f64, y: f64, parameter: Parameter) -> Result<f64> {
     let x = finite("x along cn", x)?;
     let y = finite("y along sn", y)?;
-    let size = not_zero("direction (cn, sn)", x.abs().max(y.abs()))?;
-    let unit = power_of_two_below(size);
-    let (c, s) = (x / unit, y.abs() / unit);
-    let (c2, s2) = (Dd::product(c, c), Dd::product(s, s));
-    let u = from_squares(Dd::from(s), [s2, c2, c2 + s2], parameter);
+    not_zero("direction (cn, sn)", x.abs().max(y.abs()))?;
+    let u = from_sine_cosine([y.abs(), x].map(Dd::from), parameter);
     Ok(reflected(u, x < 0.0, parameter).copysign(y))
 }
 
 /// The u in 0…K with dn u = x; 0 at m = 0.
 ///
 /// Error 0.5 ε at most of 30 rows. Ill-conditioned next to 1 and to √mc, and everywhere for small m: use
-/// [`inverse_cn_sn`] there. Cost 0.2–0.5 µs. Source: Digital Library of Mathematical Functions, 19.25.31, 22.15.
+/// [`inverse_cn_sn`] there. Cost 0.2–0.5 µs, up to three times that with numbers beyond 10^±60. Source: Digital Library of Mathematical Functions, 19.25.31, 22.15.
 ///
 /// # Errors
 ///
@@ -676,6 +675,10 @@ pub fn inverse_cn_sn(x: f64, y: f64, parameter: Parameter) -> Result<f64> {
 /// use spinning_bodies::elliptic::{Parameter, inverse_dn};
 /// // At m = 1, dn u = 1/cosh u.
 /// assert!((inverse_dn(0.5, Parameter::from_parameter(1.0)?)? - 2.0_f64.acosh()).abs() < 3e-16);
+/// assert!((inverse_dn(1e-300, Parameter::from_parameter(1.0)?)? - (2.0_f64.ln() + 300.0 * 10.0_f64.ln())).abs() < 1e-12);
+/// // The double next below 1 is less than √mc here, which is 1 − m/2: the end is K.
+/// let small = Parameter::from_parameter(1e-16)?;
+/// assert_eq!(inverse_dn(1.0_f64.next_down(), small)?, std::f64::consts::FRAC_PI_2);
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn inverse_dn(x: f64, parameter: Parameter) -> Result<f64> {
@@ -685,21 +688,33 @@ pub fn inverse_dn(x: f64, parameter: Parameter) -> Result<f64> {
         return Ok(0.0);
     }
     let m = parameter.m_dd();
-    let s2 = complement(x) / m;
-    let c2 = (Dd::product(x, x) - parameter.mc_dd()) / m;
-    let c2 = if c2.value() < 0.0 { Dd::from(0.0) } else { c2 };
-    Ok(from_squares(s2.square_root(), [s2, c2, Dd::from(1.0)], parameter).value())
+    let [mc, whole] = [parameter.mc_dd(), m].map(Extended::from);
+    let c2 = (Extended::from_double(x).square() - mc).quotient(whole);
+    if c2.leading() < 0.0 {
+        // Only rounded is √mc not above x.
+        return complete_first(parameter);
+    }
+    let pair = [(complement(x) / m).square_root(), c2.square_root().narrow()];
+    Ok(from_sine_cosine(pair, parameter).value())
 }
 
-/// The argument from s, and from s², c² and their sum, in any unit.
-#[inline(always)]
-fn from_squares(s: Dd, [s2, c2, whole]: [Dd; 3], parameter: Parameter) -> Dd {
+/// The argument from sine and cosine, in any unit.
+fn from_sine_cosine([s, c]: [Dd; 2], parameter: Parameter) -> Dd {
+    fn first<N: Number>([s, c, mc]: [N; 3]) -> Dd {
+        let (s2, c2) = (s.square(), c.square());
+        let delta2 = c2 + mc * s2;
+        if delta2.is_zero() {
+            return Dd::from(f64::INFINITY.copysign(s.leading()));
+        }
+        (s * carlson::first([c2, delta2, c2 + s2])).narrow()
+    }
     if s.value() == 0.0 {
         return s;
     }
-    let delta2 = c2 + parameter.mc_dd() * s2;
-    if delta2.value() == 0.0 {
-        return Dd::from(f64::INFINITY.copysign(s.value()));
+    let numbers = [s, c, parameter.mc_dd()];
+    if carlson::ordinary(&numbers.map(Dd::high)) {
+        first(numbers)
+    } else {
+        first(numbers.map(Extended::from))
     }
-    s * carlson::first([c2, delta2, whole])
 }

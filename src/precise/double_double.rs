@@ -177,8 +177,15 @@ pub(crate) fn power_of_two_below(size: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::DoubleDouble;
+    use super::{DoubleDouble, RIGHT_ANGLE};
     use crate::precise::Number;
+
+    /// The double next to π/2 has the cosine 6·10⁻¹⁷, the one next to π twice that as its sine.
+    #[test]
+    fn sine_and_cosine_are_those_of_both_words() {
+        let (sine, cosine) = (RIGHT_ANGLE.scaled(2.0).sin_cos().0, RIGHT_ANGLE.sin_cos().1);
+        assert!(sine.abs().max(cosine.abs()) < 1e-31, "{sine:e} {cosine:e}");
+    }
 
     #[test]
     fn three_thirds_are_one_and_root_two_squares_to_two() {

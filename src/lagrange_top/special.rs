@@ -218,7 +218,7 @@ fn less_its_sine(u: f64) -> f64 {
 /// h₀ − h₁ is the positive root of d² + 2(λ − h₀)d = sin²θ₀, 1 − h₁ is 1 − h₀ plus that, and 1 + h₁ = 2λ(1 + h₀)/(1 + λ + √…).
 ///
 /// Domain: I₁, Mgl > 0, any finite L₃ (without spin the axis falls through the hanging position, θ = π), 0 < θ₀ < π. Error: a few units in the
-/// last place, of the depth too however small it is. Cost: two square roots of 106 bits, a few sines.
+/// last place, of the depth too however small it is; of a height near zero 10⁻¹⁶. Cost: two square roots of 106 bits, a few sines.
 ///
 /// # Errors
 /// [`Error::NotFinite`], [`Error::NotPositive`], [`Error::OutOfRange`] for θ₀.

@@ -252,7 +252,7 @@ impl TruncatedFluid {
     /// W goes to U W U†, where U is the Cayley transform of step·A, and A belongs to the mean of the old and the new W. Since U is
     /// unitary, the spectrum is kept; since A belongs to the mean, the energy is kept: its gain is
     /// ⟨mean of A, \[mean of A, ·\]⟩ = 0. The step is symmetric in time, with error O(step²). The change of W is what is computed, so that only
-    /// the change is rounded: observed drift 2e-14 relative after 2000 steps of 0.01. A step too long to be accurate may still converge; then it keeps the invariants and nothing else.
+    /// the change is rounded: observed drift after 2000 steps of 0.01 in 30 fluids with N up to 11, 5e-15 of the energy and p·5e-15 of tr |W|ᵖ. A step too long to be accurate may still converge; then it keeps the invariants and nothing else.
     /// Solved by iteration to rounding, in a dozen rounds for step·|A| = 0.1. Cost: each round takes one inverse and five products of N×N matrices,
     /// and N³ operations for the modes.
     ///

@@ -404,6 +404,12 @@ impl Flight {
     /// let flight = Flight::new(0.4, f64::INFINITY, (Some(9.81), Some(lossy), None), start)?;
     /// // From the floor at 4.905 m/s, half a second on.
     /// assert!((flight.followed(&[1.5])?[0].height - 1.22625).abs() < 1e-14);
+    /// // The second bounce is at the time of the last one, but for rounding, and its friction still counts.
+    /// let (dead, slippery) = (Restitution::new(1e-9, 1.0)?, spinning_bodies::rolling::Coulomb::new(0.1)?);
+    /// let start = InFlight { motion: Motion { velocity: 5.0, rim_speed: 0.0 }, ..start };
+    /// let flight = Flight::new(0.4, f64::INFINITY, (Some(9.81), Some(dead), Some(slippery)), start)?;
+    /// let end = flight.last_contact()?.unwrap();
+    /// assert!((flight.followed(&[end])?[0].motion.velocity - (5.0 - 0.981 * (1.0 + 2e-9))).abs() < 1e-14);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn followed(&self, times: &[f64]) -> Result<Vec<InFlight>> {
@@ -435,7 +441,7 @@ impl Flight {
                 }
                 // The last bounces cannot be told apart from the end of the series.
                 let ends = |(_, first, last): (f64, InFlight, f64)| {
-                    ball.bounces >= first.bounces && (then.value() >= last || wait <= SAME * last)
+                    ball.bounces >= first.bounces && wait <= SAME * last
                 };
                 if pile.is_some_and(ends) {
                     break;

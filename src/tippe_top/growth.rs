@@ -28,7 +28,7 @@ pub struct QuasiSteady {
     ///
     /// Since the state drifts as it loses spin, its rates depend on the choice of coordinates by about the relative rate of that loss,
     /// which is of first order in friction and the same for both senses. The coordinates used are two of the vertical, Ω, and two of the velocity of C. The Jacobian is taken by differences of fourth order over 2% of
-    /// the law's slip scale: relative error about 1e-7 in the fastest rates.
+    /// the law's slip scale: error observed over a hundred round tops, against 34 digits, 2e-7 of the fastest rate.
     pub growth_rates: [Rate; 6],
     /// The slow swing, the pair of eigenvalues with the least frequency: its growth tells whether a tippe top begins to turn over.
     pub slow_swing: Rate,
@@ -151,6 +151,12 @@ fn tangent(up: &Vector3<f64>, [a, b]: [f64; 2]) -> Vector3<f64> {
     Vector3::new(a, b, -(up.x * a + up.y * b) / up.z)
 }
 
+/// The tilt over which the support map of an upright body bends: small for one that lies flat.
+fn bend(body: &ConvexBody) -> f64 {
+    let up = Vector3::z();
+    body.surface.support(&up).dot(&up) / body.surface.greatest()
+}
+
 /// See [`QuasiSteady::growth_rates`].
 fn growth_rates(table: &Table, up: Vector3<f64>, [a, b]: [f64; 2], spin: f64) -> Result<[Rate; 6]> {
     let body = &table.body;
@@ -166,7 +172,7 @@ fn growth_rates(table: &Table, up: Vector3<f64>, [a, b]: [f64; 2], spin: f64) ->
     let sharp = sharpness(table).min(speed);
     let swing = spin.abs() * size;
     let [v, w] = [0.02 * sharp, 0.02 * sharp / size];
-    let n = (0.02 * sharp / swing).min(1e-3);
+    let n = (0.02 * sharp / (spin.abs() * body.surface.greatest())).min(1e-3) * bend(body);
     let omega = up * spin;
     let x = SVector::from([up.x, up.y, omega.x, omega.y, omega.z, a, b]);
     let turn = spin.abs();
@@ -244,7 +250,8 @@ fn jacobian<const N: usize>(
 /// The eigenvalues (1/s) of pure rolling about steady spin round the vertical third axis, the fastest growing first. That spin must be steady: CK
 /// must lie along the third axis, and that must be a symmetric direction of surface and inertia (rattleback, celt-ended tops).
 ///
-/// Coordinates: two of the vertical, two of Ω across the third axis. Differences of fourth order; error about 1e-9 relative.
+/// Coordinates: two of the vertical, two of Ω across the third axis. Differences of fourth order; error observed over 90 bodies, up to a thousand times as long as
+/// high, against 34 digits: 1e-10 relative.
 ///
 /// # Errors
 /// [`Error::Condition`](crate::Error::Condition) if spin about the third axis is not steady, or the eigenvalues cannot be found.
@@ -255,6 +262,9 @@ fn jacobian<const N: usize>(
 /// let stone = bodies::rattleback()?;
 /// let [one, other] = [5.0, -5.0].map(|spin| rolling_growth_rates(&stone, 9.81, spin).map(|rates| rates[0].growth));
 /// assert!(one? != other?);
+/// // In 34 digits, though its surface is ten times as long as high.
+/// let fast = rolling_growth_rates(&stone, 9.81, -50.0)?;
+/// assert!((fast[0].growth / 19.5553354660581 - 1.0).abs() < 1e-9);
 /// // An egg on its end falls, as e to the 2.84 t.
 /// let egg = rolling_growth_rates(&bodies::egg(1.0, 1.0, 0.1)?, 9.81, -1.0)?;
 /// assert!((egg[0].growth - 2.8425).abs() < 1e-4 && egg[3].growth < -2.8);
@@ -281,7 +291,8 @@ pub fn rolling_growth_rates(body: &ConvexBody, gravity: f64, spin: f64) -> Resul
         return refused(condition, drift);
     }
     let turn = natural.max(spin.abs());
-    let strides = [1e-3, 1e-3, 1e-3 * turn, 1e-3 * turn];
+    let tilt = 5e-4 * bend(body);
+    let strides = [tilt, tilt, 1e-3 * turn, 1e-3 * turn];
     let jacobian = jacobian(rate, Vector4::zeros(), strides, [1.0, 1.0, turn, turn])?;
     Ok(fastest_first(eigenvalues(&jacobian)?))
 }

@@ -35,7 +35,8 @@ impl Course {
     /// and a sheet, each if it is there.
     ///
     /// `start.slip` is used as given; it must be V − RΩ − (speed of the ground before any jump at time 0). Each stretch is a closed form, so that only rounding
-    /// remains. Observed difference from DOP853 with events: 3e-15 of the largest speed. Cost: a few microseconds a course.
+    /// remains. Observed over 2500 courses, against 50 digits: 3e-15 of the largest speed; ten times that where the pull and the friction nearly balance, or a
+    /// sheet's edge passes slowly. Cost: a few microseconds a course.
     ///
     /// # Errors
     /// [`Error::NotPositive`](crate::Error::NotPositive) for the reaction or κ; [`Error::NotFinite`](crate::Error::NotFinite), also where a position, a speed or the heat overflows;

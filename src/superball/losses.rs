@@ -57,7 +57,7 @@ impl Restitution {
 
     /// The number of bounces after which a ball that first meets the floor at `speed` leaves it no faster than `least`, both in m/s: the least n with e_nⁿ·speed ≤ least.
     ///
-    /// `None` if it never does: for e_n = 1, or `least` = 0 with e_n > 0. If e_nⁿ equals the ratio of the speeds to within 4 units in the last place of n, that n is taken.
+    /// `None` if it never does: for e_n = 1, or `least` = 0 with e_n > 0. If e_nⁿ equals the ratio of the speeds to within 4 units in the last place of n, that n is taken. A count beyond 10¹⁴ is right to 6 ε n.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Negative`](crate::Error::Negative) for a speed.

@@ -37,7 +37,7 @@ pub fn ellipsoid(values: &Values) -> Result<Figure> {
     let (heavy, times) = (brief(mass), number(semi[0] / half[0], 3));
     let [a, b, c] = briefs(edges);
     let [p, q, r] = numbers(semi, 3);
-    let [i1, i2, i3] = shorts(moments, 2);
+    let [i1, i2, i3] = moments.map(|moment| short(moment, 2));
     let which = match moments[0] < moments[1] * (1.0 - 1e-9) {
         true => "the long axis has the small moment",
         false => "the short axis has the large moment",

@@ -664,11 +664,6 @@ pub fn numbers<const N: usize>(values: [f64; N], digits: usize) -> [String; N] {
     values.map(|value| number(value, digits))
 }
 
-/// Several numbers with at most `digits` decimals each, without trailing zeros.
-pub fn shorts<const N: usize>(values: [f64; N], digits: usize) -> [String; N] {
-    values.map(|value| short(value, digits))
-}
-
 /// A small number as LaTeX, its first figure with at most `digits` decimals.
 pub fn scientific(value: f64, digits: usize) -> String {
     let exponent = value.log10().floor();

@@ -250,7 +250,7 @@ mod coefficients {
 #[cfg(test)]
 mod tests {
     use super::coefficients::*;
-    use super::{Between, step, sum};
+    use super::sum;
 
     /// The full matrix, zeros included.
     fn rows() -> [[f64; 12]; 12] {
@@ -324,36 +324,5 @@ mod tests {
             assert!(of(power)[1].abs() < 1e-15, "{power}: {:?}", of(power));
         }
         assert!(of(5)[0].abs() > 1e-4 && of(3)[1].abs() > 1e-3);
-    }
-
-    /// y' = t⁷ is integrated exactly; the rate at the start is not evaluated again.
-    #[test]
-    fn a_step_integrates_powers_up_to_the_seventh() {
-        let power = |t: f64, _: &[f64; 1]| [8.0 * t.powi(7)];
-        let taken = step(&power, 1.0, &[1.0], &[8.0], 0.5);
-        let error = (1.0 + taken.change[0]) / 1.5_f64.powi(8) - 1.0;
-        // Observed: 2.4e-15 at most; the weights reach 6 and change their signs, and how `powi` rounds depends on the level of optimisation.
-        assert!(error.abs() < 5e-15, "{error:e}");
-    }
-
-    /// The same power within the step.
-    #[test]
-    fn what_lies_between_is_of_order_seven() {
-        let power = |t: f64, _: &[f64; 1]| [7.0 * t.powi(6)];
-        let taken = step(&power, 1.0, &[1.0], &[7.0], 0.5);
-        let after = power(1.5, &[0.0]);
-        let between = Between::of(&power, &taken, &after);
-        for n in 0..=8 {
-            let part = f64::from(n) / 8.0;
-            let error = between.at(part)[0] / (1.0 + 0.5 * part).powi(7) - 1.0;
-            // Observed 1.5e-15 at most: the weights reach 530.
-            assert!(error.abs() < 2e-14, "{part}: {error:e}");
-        }
-        let eighth = |t: f64, _: &[f64; 1]| [9.0 * t.powi(8)];
-        let taken = step(&eighth, 1.0, &[1.0], &[9.0], 0.5);
-        let after = eighth(1.5, &[0.0]);
-        let between = Between::of(&eighth, &taken, &after);
-        let error = between.at(0.4)[0] / 1.2_f64.powi(9) - 1.0;
-        assert!(error.abs() > 1e-9, "{error:e}");
     }
 }

@@ -9,6 +9,18 @@ use crate::scene::effects::{AirDrag, BearingFriction, Gravity, PivotFriction, Ti
 use crate::scene::prelude::*;
 
 /// A top and the effects on it.
+///
+/// ```
+/// use spinning_bodies::frame::{Attitude, BodyVector};
+/// use spinning_bodies::scene::{Request, Scene, effects::Gravity, top::{Body, Start, Top}};
+/// let body = Body::new([1.0, 1.0, 0.3])?.with_center_of_mass(1.0, BodyVector::new(0.0, 0.0, 0.7))?;
+/// let start = Start::with_omega(BodyVector::new(0.1, 0.3, 4.0), Attitude::identity());
+/// let top = Top::new(body, start)?.with(Gravity::new(9.81)?)?;
+/// let solver = |accuracy| Ok(top.simulate(&Request::at([0.5])?.to_accuracy(accuracy)?)?.plan.solver.name());
+/// // A closed form, unless more is asked than the 6e-14 that it states: so early that steps may keep.
+/// assert_eq!([solver(7e-14)?, solver(2e-14)?], ["exact", "dormand-prince-8"]);
+/// # Ok::<(), spinning_bodies::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "Written"))]

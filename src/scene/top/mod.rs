@@ -34,6 +34,7 @@ use ledger::Conserved;
 const NEAR_A_DOUBLE_ROOT: &str = "near a double root, where the closed form refuses times as long";
 const AMPLIFIED: &str = "a motion that amplifies what steps in doubles round: series in 106 bits";
 const SHORT: &str = "a motion so short that the closed form loses digits of its rates";
+const FINE: &str = "an accuracy finer than the closed form states";
 
 /// The most requested times at which a closed form is compared with one from a displaced start.
 const OF_THE_TIMES: usize = 64;
@@ -79,21 +80,18 @@ impl Top {
             return self.stepped(plan, request, &conserved);
         };
         let instead = match closed {
-            _ if self.pace()? * request.furthest.abs() < 1.0 => Some(SHORT),
-            ClosedForm::Kovalevskaya(..) => Some(NEAR_A_DOUBLE_ROOT),
-            _ => None,
+            _ if self.pace()? * request.furthest.abs() < 1.0 => SHORT,
+            ClosedForm::Kovalevskaya(..) => NEAR_A_DOUBLE_ROOT,
+            _ => FINE,
         };
-        match (self.known(plan, &closed, request, &conserved), instead) {
+        match self.known(plan, &closed, request, &conserved) {
             // Where the motion amplifies rounding too much, or the solution cannot be continued as far, or rates are still very small.
-            (
-                Err(
-                    known @ (Error::Integration { .. }
-                    | Error::OutOfRange { .. }
-                    | Error::Amplified { .. }),
-                ),
-                Some(reason),
+            Err(
+                known @ (Error::Integration { .. }
+                | Error::OutOfRange { .. }
+                | Error::Amplified { .. }),
             ) if request.choice == Choice::Auto => {
-                let stepped = self.stepped(Plan::stepped(reason), request, &conserved);
+                let stepped = self.stepped(Plan::stepped(instead), request, &conserved);
                 // Neither keeps the accuracy: what is told is the better of the two.
                 stepped.map_err(|stepped| match (&known, &stepped) {
                     (Error::Amplified { reached: a, .. }, Error::Amplified { reached: b, .. })
@@ -104,7 +102,7 @@ impl Top {
                     _ => stepped,
                 })
             }
-            (done, _) => done,
+            done => done,
         }
     }
 

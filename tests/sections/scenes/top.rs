@@ -110,10 +110,10 @@ fn what_is_told_of_a_closed_form() {
             let tilt = nalgebra::Quaternion::new(0.0, -1.2e-14, 1e-14, 8e-15) * times.abs();
             let q = q + tilt * q;
             let attitude = Attitude::from_quaternion(q.w, q.i, q.j, q.k).unwrap();
-            let faster = times * spin * vector([2e-14, -1.5e-14, 1.8e-14]);
-            let start = Start::with_omega(vector(OMEGA) + faster, attitude);
+            let omega = vector(OMEGA) + times * spin * vector([2e-14, -1.5e-14, 1.8e-14]);
+            let start = Start::with_omega(omega, attitude);
             let top = heavy(body(moments, center), start, G);
-            move |accuracy: f64| top.simulate(&asking([t, 0.3 * t, 0.0], accuracy))
+            move |told| top.simulate(&using(&asking([t, 0.3 * t, 0.0], told), Solver::Exact))
         };
         let here = displaced(0.0)(1e-8).unwrap();
         let fastest = greatest(here.rows.iter().map(|row| row.1.omega.norm()));

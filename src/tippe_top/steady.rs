@@ -96,17 +96,16 @@ impl TippeTop {
     /// // With equal moments it turns over, however little C is off the centre.
     /// let nearly_central = TippeTop::new(0.02, 0.02, 1e-17, unit, unit, 9.81)?;
     /// assert_eq!(nearly_central.inversion(), Inversion::Complete);
+    /// // γ = 1 − α: no spin makes it rise, and none is told.
+    /// let limit = TippeTop::new(1.0, 1.0, 0.4, 0.42, 0.7, 9.81)?;
+    /// assert_eq!((limit.inversion(), limit.least_spin_to_rise()), (Inversion::Never, None));
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn inversion(&self) -> Inversion {
-        // γ − 1: beside a tiny α the quotient itself would be rounded to 1.
-        let excess = (self.transverse - self.axial) / self.axial;
-        if excess <= -self.alpha {
-            Inversion::Never
-        } else if excess < self.alpha {
-            Inversion::Complete
-        } else {
-            Inversion::Partial
+        match [0.0, PI].map(|tilt| self.precession(tilt)) {
+            [None, _] => Inversion::Never,
+            [_, Some(_)] => Inversion::Complete,
+            [_, None] => Inversion::Partial,
         }
     }
 
@@ -213,9 +212,6 @@ impl TippeTop {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn least_spin_to_invert(&self) -> Option<f64> {
-        if self.inversion() != Inversion::Complete {
-            return None;
-        }
         let (low, high) = (1.0 - self.alpha, 1.0 + self.alpha);
         let stand = self.precession(PI)? * high * (high / low);
         Some(self.least_spin_to_rise()?.max(stand))

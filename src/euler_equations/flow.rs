@@ -8,7 +8,7 @@ use crate::inertia::PrincipalMoments;
 /// ∂L/∂t = L∧Ω in N m: Euler's equations without torque, for the angular momentum seen from the body (5.1).
 ///
 /// Component 1 is (I₂ − I₃)/(I₂I₃) · L₂L₃, and cyclic. Domain: any vector. The result is at right angles to L and to Ω, so |L| and
-/// E are constant. Error: each component to 3 ulp, without cancellation for nearly equal moments, as long as L₂L₃ and the product of the
+/// E are constant. Error: each component to 4 ulp, without cancellation for nearly equal moments, as long as L₂L₃ and the product of the
 /// first two factors are in the range of doubles. Cost: six divisions. No errors.
 ///
 /// ```
@@ -58,7 +58,7 @@ pub struct Equilibrium {
 /// The six equilibria of [`flow`], ±x₁, ±x₂, ±x₃, each with what happens near it (5.1, 6.3, 6.7).
 ///
 /// Domain: any moments. If moments are equal there are more equilibria than these six, and those on the circle of equilibria are
-/// called degenerate. Error: the growth to 4 ulp, as long as its square is in the range of a double. Cost: a few divisions.
+/// called degenerate. Error: the growth to 5 ulp, as long as its square is in the range of a double. Cost: a few divisions.
 ///
 /// ```
 /// use spinning_bodies::euler_equations::{AxisMoments, Nature, equilibria};
@@ -96,7 +96,7 @@ pub fn equilibria(moments: &AxisMoments) -> [Equilibrium; 6] {
 /// |L₃/L₁| on the separatrix, √(I₃(I₂−I₁)/(I₁(I₃−I₂))): the two great circles L² = 2EI₂ through the saddles (6.3).
 ///
 /// For the sorted moments; dimensionless. Domain: 0 if I₂ = I₁, infinite if I₂ = I₃, not a number for a sphere, which has no
-/// separatrix. Error: 3 ulp. Cost: two divisions and a root. No errors.
+/// separatrix. Error: 4 ulp. Cost: two divisions and a root. No errors.
 ///
 /// ```
 /// use spinning_bodies::{euler_equations::separatrix_slope, inertia::PrincipalMoments};

@@ -113,7 +113,7 @@ impl AxisMoments {
 /// moments: the centre of mass or a point of the body that is at rest (else [`rate_about`]).
 ///
 /// Domain: any vectors; if one is not finite, or a term (I₂ − I₃)Ω₂Ω₃ or its beginning overflows, the result is not finite. By 5.1 it is dΩ/dt as well:
-/// for Ω itself the two derivatives agree. Error: each component to 2.5 ulp of the larger of its two terms, because the
+/// for Ω itself the two derivatives agree. Error: each component to 5 ulp of the larger of its two terms, because the
 /// differences of moments are formed first. Cost: three divisions and nine multiplications. No errors.
 ///
 /// ```

@@ -66,7 +66,7 @@ impl Skater {
     }
 
     /// Work of both arms, J, in moving the hands from rest at `from` to rest at `to`, at angular momentum `l`: the gain in rotational energy,
-    /// (L²/2)(1/I′ − 1/I) = L² m (r² − r′²)/(I I′), without a difference of large numbers. Observed error: 5 ulp.
+    /// (L²/2)(1/I′ − 1/I) = L² m (r² − r′²)/(I I′), without a difference of large numbers. Observed error: 7 ulp.
     ///
     /// # Errors
     /// [`Error::NotFinite`](crate::Error::NotFinite) if it or a moment of inertia overflows.

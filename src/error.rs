@@ -298,10 +298,10 @@ pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<f64> {
     accepted(value, holds, || Error::NotPositive { quantity, value })
 }
 
-/// `value`, if it is finite and not less than zero.
+/// `value`, if it is finite and not less than zero; −0 becomes 0, by which a quotient is not negative.
 pub(crate) fn not_negative(quantity: &'static str, value: f64) -> Result<f64> {
     let holds = finite(quantity, value)? >= 0.0;
-    accepted(value, holds, || Error::Negative { quantity, value })
+    accepted(value + 0.0, holds, || Error::Negative { quantity, value })
 }
 
 /// `value`, if it is finite and lies between `least` and `greatest`, both included.

@@ -355,6 +355,21 @@ fn what_is_wrong_is_refused_in_one_line_that_names_it() {
     assert_eq!(told(&many).lines().count(), 100);
 }
 
+/// By a friction of −0 a yo-yo would stop before it falls asleep.
+#[test]
+fn a_zero_has_no_sign() {
+    let text = std::fs::read_to_string("scenes/yo-yo-asleep.toml").unwrap();
+    let text = text.replace("air_drag = 1.0e-8", "");
+    let by = |friction| {
+        text.replace(
+            "axle_friction = 2.0e-4",
+            &format!("axle_friction = {friction}"),
+        )
+    };
+    let [plain, signed] = ["0.0", "-0.0"].map(|zero| written(&by(zero), output::Format::Csv));
+    assert_eq!(plain, signed);
+}
+
 /// Kinds whose motions are known from event to event: no equations to be followed.
 const KNOWN: [&str; 5] = ["meteorite", "roller", "spool", "superball", "crawler"];
 

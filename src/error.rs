@@ -128,7 +128,7 @@ pub enum Error {
     /// A motion lost a quantity that its scene conserves, or let one rise that can only fall.
     #[error(
         "the ledger is violated: {quantity} drifted by {} relative to its scale, more than the {} allowed",
-        estimated(*drift), Number(*allowed)
+        estimated(*drift), estimated(*allowed)
     )]
     Ledger {
         /// Name of the quantity.
@@ -138,15 +138,15 @@ pub enum Error {
         /// What the accuracy asked for allows.
         allowed: f64,
     },
-    /// No method at hand reaches the accuracy asked for.
+    /// An integral is not found to within the difference of two estimates that it asks for.
     #[error(
-        "accuracy {} was asked for, but in double precision this motion allows no better than {}",
-        Number(*asked), estimated(*reached)
+        "an integral is not found to within {}, for two estimates of it still differ by {}",
+        estimated(*asked), estimated(*reached)
     )]
     Accuracy {
-        /// Relative accuracy asked for.
+        /// Difference that is allowed.
         asked: f64,
-        /// Estimate of the accuracy reached.
+        /// Difference of the last two estimates.
         reached: f64,
     },
     /// A run has used up its budget of evaluations, or would need it many times over.

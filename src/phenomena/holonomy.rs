@@ -53,8 +53,8 @@ pub enum Hub {
 /// The turn −∮ a dψ along a closed smooth path, s from 0 to 2π, radians. Observed error: 5e-16 of ∮ |a ψ′| ds.
 ///
 /// # Errors
-/// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Accuracy`](crate::Error::Accuracy) if forty halvings of the path do not suffice,
-/// [`Error::OutOfRange`](crate::Error::OutOfRange) after a million points.
+/// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::Accuracy`](crate::Error::Accuracy) if forty halvings of the path, or a million
+/// points, do not suffice.
 ///
 /// ```
 /// use spinning_bodies::phenomena::{EqualHalves, Step, turn_along};

@@ -2,7 +2,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::error::{Result, not_negative, positive, refused, within};
+use crate::error::{Result, not_negative, positive, within};
 use crate::phenomena::{Bend, Waist};
 
 /// The progress of a stroke in its time: from 0 to 1, at rest at both ends.
@@ -108,10 +108,10 @@ impl FourPhases {
     /// Succeeds if a run by steps can take all the cycles up to this time.
     ///
     /// # Errors
-    /// [`Error::Condition`](crate::Error::Condition) for too many cycles.
-    pub(super) fn passed_through(&self, time: f64) -> Result<()> {
-        let condition = "a path of shapes must be asked for no more than 100000 rounds";
-        no_more(time / self.duration, MOST_ROUNDS, condition)
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) for too many cycles.
+    pub(super) fn passed_through(&self, time: f64) -> Result<f64> {
+        let what = "the time of a run by steps, 100000 cycles at most,";
+        within(what, time, 0.0, MOST_ROUNDS * self.duration)
     }
 
     /// The first boundary between two phases after a time, s.
@@ -225,17 +225,6 @@ impl Turnover {
 
 /// The greatest angle, rad, at which a motion begins that is computed by its angle: beyond, the angle has fewer digits than an answer.
 pub(super) const MOST_TURNED: f64 = 1e6;
-
-/// Succeeds if `value` does not exceed `most`.
-///
-/// # Errors
-/// [`Error::Condition`](crate::Error::Condition) if it does.
-pub(super) fn no_more(value: f64, most: f64, condition: &'static str) -> Result<()> {
-    match value <= most {
-        true => Ok(()),
-        false => refused(condition, value),
-    }
-}
 
 /// The first of these corners after a time, s; infinity if there is none.
 pub(super) fn next_of<const N: usize>(corners: Option<[f64; N]>, t: f64) -> f64 {

@@ -137,23 +137,22 @@ impl Motion {
         use spinning_bodies::Error as Refusal;
         let name = &self.name;
         let failed = |more: &str| Err(Error::Failed(format!("{name}: {error}{more}")));
+        let mut columns = self.scene.columns().iter();
         match error {
-            // The numbers of a file are finite, so a product or power of them has overflowed.
-            Refusal::NotFinite { .. } => {
-                failed(": numbers of this size lead out of the range of doubles")
-            }
             Refusal::OutOfRange { value, .. } if times.contains(&value) => {
                 self.wrong(TIMES, &error.to_string())
+            }
+            Refusal::Solver { condition } => self.wrong("run.solver", condition),
+            Refusal::Condition { .. } if columns.any(|column| column.name == "bounces") => {
+                self.wrong(LOSSES, &error.to_string())
             }
             Refusal::Integration { .. }
             | Refusal::Budget { .. }
             | Refusal::Ledger { .. }
             | Refusal::Amplified { .. } => failed(""),
-            Refusal::Accuracy { .. } => {
-                failed("; set a larger `accuracy` in [run], or an earlier end")
-            }
-            Refusal::Solver { condition } => self.wrong("run.solver", condition),
-            _ => Err(Error::Input(format!("{name}: {error}"))),
+            Refusal::Accuracy { .. } => failed("; sizes closer to each other may do"),
+            // The numbers of a file are right one by one, so what is made of them has overflowed or underflowed.
+            _ => failed(": numbers of this size lead out of the range of doubles"),
         }
     }
 
@@ -210,6 +209,9 @@ impl Motion {
 
 /// The keys of the times of a run.
 pub const TIMES: &str = "run.times, run.until";
+
+/// The keys of what a superball keeps at a bounce: the only condition of a motion that is neither of its times nor of its solver.
+const LOSSES: &str = "effects.tangential_restitution, effects.restitution";
 
 /// The title of a picture of the motion of this file: the file's name without folder and ending.
 pub fn stem(name: impl AsRef<Path>) -> String {

@@ -2,9 +2,9 @@
 
 use core::f64::consts::TAU;
 
+use crate::error::within;
 use crate::phenomena::{self, Foot, Gap, Leg};
 use crate::rolling::Coulomb;
-use crate::scene::path::no_more;
 use crate::scene::prelude::*;
 
 /// Two feet joined by a muscle, on the ground, initially at rest.
@@ -236,8 +236,8 @@ impl Scene for Crawler {
     fn simulate(&self, request: &Request) -> Result<Motion<CrawlerState>> {
         let plan = self.plan(request)?;
         let (body, strokes) = (&self.body, self.body.strokes);
-        let condition = "a crawler must be asked for no more than 250000 cycles";
-        no_more(request.furthest / strokes.cycle(), MOST_CYCLES, condition)?;
+        let what = "the time of a crawler, 250000 cycles at most,";
+        within(what, request.furthest, 0.0, MOST_CYCLES * strokes.cycle())?;
         let gap = |t: f64| strokes.at(strokes.piece_at(t), t);
         // On perfect ice the only component is the muscle's work, which is the kinetic energy.
         let trace = solved((self, &plan, request), 1, &|t| {

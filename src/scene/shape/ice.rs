@@ -199,7 +199,7 @@ impl Scene for Swivel {
         let (l, exact) = (self.angular_momentum, plan.solver == Solver::Exact);
         let parts = match &self.path {
             Some(path) if exact => self.parts(path)?,
-            Some(path) => path.passed_through(request.furthest).map(|()| Vec::new())?,
+            Some(path) => path.passed_through(request.furthest).map(|_| Vec::new())?,
             None => Vec::new(),
         };
         let evaluations = self.path.map_or(1, |_| AN_INTEGRAL);

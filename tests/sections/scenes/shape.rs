@@ -313,7 +313,7 @@ fn every_cycle_of_a_crawler_that_comes_to_rest_is_like_the_first() {
     // Not beyond 250,000 of them.
     let [last, more] = [249_999.0, 250_001.0].map(|cycles| asking([1.15 * cycles], 1e-6));
     crawler_body().simulate(&last).unwrap();
-    refused!(crawler_body().simulate(&more), Condition);
+    refused!(crawler_body().simulate(&more), OutOfRange);
     for (now, later) in rows.iter().zip(&rows[10..]) {
         for foot in [0, 1] {
             let first = rows[10][foot] - rows[0][foot];
@@ -369,8 +369,8 @@ fn what_cannot_be_simulated_is_refused() {
     // An angle of so many radians has no digits behind the point; and so many corners cannot be passed.
     refused!(swivel().simulate(&far), Amplified);
     let rubbed = swivel().with(BearingFriction::new(0.1).unwrap()).unwrap();
-    refused!(rubbed.simulate(&far), Condition);
-    refused!(crawler_body().simulate(&far), Condition);
+    refused!(rubbed.simulate(&far), OutOfRange);
+    refused!(crawler_body().simulate(&far), OutOfRange);
     let mut impossible = OVER;
     impossible.forward = 4.0;
     assert!(cat().with(impossible).is_err());

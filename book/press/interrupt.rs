@@ -1,42 +1,36 @@
 //! Removes half-written files when the command is interrupted.
 
-use std::io::{self, ErrorKind};
+use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use tempfile::TempDir;
 
-/// Temporary folders that a signal removes; it holds the lock to the end, so that no new one is made.
+/// Temporary folders, also those that are gone; a signal removes them, and holds the lock to the end, so that no new one is made.
 static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// A folder for half-written output, beside its final place; it is removed with everything in it.
 #[derive(Debug)]
-pub struct Unfinished(PathBuf);
+pub struct Unfinished(TempDir);
 
 impl Unfinished {
     /// A new folder in this one.
     pub fn within(folder: &Path) -> io::Result<Self> {
         let mut unfinished = unfinished();
-        let mut number = 0_u32;
-        loop {
-            let path = folder.join(format!(".new-{}-{number}", std::process::id()));
-            match std::fs::create_dir(&path) {
-                Err(error) if error.kind() == ErrorKind::AlreadyExists => number += 1,
-                Err(error) => return Err(error),
-                Ok(()) => {
-                    unfinished.push(path.clone());
-                    return Ok(Self(path));
-                }
-            }
-        }
+        let new = tempfile::Builder::new().prefix(".new-").tempdir_in(folder);
+        // Its own words would name the new folder, which nobody asked for.
+        let new = new.map_err(|error| io::Error::from(error.kind()))?;
+        unfinished.push(new.path().to_owned());
+        Ok(Self(new))
     }
 
     /// Its path.
     pub fn path(&self) -> &Path {
-        &self.0
+        self.0.path()
     }
 
     /// The path for the new file or folder, which [`take`](Self::take) will put in its place.
     pub fn new_one(&self) -> PathBuf {
-        self.0.join("new")
+        self.path().join("new")
     }
 
     /// Puts the new file or folder in place of whatever is there.
@@ -46,7 +40,7 @@ impl Unfinished {
             return std::fs::rename(self.new_one(), place);
         }
         // Between these two renamings the place is empty.
-        let old = self.0.join("old");
+        let old = self.path().join("old");
         std::fs::rename(place, &old)?;
         std::fs::rename(self.new_one(), place).inspect_err(|_| {
             // The error to report is the first.
@@ -55,25 +49,8 @@ impl Unfinished {
     }
 }
 
-impl Drop for Unfinished {
-    fn drop(&mut self) {
-        let mut unfinished = unfinished();
-        remove(&self.0);
-        unfinished.retain(|path| *path != self.0);
-    }
-}
-
-fn unfinished() -> std::sync::MutexGuard<'static, Vec<PathBuf>> {
+fn unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-fn remove(folder: &Path) {
-    // Somebody may still be writing into it.
-    for _ in 0..100 {
-        if std::fs::remove_dir_all(folder).is_ok() || !folder.exists() {
-            return;
-        }
-    }
 }
 
 /// From here on a signal that ends the command removes what is unfinished first. The exit status is the shell's: 128 and the signal.
@@ -91,7 +68,11 @@ pub fn tidy_up_when_interrupted() {
     std::thread::spawn(move || {
         if let Some(signal) = signals.forever().next() {
             let unfinished = unfinished();
-            unfinished.iter().for_each(|path| remove(path));
+            for folder in unfinished.iter() {
+                // Somebody may still be writing into it.
+                let _ =
+                    (0..100).find(|_| std::fs::remove_dir_all(folder).is_ok() || !folder.exists());
+            }
             std::process::exit(128 + signal);
         }
     });

@@ -2,7 +2,7 @@
 
 use clap::ValueEnum;
 use std::fmt::Display;
-use std::fs::{File, Metadata, OpenOptions};
+use std::fs::{File, OpenOptions};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf, is_separator};
 
@@ -13,22 +13,13 @@ use crate::{Error, Result};
 ///
 /// A regular file is written under another name beside it and renamed, so that it is there whole or not at all; links are followed to it, and it keeps its
 /// permissions, or gets those that the process gives to new files. Devices and pipes are opened and written directly.
-#[derive(Debug)]
 pub struct Target {
     /// The name given by the user.
     name: PathBuf,
-    place: Place,
+    to: Box<dyn Write>,
+    /// What is written to a file, and where it will be.
+    whole: Option<(Unfinished, PathBuf)>,
 }
-
-#[derive(Debug)]
-enum Place {
-    StandardOutput,
-    AsItIs,
-    Whole(PathBuf, Unfinished, File),
-}
-
-/// Writes to something.
-type Writing<'a> = &'a mut dyn Write;
 
 impl Target {
     /// This file, or the standard output if none is given or for `-`. It must not be the file `input`, where `-` stands for the standard input.
@@ -36,16 +27,53 @@ impl Target {
     /// # Errors
     /// [`Error::Input`] for a folder, a file in a folder that is not there, and the input itself; [`Error::File`].
     pub fn new(path: Option<&Path>, input: Option<&Path>) -> Result<Self> {
-        let input = input.map(|input| match input == Path::new("-") {
-            true => Path::new("/dev/stdin"),
-            false => input,
-        });
-        let (name, place) = match path.filter(|path| !is_standard_output(path)) {
-            None => (Path::new("standard output"), Place::StandardOutput),
-            Some(path) => (path, Place::of(path, input)?),
+        let Some(path) = path.filter(|path| !is_standard_output(path)) else {
+            return Ok(Self {
+                name: "standard output".into(),
+                to: Box::new(io::stdout()),
+                whole: None,
+            });
         };
-        let name = name.to_owned();
-        Ok(Self { name, place })
+        let refused = |told: &str| Err(Error::Input(format!("{}: {told}", path.display())));
+        let ends_in_slash = path.to_string_lossy().ends_with(is_separator);
+        if path.is_dir() || !path.exists() && (ends_in_slash || path.file_name().is_none()) {
+            return refused("expected a file, this is a folder");
+        }
+        let is_input = |input: &Path| match input == Path::new("-") {
+            true => are_one(path, Path::new("/dev/stdin")),
+            false => are_one(path, input),
+        };
+        if path.is_file() && input.is_some_and(is_input) {
+            return refused("this is the input file; the output needs another name");
+        }
+        let place = followed(path).map_err(Error::file(path))?;
+        if !folder_of(&place).is_dir() {
+            return refused("the folder of this file does not exist");
+        }
+        Self::begun(path, place).map_err(Error::file(path))
+    }
+
+    /// For the device or pipe of this name, or for a file whose name leads to `place`.
+    fn begun(path: &Path, place: PathBuf) -> io::Result<Self> {
+        let name = path.to_owned();
+        // A file that may not be written must not be replaced either.
+        let there = path
+            .exists()
+            .then(|| OpenOptions::new().write(true).open(path));
+        let there = there.transpose()?;
+        let (to, whole) = match there {
+            Some(stream) if !path.is_file() => (stream, None),
+            there => {
+                let unfinished = Unfinished::within(folder_of(&place))?;
+                let new = File::create(unfinished.new_one())?;
+                if let Some(there) = there {
+                    new.set_permissions(there.metadata()?.permissions())?;
+                }
+                (new, Some((unfinished, place)))
+            }
+        };
+        let to = Box::new(to);
+        Ok(Self { name, to, whole })
     }
 
     /// Writes these bytes.
@@ -60,17 +88,14 @@ impl Target {
     ///
     /// # Errors
     /// [`Error::File`]; [`Error::OutputClosed`] if the reader of a pipe has closed it.
-    pub fn write(self, contents: impl FnOnce(Writing<'_>) -> io::Result<()>) -> Result<()> {
-        let written = match self.place {
-            Place::StandardOutput => into(io::stdout().lock(), contents),
-            Place::AsItIs => {
-                let opened = OpenOptions::new().write(true).open(&self.name);
-                opened.and_then(|file| into(file, contents))
-            }
-            Place::Whole(path, unfinished, file) => {
-                into(file, contents).and_then(|()| unfinished.take(&path))
-            }
-        };
+    pub fn write(self, contents: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<()> {
+        let mut to = BufWriter::with_capacity(1 << 16, self.to);
+        let written = contents(&mut to).and_then(|()| to.flush());
+        drop(to);
+        let written = written.and_then(|()| match self.whole {
+            Some((unfinished, place)) => unfinished.take(&place),
+            None => Ok(()),
+        });
         written.map_err(|error| match error.downcast::<Error>() {
             // The contents could not be computed.
             Ok(refused) => refused,
@@ -78,46 +103,6 @@ impl Target {
             Err(error) => Error::file(&self.name)(error),
         })
     }
-}
-
-impl Place {
-    fn of(path: &Path, input: Option<&Path>) -> Result<Self> {
-        let refused = |told: &str| Err(Error::Input(format!("{}: {told}", path.display())));
-        let there = std::fs::metadata(path).ok();
-        let named = path.to_string_lossy().ends_with(is_separator) || path.file_name().is_none();
-        if there.as_ref().map_or(named, Metadata::is_dir) {
-            return refused("expected a file, this is a folder");
-        }
-        match &there {
-            Some(there) if !there.is_file() => return Ok(Self::AsItIs),
-            Some(_) if input.is_some_and(|input| are_one(path, input)) => {
-                return refused("this is the input file; the output needs another name");
-            }
-            _ => {}
-        }
-        let file = followed(path).map_err(Error::file(path))?;
-        if !folder_of(&file).is_dir() {
-            return refused("the folder of this file does not exist");
-        }
-        let begun = || {
-            let unfinished = Unfinished::within(folder_of(&file))?;
-            let new = File::create(unfinished.new_one())?;
-            if let Some(there) = there {
-                // A file that may not be written must not be replaced either.
-                OpenOptions::new().write(true).open(&file)?;
-                new.set_permissions(there.permissions())?;
-            }
-            Ok((unfinished, new))
-        };
-        let (unfinished, new) = begun().map_err(Error::file(path))?;
-        Ok(Self::Whole(file, unfinished, new))
-    }
-}
-
-fn into(to: impl Write, contents: impl FnOnce(Writing<'_>) -> io::Result<()>) -> io::Result<()> {
-    let mut to = BufWriter::with_capacity(1 << 16, to);
-    contents(&mut to)?;
-    to.flush()
 }
 
 /// Prints to standard output.

@@ -3,12 +3,16 @@
 //! `cargo bench -p book --bench prices` writes the tables in `book/src/tables`, from where the page "Scenes" and its figure take them. Times are the
 //! least of several runs; evaluations of the right-hand side are the same on every machine.
 
+#[path = "../tests/book/priced.rs"]
+mod priced;
+
 use std::fmt::Write as _;
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
 
 use lab::stopwatch::least;
-use press::scenes::prices::{PRICED, run};
+use press::scenes::run;
+use priced::PRICED;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     // `cargo test --benches` passes another flag, and there is nothing to measure.

@@ -6,13 +6,11 @@
 //! | [`film`] | films and stills of the moving body |
 //! | [`output`] | CSV and JSON |
 //! | [`plot`] | diagrams of columns |
-//! | [`prices`] | what each effect costs |
 //! | [`scan`] | one file, some of its numbers varied, on all cores |
 
 pub mod film;
 pub mod output;
 pub mod plot;
-pub mod prices;
 pub mod scan;
 
 use std::fs::File;
@@ -222,10 +220,19 @@ pub fn stem(name: impl AsRef<Path>) -> String {
 /// Reads a scene file (`-` is standard input) and runs the scene.
 ///
 /// # Errors
-/// [`Error::Scene`] for a file that is not a scene, or not one that can be run; [`Error::Input`] for a scene that is impossible; [`Error::Failed`] where the motion could not be
-/// followed; [`Error::File`].
+/// [`Error::Input`] for a file that cannot be read; as for [`run`].
 pub fn simulate(path: impl AsRef<Path>) -> Result<Table> {
-    let motion = Motion::read(path.as_ref())?;
+    let (name, text) = source(path.as_ref())?;
+    run(&name, &text)
+}
+
+/// Runs the scene that a text describes; `name` stands in errors.
+///
+/// # Errors
+/// [`Error::Scene`] for a file that is not a scene, or not one that can be run; [`Error::Input`] for a scene that is impossible; [`Error::Failed`] where the motion could not be
+/// followed.
+pub fn run(name: &str, text: &str) -> Result<Table> {
+    let motion = Motion::of(name, text)?;
     motion.run(&motion.request)
 }
 

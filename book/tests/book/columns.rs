@@ -1,6 +1,7 @@
 //! The columns of a scene mean what their names say: energies add up, and forces are what moves the centre of mass.
 
-use press::scenes::{parse, prices::PRICED};
+use super::priced::PRICED;
+use press::scenes::parse;
 use spinning_bodies::scene::files::kinds;
 
 /// The rows of a scene file of the book that tells these numbers at these times.

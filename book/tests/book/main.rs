@@ -11,6 +11,7 @@ mod ledger;
 mod numbers;
 mod own_words;
 mod pages;
+mod priced;
 mod scan;
 mod scene_prices;
 mod scenes;

@@ -4,8 +4,8 @@
 use std::collections::BTreeSet;
 
 use super::kept;
-use press::scenes::prices::{PRICED, run};
-use press::scenes::{key_table, simulate};
+use super::priced::PRICED;
+use press::scenes::{key_table, run, simulate};
 use spinning_bodies::scene::files::{keys, kinds};
 
 const PAGE: &str = include_str!("../../src/scenes.md");

@@ -1,12 +1,12 @@
 //! Scene files: every one in `book/scenes` runs, their keys may stand in any order, and what is wrong is refused in one line.
 
 use super::RACKET;
+use super::priced::{PRICED, Priced};
 use std::path::Path;
 
 use press::chapters::CHAPTERS;
 use press::paths::files_below;
-use press::scenes::prices::PRICED;
-use press::scenes::{Motion, output, parse, prices, simulate};
+use press::scenes::{Motion, output, parse, run, simulate};
 use spinning_bodies::integrators::Method;
 use spinning_bodies::scene::files::{KeyRow, keys};
 use spinning_bodies::scene::{Progress, Solver};
@@ -204,7 +204,7 @@ fn a_wrong_number_is_refused_at_its_own_key() {
         let text = std::fs::read_to_string(&name).unwrap();
         let changed = text.replacen(right, wrong, 1);
         assert_ne!(text, changed, "{right}");
-        let error = prices::run(&name, &changed).unwrap_err();
+        let error = run(&name, &changed).unwrap_err();
         assert_eq!(error.status(), 2, "{error}");
         let told = error.to_string();
         let (_, from) = told.split_once('`').unwrap();
@@ -243,7 +243,7 @@ fn section_of<'t>(whole: &'t mut toml::Table, path: &str) -> &'t mut toml::Table
 }
 
 /// A scene with all effects in which one number of a key is set to this, for each place if the key has a list.
-fn with_number(priced: &prices::Priced, asked: &KeyRow, number: &str) -> Vec<String> {
+fn with_number(priced: &Priced, asked: &KeyRow, number: &str) -> Vec<String> {
     let mut table: toml::Table = priced.file(|_| true).parse().unwrap();
     table["run"] = toml::Value::Table("until = 0.1\naccuracy = 1e-6".parse().unwrap());
     let section = section_of(&mut table, &asked.section);
@@ -304,7 +304,7 @@ fn no_number_of_any_key_panics_or_goes_unnoticed() {
                 let outcome = std::panic::catch_unwind(|| {
                     let (_, _) = parse("a.toml", &text)?;
                     if CLOSED.contains(&priced.kind.as_str()) {
-                        let table = prices::run("a.toml", &text)?;
+                        let table = run("a.toml", &text)?;
                         let mut numbers = table.rows().flat_map(|(_, row)| row);
                         return Ok(numbers.all(f64::is_finite));
                     }
@@ -370,7 +370,7 @@ fn what_no_double_holds_is_no_mistake_of_a_key() {
             assert!(text.contains(right), "{right}");
             text = text.replace(right, wrong);
         }
-        let error = prices::run(name, &text).unwrap_err();
+        let error = run(name, &text).unwrap_err();
         let told = error.to_string();
         assert_eq!(error.status(), 1, "{told}");
         assert!(told.contains(named) && !told.contains("accuracy"), "{told}");

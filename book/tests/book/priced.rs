@@ -1,14 +1,11 @@
-//! The cost of each effect: every kind of scene with the effect and without it.
+//! Every kind of scene, with each of its effects and without it: what is priced by `cargo bench -p book --bench prices`, and what tests run.
 //!
-//! The solver and the evaluations of the right-hand side are the same on every machine; `cargo bench -p book --bench prices`
-//! measures the time beside them, and the table it writes is the source of the figure and of the book's tables.
+//! The solver and the evaluations of the right-hand side are the same on every machine; the bench measures the time beside them, and the table
+//! it writes is the source of the figure and of the book's tables.
 
 use std::sync::LazyLock;
 
 use serde::Deserialize;
-
-use super::Table;
-use crate::Result;
 
 /// A kind of scene, for the table of prices.
 #[derive(Debug, Clone, Deserialize)]
@@ -32,7 +29,7 @@ pub static PRICED: LazyLock<Vec<Priced>> = LazyLock::new(|| {
     struct Prices {
         priced: Vec<Priced>,
     }
-    let prices: Prices = toml::from_str(include_str!("prices.toml")).expect("it is compiled in");
+    let prices: Prices = toml::from_str(include_str!("priced.toml")).expect("it is compiled in");
     prices.priced
 });
 
@@ -57,13 +54,4 @@ impl Priced {
             (!is_in(&self.needed, effect)).then(|| self.file(|name| usual(name) && name != effect));
         (without, self.file(|name| usual(name) || name == effect))
     }
-}
-
-/// Runs the scene that a text describes.
-///
-/// # Errors
-/// [`crate::Error`].
-pub fn run(name: &str, text: &str) -> Result<Table> {
-    let motion = super::Motion::of(name, text)?;
-    motion.run(&motion.request)
 }

@@ -3,7 +3,7 @@
 //! A mark is a comment `// claim: C2.7-2, C2.7-3` in a test or in a Rust block of a chapter (there usually hidden by
 //! `# `), or an HTML comment `<!-- claim: C3.1-1 -->` on a line of its own in a chapter.
 
-use crate::chapters::CHAPTERS;
+use crate::chapters::{self, CHAPTERS};
 use crate::paths::files_below;
 use crate::{Error, Result};
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag};
@@ -117,11 +117,11 @@ impl Ledger {
             .map_err(|error| Error::Input(format!("book/claims.toml: {error}")))?;
         let mut claims = register.claim;
         claims.sort_by_key(|claim| order(&claim.id));
-        let mut chapters = Vec::new();
-        for chapter in CHAPTERS {
-            match chapter.source(root) {
+        let mut marked = Vec::new();
+        for &chapter in CHAPTERS {
+            match chapters::source(root, chapter) {
                 Err(Error::File(_, error)) if error.kind() == ErrorKind::NotFound => {}
-                read => chapters.extend(marks(&read?).map(|mark| (chapter.name, mark))),
+                read => marked.extend(marks(&read?).map(|mark| (chapter, mark))),
             }
         }
         let mut tests = Vec::new();
@@ -134,7 +134,7 @@ impl Ledger {
         }
         Ok(Ledger {
             claims,
-            chapters,
+            chapters: marked,
             tests,
         })
     }

@@ -1,7 +1,7 @@
 //! Typesets one chapter: formulas, figures and claim tags become HTML, or placeholders for it.
 
 use crate::appendix;
-use crate::chapters::{COVER, Chapter};
+use crate::chapters::{self, CHAPTERS, COVER};
 use crate::drawings::{Drawing, unknown_figure};
 use crate::formulas::{Formulas, Style};
 use crate::ledger::{Ledger, Mark, MarkKind, code_blocks, markdown_options};
@@ -113,9 +113,11 @@ impl<'a> Typesetter<'a> {
                 Event::Text(_) => Ok(Some(unbroken(text))),
                 Event::Start(Tag::Link { dest_url, .. }) => {
                     let page = dest_url.split('#').next().unwrap_or_default();
-                    match page.ends_with(".md") && Chapter::of(page).is_none() {
-                        true => Err(format!("the link leads to '{page}', which is no chapter")),
-                        false => Ok(None),
+                    match page.strip_suffix(".md") {
+                        Some(chapter) if !CHAPTERS.contains(&chapter) => {
+                            Err(format!("the link leads to '{page}', which is no chapter"))
+                        }
+                        _ => Ok(None),
                     }
                 }
                 _ => Ok(None),
@@ -125,11 +127,7 @@ impl<'a> Typesetter<'a> {
                 edits.push((span, html));
             }
         }
-        let mut set = edited(&source, edits);
-        if let Some(foot) = Chapter::of(file).and_then(|chapter| chapter.foot(self.root)) {
-            set.push_str(&format!("\n{foot}\n"));
-        }
-        Ok(set)
+        Ok(edited(&source, edits))
     }
 
     /// The chapter with numbers that figures computed in place of `{{value FIGURE.NAME}}`.
@@ -179,6 +177,7 @@ impl<'a> Typesetter<'a> {
             ["claims"] => Ok(Some(appendix::page(&self.ledger) + "\n")),
             ["figure", name] => self.figure(chapter, name).map(Some),
             ["gallery"] => self.gallery().map(Some),
+            ["foot", ref beside @ ..] => chapters::foot(self.root, chapter, beside).map(Some),
             // Other includes are left to mdBook.
             ["#include", file] if file.starts_with("tables/") => self.table(file).map(Some),
             _ => Ok(None),

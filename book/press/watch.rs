@@ -1,9 +1,8 @@
 //! Prints the book again whenever one of its files is saved.
 
 use crate::binding::bind;
-use crate::chapters::{CHAPTERS, Chapter};
+use crate::chapters::CHAPTERS;
 use crate::drawings::Drawing;
-use crate::ledger::code_blocks;
 use crate::paths::files_below;
 use crate::writer::{say, tell};
 use crate::{Error, Result};
@@ -36,9 +35,9 @@ const COMPILED_IN: [&str; 5] = [
 /// signal ends the command. Errors are reported, and the next change can mend them.
 ///
 /// # Errors
-/// [`Error::File`] if the chapters cannot be read at the start, [`Error::OutputClosed`].
+/// [`Error::OutputClosed`].
 pub fn watch(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
-    let (mut printed, mut examples) = (files(root), examples_of_all(root)?);
+    let mut printed = files(root);
     say("watching; Ctrl-C ends it\n")?;
     loop {
         let now = changed(root, &printed);
@@ -46,28 +45,16 @@ pub fn watch(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
         let changed = all.filter(|file| now.get(*file) != printed.get(*file));
         let changed: Vec<PathBuf> = changed.cloned().collect();
         printed = now;
-        let is_stale = |file: &&PathBuf| COMPILED_IN.iter().any(|source| file.starts_with(source));
-
         let start = Instant::now();
-        // Read before the pages are printed, so that a reported example is on its page even if the file is saved again meanwhile.
-        let fresh = examples_of_all(root);
         let outcome = bind(root, folder, drawings).and_then(|_| {
             if let Some(first) = changed.first() {
                 let (first, seconds) = (first.display(), start.elapsed().as_secs_f64());
                 say(&format!("{first}: printed again in {seconds:.1} s\n"))?;
             }
-            if let Some(file) = changed.iter().find(is_stale) {
-                let file = file.display();
-                say(&format!("{file}: is compiled in; run the command again to see its change\n"))?;
-            }
-            let fresh = fresh?;
-            for (chapter, _) in fresh.iter().filter(|(name, code)| examples[*name] != **code) {
-                say(&format!(
-                    "book/src/{chapter}.md: an example changed; `cargo test -p book --doc -- {chapter}` runs it\n"
-                ))?;
-            }
-            examples = fresh;
-            Ok(())
+            changed
+                .iter()
+                .filter_map(|file| advice(file))
+                .try_for_each(|told| say(&told))
         });
         match outcome {
             Err(Error::OutputClosed) => return Err(Error::OutputClosed),
@@ -75,6 +62,19 @@ pub fn watch(root: &Path, folder: &Path, drawings: &[Drawing]) -> Result<()> {
             Ok(()) => {}
         }
     }
+}
+
+/// What else is to be done after a change of this file, if anything.
+fn advice(file: &Path) -> Option<String> {
+    let told = file.display();
+    if COMPILED_IN.iter().any(|source| file.starts_with(source)) {
+        let told = format!("{told}: is compiled in; run the command again to see its change\n");
+        return Some(told);
+    }
+    let chapter = file.strip_prefix("book/src").ok()?.to_str()?;
+    let chapter = chapter.strip_suffix(".md")?;
+    let runs = format!("{told}: `cargo test -p book --doc -- {chapter}` runs its examples\n");
+    CHAPTERS.contains(&chapter).then_some(runs)
 }
 
 /// Files with their times and lengths.
@@ -103,15 +103,4 @@ fn files(root: &Path) -> Files {
         Some((file, (data.modified().ok(), data.len())))
     });
     files.collect()
-}
-
-/// The Rust blocks of each chapter.
-fn examples_of_all(root: &Path) -> Result<BTreeMap<&'static str, Vec<String>>> {
-    let of = |chapter: &Chapter| {
-        let source = chapter.source(root)?;
-        let blocks = code_blocks(&source).filter(|(is_rust, _)| *is_rust);
-        let blocks = blocks.map(|(_, span)| source[span].to_owned());
-        Ok((chapter.name, blocks.collect()))
-    };
-    CHAPTERS.iter().map(of).collect()
 }

@@ -1,24 +1,24 @@
 //! The sources of the chapters: one list, tagged fences, short examples, every figure shown once where it belongs.
 
 use super::none;
-use press::chapters::{CHAPTERS, Chapter};
+use press::chapters::{self, CHAPTERS};
 use press::ledger::{is_rust, markdown_options};
 use press::paths::files_below;
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Parser, Tag, TagEnd};
-use std::collections::{BTreeMap, HashSet};
+use std::collections::BTreeMap;
 
 /// Lines of a Rust example that the reader sees.
 const MOST_LINES: usize = 15;
 
-fn source(chapter: &Chapter) -> String {
+fn source(chapter: &str) -> String {
     let root = press::paths::workspace_root().unwrap();
-    chapter.source(&root).unwrap()
+    chapters::source(&root, chapter).unwrap()
 }
 
 /// Every code block: chapter, line, tag (`None` if indented), text.
 fn blocks() -> Vec<(&'static str, usize, Option<String>, String)> {
     let mut blocks = Vec::new();
-    for chapter in CHAPTERS {
+    for &chapter in CHAPTERS {
         let source = source(chapter);
         let mut open = None;
         for (event, span) in Parser::new_ext(&source, markdown_options()).into_offset_iter() {
@@ -29,7 +29,7 @@ fn blocks() -> Vec<(&'static str, usize, Option<String>, String)> {
                         CodeBlockKind::Indented => None,
                     };
                     let line = source[..span.start].matches('\n').count() + 1;
-                    open = Some((chapter.name, line, tag, String::new()));
+                    open = Some((chapter, line, tag, String::new()));
                 }
                 Event::Text(text) => {
                     if let Some(block) = &mut open {
@@ -53,8 +53,7 @@ fn the_summary_is_the_list_of_chapters() {
             linked.push(dest_url.trim_end_matches(".md").to_owned());
         }
     }
-    let listed: Vec<_> = CHAPTERS.iter().map(|chapter| chapter.name).collect();
-    assert_eq!(linked, listed);
+    assert_eq!(linked, CHAPTERS);
 }
 
 #[test]
@@ -100,18 +99,18 @@ fn rust_examples_are_short_and_hold_no_directive() {
 #[test]
 fn every_figure_is_shown_once_in_its_chapter() {
     let mut shown: BTreeMap<String, Vec<&str>> = BTreeMap::new();
-    for chapter in CHAPTERS {
+    for &chapter in CHAPTERS {
         for line in source(chapter).lines() {
             let rest = line.trim().strip_prefix("{{figure ");
             let name = rest.and_then(|rest| rest.strip_suffix("}}"));
             let Some(name) = name.map(str::trim) else {
                 continue;
             };
-            if chapter.name == press::chapters::COVER {
+            if chapter == press::chapters::COVER {
                 let known = figures::all().iter().any(|entry| entry.name == name);
                 assert!(known, "the cover shows {name}, which is no figure");
             } else {
-                shown.entry(name.to_owned()).or_default().push(chapter.name);
+                shown.entry(name.to_owned()).or_default().push(chapter);
             }
         }
     }
@@ -131,47 +130,55 @@ fn every_figure_is_shown_once_in_its_chapter() {
 
 #[test]
 fn every_chapter_has_one_title() {
-    for chapter in CHAPTERS {
+    for &chapter in CHAPTERS {
         let source = source(chapter);
         let titles = Parser::new_ext(&source, markdown_options()).filter(|event| match event {
             Event::Start(Tag::Heading { level, .. }) => *level == HeadingLevel::H1,
             _ => false,
         });
-        assert_eq!(titles.count(), 1, "{}", chapter.name);
+        assert_eq!(titles.count(), 1, "{chapter}");
     }
 }
 
+/// The files that a chapter has at its foot besides those of its name, if it has a foot.
+fn beside(source: &str) -> Option<Vec<&str>> {
+    let mut lines = source.lines();
+    let named = lines.find_map(|line| line.strip_prefix("{{foot")?.strip_suffix("}}"))?;
+    Some(named.split_whitespace().collect())
+}
+
 #[test]
-fn the_foot_of_a_page_names_files_that_exist() {
+fn the_foot_of_a_page_names_its_files() {
     let root = press::paths::workspace_root().unwrap();
-    let mut named = HashSet::new();
     let mut faults = Vec::new();
-    for chapter in CHAPTERS {
-        let foot = chapter.foot(&root).unwrap_or_default();
-        for file in chapter.files(&root) {
-            let path = root.join(&file);
-            let (folder, name) = (file.ends_with('/'), chapter.name);
-            let right = path.exists() && path.is_dir() == folder;
-            if !right || !foot.contains(&format!("<code>{file}</code>")) {
-                faults.push(format!("{name}: '{file}' is not there or not in the foot"));
+    let mut feet = String::new();
+    for &chapter in CHAPTERS {
+        let source = source(chapter);
+        let beside = beside(&source);
+        let foot = chapters::foot(&root, chapter, beside.as_deref().unwrap_or_default());
+        let foot = foot.unwrap();
+        for file in beside.iter().flatten() {
+            let folder = root.join(file).is_dir();
+            if folder != file.ends_with('/') || !foot.contains(&format!("<code>{file}</code>")) {
+                faults.push(format!("{chapter}: '{file}' is not in the foot"));
             }
-            named.insert(path);
         }
+        // A figure's source stands in the foot of the chapter that shows it.
+        let mut own = figures::all().iter();
+        if own.any(|entry| entry.chapter == chapter) && !foot.contains("figures/src/") {
+            faults.push(format!("{chapter} does not say where it is drawn"));
+        }
+        if beside.is_none() && foot.contains("<code>") {
+            faults.push(format!("{chapter} has files, and no foot"));
+        }
+        feet += &foot;
     }
     for scene in files_below(&root.join("book/scenes")).unwrap() {
-        if !named.contains(&scene) {
-            faults.push(format!("no chapter names {}", scene.display()));
+        let name = scene.file_name().unwrap().to_str().unwrap();
+        if !feet.contains(&format!("book/scenes/{name}</code>")) {
+            faults.push(format!("no chapter names {name}"));
         }
     }
-    // A figure's source stands in the foot of the chapter that shows it.
-    for entry in figures::all() {
-        let chapter = CHAPTERS
-            .iter()
-            .find(|chapter| chapter.name == entry.chapter);
-        let mut files = chapter.unwrap().files(&root).into_iter();
-        if !files.any(|file| file.starts_with("figures/src/")) {
-            faults.push(format!("no chapter says where '{}' is drawn", entry.name));
-        }
-    }
+    assert!(chapters::foot(&root, "spool", &["src/none.rs"]).is_err());
     none(&faults);
 }

@@ -1,6 +1,6 @@
 //! A number that stands in the prose and beside a figure is one number.
 
-use press::chapters::CHAPTERS;
+use press::chapters::{self, CHAPTERS};
 use press::ledger::markdown_options;
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 
@@ -145,8 +145,8 @@ fn prose_and_figures_say_the_same_number() {
     let root = press::paths::workspace_root().unwrap();
     let mut used = vec![false; DIFFERENT.len()];
     let mut faults = Vec::new();
-    for chapter in CHAPTERS {
-        let source = chapter.source(&root).unwrap();
+    for &chapter in CHAPTERS {
+        let source = chapters::source(&root, chapter).unwrap();
         let [prose, code, mut beside] = parts(&source);
         for line in source.lines() {
             let name = line.strip_prefix("{{#include tables/");
@@ -175,13 +175,13 @@ fn prose_and_figures_say_the_same_number() {
             }
             for other in beside.iter().filter(|other| number.is_near(other, near)) {
                 let allowed = DIFFERENT.iter().position(|(name, a, b, _)| {
-                    (*name, *a, *b) == (chapter.name, number.text.as_str(), other.text.as_str())
+                    (*name, *a, *b) == (chapter, number.text.as_str(), other.text.as_str())
                 });
                 match allowed {
                     Some(k) => used[k] = true,
                     None => faults.push(format!(
                         "{}: {} in prose or code, {} beside a figure or in a table",
-                        chapter.name, number.text, other.text
+                        chapter, number.text, other.text
                     )),
                 }
             }

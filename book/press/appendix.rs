@@ -1,23 +1,9 @@
 //! The ledger as a page of the book and as a table on the terminal.
 
-use crate::ledger::{Claim, Ledger, TestUse, Verdict};
+use crate::ledger::{Claim, IN_CHAPTERS, Kind, Ledger, Place, Verdict};
 use crate::pieces::{inert, unbroken};
 use regex::{Captures, Regex};
 use std::sync::LazyLock;
-
-/// Titles of the tutorial's sections.
-const SECTIONS: &[(&str, &str)] = &[
-    ("1", "Strange rotational phenomena"),
-    ("2", "The inertia matrix"),
-    ("3", "Conservation laws"),
-    ("4", "Miscellaneous examples"),
-    ("5", "Euler’s equations"),
-    ("6", "Euler’s top"),
-    ("7", "Lagrange’s top"),
-    ("8", "Kovalevskaya’s top"),
-    ("9", "Pythagoras by rotation"),
-    ("10", "Further reading"),
-];
 
 /// Anchor of the first place where a chapter names a claim.
 pub fn place_id(chapter: &str, claim: &str) -> String {
@@ -27,7 +13,7 @@ pub fn place_id(chapter: &str, claim: &str) -> String {
 /// The claims page, as Markdown: a summary, then every claim with its verdict and the places that compute it.
 pub fn page(ledger: &Ledger) -> String {
     let mut out = summary(ledger);
-    for (number, title) in SECTIONS {
+    for (number, title) in &ledger.sections {
         out.push_str(&format!("\n## {number}. {title}\n\n"));
         for claim in of_section(ledger, number) {
             out.push_str(&row(ledger, claim));
@@ -45,7 +31,7 @@ fn summary(ledger: &Ledger) -> String {
     let mut out = String::from(
         "| Section | Claims | Computed | Spoken of | Not yet |\n|:---|---:|---:|---:|---:|\n",
     );
-    for (number, title) in SECTIONS {
+    for (number, title) in &ledger.sections {
         let [claims, computed, spoken, open] = count(ledger, of_section(ledger, number));
         let anchor = mdbook_anchor(&format!("{number}. {title}"));
         out.push_str(&format!(
@@ -86,22 +72,22 @@ pub fn mdbook_anchor(heading: &str) -> String {
 
 /// One claim. A single line of HTML, so that Markdown leaves it alone.
 fn row(ledger: &Ledger, claim: &Claim) -> String {
-    let chapters = ledger.in_chapters(&claim.id);
-    let mut chapters: Vec<&str> = chapters.map(|(chapter, _)| *chapter).collect();
+    let chapters = ledger.places(&claim.id, IN_CHAPTERS);
+    let mut chapters: Vec<&str> = chapters.map(|place| place.file.as_str()).collect();
     chapters.dedup();
     let link = |chapter: &&str| {
         let place = place_id(chapter, &claim.id);
         format!("<a href=\"{chapter}.html#{place}\">{}</a>", inert(chapter))
     };
-    let test = |place: &TestUse| {
+    let test = |place: &Place| {
         let file = place.file.strip_prefix("tests/").unwrap_or(&place.file);
         let file = file.trim_end_matches(".rs");
-        let test = format!("{file}::{}", place.function);
+        let test = format!("{file}::{}", place.spot);
         format!("<code>{}</code>", inert(&test))
     };
     let verdict = claim.verdict.to_string();
     let mut places: Vec<String> = chapters.iter().map(link).collect();
-    places.extend(ledger.in_tests(&claim.id).map(test));
+    places.extend(ledger.places(&claim.id, &[Kind::Test]).map(test));
     if !ledger.missing(claim).is_empty() {
         places.push("<em>not yet</em>".into());
     }
@@ -140,10 +126,10 @@ fn with_indices(html: &str) -> String {
 pub fn table(ledger: &Ledger) -> String {
     let mut rows = vec![["claim", "verdict", "title", "chapter", "test"].map(str::to_owned)];
     for claim in &ledger.claims {
-        let chapter = ledger.in_chapters(&claim.id).next();
-        let chapter = chapter.map(|(chapter, mark)| format!("{chapter}.md:{}", mark.line));
-        let test = ledger.in_tests(&claim.id).next();
-        let test = test.map(|place| format!("{} {}", place.file, place.function));
+        let chapter = ledger.places(&claim.id, IN_CHAPTERS).next();
+        let chapter = chapter.map(|place| format!("{}.md:{}", place.file, place.spot));
+        let test = ledger.places(&claim.id, &[Kind::Test]).next();
+        let test = test.map(|place| format!("{} {}", place.file, place.spot));
         let absent = |is_needed: bool| if is_needed { "not yet" } else { "-" };
         rows.push([
             claim.id.clone(),

@@ -10,7 +10,6 @@ use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::io::ErrorKind;
-use std::ops::Range;
 use std::path::Path;
 
 const REGISTER: &str = include_str!("../claims.toml");
@@ -64,79 +63,64 @@ impl Verdict {
     }
 }
 
-/// A place where a chapter names claims.
+/// A place that names a claim.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Mark {
-    /// The claims, as written.
-    pub claims: Vec<String>,
-    /// Line of the opening fence or of the comment, counted from 1.
-    pub line: usize,
-    /// Whether code proves the claims, or prose discusses them.
-    pub kind: MarkKind,
+pub struct Place {
+    /// The claim, as written.
+    pub claim: String,
+    /// The name of the chapter, or the file of the test, from the root of the workspace.
+    pub file: String,
+    /// In a chapter the line of the opening fence or of the comment, counted from 1; in a file of tests the function.
+    pub spot: String,
+    /// Whether a test or a block proves it, or prose discusses it.
+    pub kind: Kind,
 }
 
-/// Whether code proves the claims of a mark, or prose discusses them.
+/// What names a claim.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum MarkKind {
-    /// A comment in a Rust block.
+pub enum Kind {
+    /// A comment of a test.
+    Test,
+    /// A comment in a Rust block of a chapter.
     Block,
-    /// An HTML comment.
+    /// An HTML comment in a chapter.
     Comment,
 }
 
-/// Where a test names a claim.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct TestUse {
-    /// The claim.
-    pub claim: String,
-    /// The file, from the root of the workspace.
-    pub file: String,
-    /// The test function.
-    pub function: String,
-}
-
 /// The claims and every place that names one.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Deserialize)]
 pub struct Ledger {
+    /// Number and title of the tutorial's sections.
+    pub sections: Vec<(String, String)>,
     /// The claims in the order of the tutorial.
+    #[serde(rename = "claim")]
     pub claims: Vec<Claim>,
-    /// The marks of the chapters, each with the name of its chapter.
-    pub chapters: Vec<(&'static str, Mark)>,
-    /// Where the tests name claims.
-    pub tests: Vec<TestUse>,
+    /// Where the chapters, in their order, and the tests name claims.
+    #[serde(skip)]
+    pub places: Vec<Place>,
 }
 
 impl Ledger {
     /// Reads the register (as compiled in), and the chapters and tests under `root`. A chapter that is not there names no claims.
     pub fn read(root: &Path) -> Result<Ledger> {
-        #[derive(Deserialize)]
-        struct Register {
-            claim: Vec<Claim>,
-        }
-        let register: Register = toml::from_str(REGISTER)
-            .map_err(|error| Error::Input(format!("book/claims.toml: {error}")))?;
-        let mut claims = register.claim;
-        claims.sort_by_key(|claim| order(&claim.id));
-        let mut marked = Vec::new();
-        for &chapter in CHAPTERS {
+        let register = toml::from_str(REGISTER);
+        let mut ledger: Ledger =
+            register.map_err(|error| Error::Input(format!("book/claims.toml: {error}")))?;
+        for chapter in CHAPTERS {
             match chapters::source(root, chapter) {
                 Err(Error::File(_, error)) if error.kind() == ErrorKind::NotFound => {}
-                read => marked.extend(marks(&read?).map(|mark| (chapter, mark))),
+                read => ledger.places.extend(in_chapter(chapter, &read?)),
             }
         }
-        let mut tests = Vec::new();
         for path in files_below(&root.join("tests"))? {
             if path.extension().is_some_and(|ending| ending == "rs") {
                 let source = std::fs::read_to_string(&path).map_err(Error::file(&path))?;
                 let file = path.strip_prefix(root).unwrap_or(&path).to_string_lossy();
-                tests.extend(uses(&file.replace('\\', "/"), &source));
+                let places = in_tests(&file.replace('\\', "/"), &source);
+                ledger.places.extend(places);
             }
         }
-        Ok(Ledger {
-            claims,
-            chapters: marked,
-            tests,
-        })
+        Ok(ledger)
     }
 
     /// The claim of this name.
@@ -144,39 +128,29 @@ impl Ledger {
         self.claims.iter().find(|claim| claim.id == id)
     }
 
-    /// Where the chapters name a claim.
-    pub fn in_chapters(&self, id: &str) -> impl Iterator<Item = &(&'static str, Mark)> {
-        let names = move |mark: &Mark| mark.claims.iter().any(|claim| claim == id);
-        self.chapters.iter().filter(move |(_, mark)| names(mark))
-    }
-
-    /// Where the tests name a claim.
-    pub fn in_tests(&self, id: &str) -> impl Iterator<Item = &TestUse> {
-        self.tests.iter().filter(move |place| place.claim == id)
+    /// Where a claim is named in one of these ways.
+    pub fn places<'a>(&'a self, id: &'a str, kinds: &'a [Kind]) -> impl Iterator<Item = &'a Place> {
+        let named = move |place: &&Place| place.claim == id && kinds.contains(&place.kind);
+        self.places.iter().filter(named)
     }
 
     /// What a claim still lacks of what its verdict requires: a test and a block, or a mention.
     pub fn missing(&self, claim: &Claim) -> Vec<&'static str> {
-        let is_tested = self.in_tests(&claim.id).next().is_some();
-        let mut marks = self.in_chapters(&claim.id).map(|(_, mark)| mark.kind);
-        let wanted = match claim.verdict.is_computed() {
-            true => {
-                let is_shown = marks.any(|kind| kind == MarkKind::Block);
-                vec![("a test", is_tested), ("a block in a chapter", is_shown)]
-            }
-            false => vec![("a mention in a chapter", marks.next().is_some())],
+        let wanted: &[(&str, &[Kind])] = match claim.verdict.is_computed() {
+            true => &[
+                ("a test", &[Kind::Test]),
+                ("a block in a chapter", &[Kind::Block]),
+            ],
+            false => &[("a mention in a chapter", IN_CHAPTERS)],
         };
-        let missing = wanted.into_iter().filter(|(_, there)| !there);
-        missing.map(|(what, _)| what).collect()
+        let lacks = |kinds| self.places(&claim.id, kinds).next().is_none();
+        let missing = wanted.iter().filter(|(_, kinds)| lacks(kinds));
+        missing.map(|(what, _)| *what).collect()
     }
 }
 
-/// The numbers in a claim's name, so that `C4.10-2` comes after `C4.9-1`.
-fn order(id: &str) -> Vec<u32> {
-    id.split(|c: char| !c.is_ascii_digit())
-        .filter_map(|number| number.parse().ok())
-        .collect()
-}
+/// What names a claim in a chapter.
+pub const IN_CHAPTERS: &[Kind] = &[Kind::Block, Kind::Comment];
 
 /// The claims named by a comment `claim: A, B`.
 fn named(comment: &str) -> Option<Vec<String>> {
@@ -207,40 +181,42 @@ pub fn markdown_options() -> Options {
         | Options::ENABLE_MATH
 }
 
-impl Mark {
-    /// The mark that stands in this place of a chapter, if there is one.
-    pub fn of(event: &Event<'_>, span: Range<usize>, chapter: &str) -> Option<Self> {
-        let (claims, kind) = match event {
-            Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) if is_rust(info) => {
-                let lines = chapter[span.clone()].lines();
-                let claims: Vec<_> = lines.filter_map(named_in_rust).flatten().collect();
-                (claims, MarkKind::Block)
-            }
-            Event::Html(html) | Event::InlineHtml(html) => {
-                let comment = html.trim().strip_prefix("<!--")?.strip_suffix("-->")?;
-                (named(comment)?, MarkKind::Comment)
-            }
-            _ => return None,
+/// The claims that a part of a chapter names, `text`, and what names them.
+pub fn claims_of(event: &Event<'_>, text: &str) -> Option<(Kind, Vec<String>)> {
+    let (kind, claims) = match event {
+        Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) if is_rust(info) => {
+            let claims = text.lines().filter_map(named_in_rust);
+            (Kind::Block, claims.flatten().collect())
+        }
+        Event::Html(html) | Event::InlineHtml(html) => {
+            let comment = html.trim().strip_prefix("<!--")?.strip_suffix("-->")?;
+            (Kind::Comment, named(comment)?)
+        }
+        _ => return None,
+    };
+    (!claims.is_empty()).then_some((kind, claims))
+}
+
+/// The number of the line on which a text goes on, counted from 1.
+pub fn line_after(text: &str) -> usize {
+    text.matches('\n').count() + 1
+}
+
+/// Where a chapter names claims.
+fn in_chapter(chapter: &str, source: &str) -> Vec<Place> {
+    let mut places = Vec::new();
+    for (event, span) in Parser::new_ext(source, markdown_options()).into_offset_iter() {
+        let Some((kind, claims)) = claims_of(&event, &source[span.clone()]) else {
+            continue;
         };
-        let line = chapter[..span.start].matches('\n').count() + 1;
-        (!claims.is_empty()).then_some(Self { claims, line, kind })
+        places.extend(claims.into_iter().map(|claim| Place {
+            claim,
+            file: chapter.to_owned(),
+            spot: line_after(&source[..span.start]).to_string(),
+            kind,
+        }));
     }
-}
-
-/// The marks of a chapter, in its order.
-fn marks(chapter: &str) -> impl Iterator<Item = Mark> {
-    let events = Parser::new_ext(chapter, markdown_options()).into_offset_iter();
-    events.filter_map(move |(event, span)| Mark::of(&event, span, chapter))
-}
-
-/// The blocks of code of a chapter: whether `cargo test` runs it, and where it stands.
-pub fn code_blocks(chapter: &str) -> impl Iterator<Item = (bool, Range<usize>)> {
-    let events = Parser::new_ext(chapter, markdown_options()).into_offset_iter();
-    events.filter_map(|(event, span)| match event {
-        Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) => Some((is_rust(&info), span)),
-        Event::Start(Tag::CodeBlock(_)) => Some((false, span)),
-        _ => None,
-    })
+    places
 }
 
 /// Whether a fence opens a block that `cargo test` runs.
@@ -248,22 +224,23 @@ pub fn is_rust(info: &str) -> bool {
     info.split([',', ' ']).next() == Some("rust")
 }
 
-/// Claims and the functions of a file that name them: the function a mark stands directly above, else the one it stands in.
-fn uses(file: &str, source: &str) -> Vec<TestUse> {
-    let (mut found, mut named, mut inside) = (Vec::new(), Vec::new(), "");
+/// Where a file of tests names claims: a comment belongs to the function that it stands directly above, else to the one it stands in.
+fn in_tests(file: &str, source: &str) -> Vec<Place> {
+    let (mut places, mut named, mut inside) = (Vec::new(), Vec::new(), "");
     for line in source.lines().map(str::trim_start) {
         named.extend(named_in_rust(line).into_iter().flatten());
         if line.is_empty() || line.starts_with("//") || line.starts_with("#[") {
             continue;
         }
         inside = function_name(line).unwrap_or(inside);
-        found.extend(named.drain(..).map(|claim| TestUse {
+        places.extend(named.drain(..).map(|claim| Place {
             claim,
             file: file.to_owned(),
-            function: inside.to_owned(),
+            spot: inside.to_owned(),
+            kind: Kind::Test,
         }));
     }
-    found
+    places
 }
 
 /// `name` of a line such as `fn name(…`.
@@ -272,30 +249,4 @@ fn function_name(line: &str) -> Option<&str> {
     let rest = rest.strip_prefix("fn ")?;
     let is_letter = |c: char| c.is_alphanumeric() || c == '_';
     Some(rest.split(|c| !is_letter(c)).next()?).filter(|name| !name.is_empty())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn marks_of_a_chapter() {
-        let source = "# A\n\n<!-- claim: C3.1-1 -->\nProse.\n\n```rust\n# // claim: C2.7-2, C2.7-3\nlet x = 1;\n// claim: C2.1-1\n```\n\n```rust\nlet no = \"claim: C1.1-1\";\n```\n\n```text\n// claim: C9.9-9\n```\n";
-        let found: Vec<Mark> = marks(source).collect();
-        assert_eq!(found.len(), 2);
-        assert_eq!((found[0].line, found[0].kind), (3, MarkKind::Comment));
-        assert_eq!(found[0].claims, ["C3.1-1"]);
-        assert_eq!((found[1].line, found[1].kind), (6, MarkKind::Block));
-        assert_eq!(found[1].claims, ["C2.7-2", "C2.7-3", "C2.1-1"]);
-    }
-
-    #[test]
-    fn marks_of_a_test_above_and_inside_its_function() {
-        let source = "// claim: C1.1-1\n#[test]\nfn above() {}\n\n#[test]\nfn inside() {\n    // claim: C1.1-2, C1.1-3\n    let x = 1;\n}\n";
-        let found = uses("", source).into_iter();
-        let found: Vec<_> = found
-            .map(|found| format!("{} {}", found.claim, found.function))
-            .collect();
-        assert_eq!(found, ["C1.1-1 above", "C1.1-2 inside", "C1.1-3 inside"]);
-    }
 }

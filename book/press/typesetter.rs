@@ -4,7 +4,7 @@ use crate::appendix;
 use crate::chapters::{self, CHAPTERS, COVER};
 use crate::drawings::{Drawing, unknown_figure};
 use crate::formulas::{Formulas, Style};
-use crate::ledger::{Ledger, Mark, MarkKind, code_blocks, markdown_options};
+use crate::ledger::{Kind, Ledger, claims_of, line_after, markdown_options};
 use crate::pieces::{Pieces, inert, unbroken};
 use crate::{Error, Result, live};
 use pulldown_cmark::{Event, Parser, Tag};
@@ -60,7 +60,7 @@ impl<'a> Typesetter<'a> {
     /// The chapter in the form that mdBook reads; `file` is its name in `book/src`. Chapters must come in the order of the book, in which figures are numbered.
     pub fn set(&mut self, file: &str, source: &str) -> Result<String> {
         let fault = |before: &str, why: String| {
-            let line = before.matches('\n').count() + 1;
+            let line = line_after(before);
             Error::Input(format!("book/src/{file}:{line}: {why}"))
         };
         let source = self.with_values(source, fault)?;
@@ -74,19 +74,19 @@ impl<'a> Typesetter<'a> {
                 continue;
             }
             let fault = |why| fault(&source[..span.start], why);
-            if let Some(mark) = Mark::of(&event, span.clone(), &source) {
-                let tags = self.tags(chapter, &mark, &mut seen).map_err(fault)?;
+            let text = &source[span.clone()];
+            if let Some((kind, claims)) = claims_of(&event, text) {
+                let tags = self.tags(chapter, claims, &mut seen).map_err(fault)?;
                 if !source[..span.start].ends_with('\n') && span.start > 0 {
                     let why = "a block or comment that names claims must start at the left margin, not in a list or within a line";
                     return Err(fault(why.into()));
                 }
-                edits.push(match mark.kind {
+                edits.push(match kind {
+                    Kind::Comment => (span.clone(), tags),
                     // The blank line before lets the tags follow a paragraph directly.
-                    MarkKind::Block => (span.start..span.start, format!("\n{tags}")),
-                    MarkKind::Comment => (span.clone(), tags),
+                    _ => (span.start..span.start, format!("\n{tags}")),
                 });
             }
-            let text = &source[span.clone()];
             let told: Told<Option<String>> = match event {
                 Event::Start(Tag::Heading { .. }) => {
                     heading = span.end;
@@ -283,19 +283,20 @@ impl<'a> Typesetter<'a> {
     }
 
     /// Links to the claims appendix for the claims that a block or a comment names; `seen` are those that the chapter has named before.
-    fn tags(&self, chapter: &str, mark: &Mark, seen: &mut HashSet<String>) -> Told<String> {
+    fn tags(&self, chapter: &str, claims: Vec<String>, seen: &mut HashSet<String>) -> Told<String> {
         let mut links = Vec::new();
-        for id in &mark.claims {
+        for id in claims {
             let unknown = || format!("'{id}' is no claim of book/claims.toml");
-            let claim = self.ledger.claim(id).ok_or_else(unknown)?;
-            let anchor = match seen.insert(id.clone()) {
-                true => format!(" id=\"{}\"", appendix::place_id(chapter, id)),
-                false => String::new(),
+            let claim = self.ledger.claim(&id).ok_or_else(unknown)?;
+            let anchor = match seen.contains(&id) {
+                false => format!(" id=\"{}\"", appendix::place_id(chapter, &id)),
+                true => String::new(),
             };
             links.push(format!(
                 "<a class=\"claim-tag\"{anchor} href=\"claims.html#{id}\" title=\"A claim of the tutorial: {}\">{id}</a>",
                 inert(&claim.title)
             ));
+            seen.insert(id);
         }
         let links = links.join(" ");
         Ok(format!("{TAGS}{links}</p>\n\n"))
@@ -307,7 +308,9 @@ const TAGS: &str = "<p class=\"claim-tags\">";
 
 /// The chapter without its blocks of code and the names of claims above them.
 pub fn without_code(chapter: &str) -> String {
-    let blocks = code_blocks(chapter);
+    let events = Parser::new_ext(chapter, markdown_options()).into_offset_iter();
+    let is_code = |event: &Event<'_>| matches!(event, Event::Start(Tag::CodeBlock(_)));
+    let blocks = events.filter(|(event, _)| is_code(event));
     let prose = edited(chapter, blocks.map(|(_, span)| (span, "\n".into())));
     let lines = prose.split_inclusive('\n');
     lines.filter(|line| !line.starts_with(TAGS)).collect()

@@ -14,8 +14,8 @@ const PEER: &str = "dop853";
 /// The table of a motion: the telling rows of each method, then the winners, by evaluations if no times were measured; errors below the floor are not known.
 pub fn text<'a>(heading: &str, floor: f64, swept: &'a [Swept]) -> String {
     let mut text = format!(
-        "{heading}\n\n{:>17} {:>10} {:>9} {:>9} {:>11} {:>10} {:>9} {:>9}\n",
-        "method", "parameter", "error", "of omega", "evaluations", "steps", "time", "digits/us",
+        "{heading}\n\n{:>17} {:>10} {:>9} {:>9} {:>11} {:>10} {:>9}\n",
+        "method", "parameter", "error", "of omega", "evaluations", "steps", "time",
     );
     for alike in swept.chunk_by(|a, b| failure(a).is_some() && failure(a) == failure(b)) {
         for row in alike.iter().flat_map(|one| telling(&one.rows)) {
@@ -125,7 +125,6 @@ fn line(row: &Measurement) -> String {
     let or_dash = |told: Option<String>| told.unwrap_or("-".to_owned());
     let error = |x: f64| or_dash(x.is_finite().then(|| format!("{x:.1e}")));
     let time = or_dash(row.seconds.map(duration));
-    let digits = or_dash(row.seconds.and_then(|seconds| digits(row.error(), seconds)));
     let parameter = Some(row.parameter).filter(|parameter| *parameter != 0.0);
     let parameter = or_dash(parameter.map(|parameter| format!("{parameter:.2e}")));
     let remark = match row.status {
@@ -133,7 +132,7 @@ fn line(row: &Measurement) -> String {
         other => other.word(),
     };
     let line = format!(
-        "{:>17} {parameter:>10} {:>9} {:>9} {:>11} {:>10} {time:>9} {digits:>9}  {remark}",
+        "{:>17} {parameter:>10} {:>9} {:>9} {:>11} {:>10} {time:>9}  {remark}",
         row.method,
         error(row.error()),
         error(row.error_omega),
@@ -141,18 +140,6 @@ fn line(row: &Measurement) -> String {
         row.steps,
     );
     format!("{}\n", line.trim_end())
-}
-
-/// Correct digits for each microsecond.
-fn digits(error: f64, seconds: f64) -> Option<String> {
-    // No error at all, because it is judged by itself.
-    let digits = -error.log10();
-    let value = digits / (1e6 * seconds);
-    match digits > 0.0 && digits.is_finite() {
-        true if value >= 0.01 => Some(format!("{value:.2}")),
-        true => Some(format!("{value:.1e}")),
-        false => None,
-    }
 }
 
 /// With three digits.

@@ -154,21 +154,3 @@ fn as_html(mut settings: Config) -> anyhow::Result<Config> {
 pub(crate) fn wrong(error: anyhow::Error) -> Error {
     Error::Input(format!("{error:#}"))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_mdbook_serve_asks_for_is_added_to_the_settings() {
-        let told = "[output.spinning-bodies]\ncommand = \"x\"\nno-section-label = true\n";
-        let mut settings: Config = told.parse().unwrap();
-        let endpoint = "output.html.live-reload-endpoint";
-        settings.set(endpoint, "__livereload").unwrap();
-        let html = as_html(settings).unwrap();
-        assert_eq!(html.outputs::<Table>().unwrap().len(), 1);
-        let html = html.html_config().unwrap();
-        assert!(html.no_section_label);
-        assert_eq!(html.live_reload_endpoint.as_deref(), Some("__livereload"));
-    }
-}

@@ -297,13 +297,3 @@ fn open_page(page: &Path) -> Result<()> {
         Error::Failed(told)
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_command_line_is_well_formed() {
-        <Cli as clap::CommandFactory>::command().debug_assert();
-    }
-}

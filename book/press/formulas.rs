@@ -63,31 +63,3 @@ fn sort_attributes(html: &str) -> String {
     };
     ATTRIBUTES.replace_all(html, sorted).into_owned()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn attributes_are_sorted_and_kept() {
-        assert_eq!(
-            sort_attributes(r#"<a b="2" a="1 2">x</a> <path d="M 1"/>y"#),
-            r#"<a a="1 2" b="2">x</a> <path d="M 1"/>y"#
-        );
-    }
-
-    #[test]
-    fn a_root_wants_braces() {
-        let mut formulas = Formulas::default();
-        assert!(formulas.set(r"\sqrt f", Style::Inline).is_err());
-        let html = formulas.set(r"\sqrt{f}", Style::Display).unwrap();
-        assert!(html.contains("padding-left"), "room for the sign");
-        assert!(html.contains("katex-display"), "a line of its own");
-    }
-
-    #[test]
-    fn an_error_says_what_is_wrong() {
-        let refused = Formulas::default().set(r"\frac{a}{", Style::Inline);
-        assert!(!refused.unwrap_err().is_empty());
-    }
-}

@@ -16,6 +16,7 @@ mod scan;
 mod scene_prices;
 mod scenes;
 mod told;
+mod typeset;
 
 use press::drawings::{self, Drawing};
 use std::path::PathBuf;

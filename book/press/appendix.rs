@@ -124,29 +124,25 @@ fn with_indices(html: &str) -> String {
 
 /// The ledger for the terminal: id, verdict, title, chapter and test of every claim.
 pub fn table(ledger: &Ledger) -> String {
-    let mut rows = vec![["claim", "verdict", "title", "chapter", "test"].map(str::to_owned)];
+    let row = |[claim, verdict, title, chapter, test]: [&str; 5]| {
+        let row = format!("{claim:7}  {verdict:26}  {title:43}  {chapter:23}  {test}");
+        row.trim_end().to_owned() + "\n"
+    };
+    let mut out = row(["claim", "verdict", "title", "chapter", "test"]);
     for claim in &ledger.claims {
         let chapter = ledger.places(&claim.id, IN_CHAPTERS).next();
         let chapter = chapter.map(|place| format!("{}.md:{}", place.file, place.spot));
         let test = ledger.places(&claim.id, &[Kind::Test]).next();
         let test = test.map(|place| format!("{} {}", place.file, place.spot));
         let absent = |is_needed: bool| if is_needed { "not yet" } else { "-" };
-        rows.push([
-            claim.id.clone(),
-            claim.verdict.to_string(),
-            claim.title.clone(),
-            chapter.unwrap_or_else(|| absent(true).into()),
-            test.unwrap_or_else(|| absent(claim.verdict.is_computed()).into()),
+        out += &row([
+            &claim.id,
+            &claim.verdict.to_string(),
+            &claim.title,
+            chapter.as_deref().unwrap_or(absent(true)),
+            test.as_deref()
+                .unwrap_or(absent(claim.verdict.is_computed())),
         ]);
-    }
-    let lengths = |k: usize| rows.iter().map(move |row| row[k].chars().count());
-    let widths = [0, 1, 2, 3, 4].map(|k| lengths(k).max().unwrap_or(0));
-    let mut out = String::new();
-    for row in &rows {
-        let cells = row.iter().zip(widths);
-        let cells = cells.map(|(cell, width)| format!("{cell:width$}"));
-        let line = cells.collect::<Vec<_>>().join("  ");
-        out += &format!("{}\n", line.trim_end());
     }
     let [claims, computed, spoken, open] = count(ledger, ledger.claims.iter());
     let questions = ledger.claims.iter();

@@ -26,17 +26,8 @@ pub fn parameters(entry: &Entry) -> Value {
 /// its path, and the number of bytes of the module.
 ///
 /// # Errors
-/// [`Error::Failed`] if the compiler cannot build for a browser, and those of writing.
+/// [`Error::Failed`] if cargo cannot build it, and has said why; those of writing.
 pub fn build(root: &Path) -> Result<(PathBuf, usize)> {
-    let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
-    let library = ["--print", "target-libdir", "--target", TARGET];
-    let library = Command::new(rustc).args(library).output();
-    let library = library.map_err(|error| Error::Failed(format!("rustc: {error}")))?;
-    if !Path::new(String::from_utf8_lossy(&library.stdout).trim()).is_dir() {
-        let why = "the compiler cannot build for a browser: `rustup target add";
-        let told = format!("{why} {TARGET}` installs what is missing");
-        return Err(Error::Failed(told));
-    }
     let target = root.join("target");
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let how = "build --locked --package live --profile live --target";
@@ -50,7 +41,8 @@ pub fn build(root: &Path) -> Result<(PathBuf, usize)> {
         .status();
     let status = status.map_err(|error| Error::Failed(format!("cargo: {error}")))?;
     if !status.success() {
-        return Err(Error::Failed("cargo did not build the module".into()));
+        let cure = format!("`rustup target add {TARGET}` installs what it may lack");
+        return Err(Error::Failed(format!("cargo built no module: {cure}")));
     }
     let built = target.join(TARGET).join("live/live.wasm");
     let module = std::fs::read(&built).map_err(Error::file(&built))?;

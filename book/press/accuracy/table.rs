@@ -156,30 +156,11 @@ fn duration(seconds: f64) -> String {
 
 /// The cheapest method, the next one, and the peer, in words.
 fn winner(ranked: &[(&str, f64)], told: impl Fn(f64) -> String) -> String {
-    let Some(&(best, least)) = ranked.first() else {
-        return "no method reaches it".to_owned();
-    };
-    let mut text = format!("{best} in {}", told(least));
-    let peer = ranked.iter().skip(1).find(|(method, _)| *method == PEER);
-    let next = ranked.get(1).filter(|(method, _)| *method != PEER);
-    for (word, other) in [("next ", next), ("", peer)] {
-        if let Some((method, price)) = other {
-            let _ = write!(text, "; {word}{method} in {}", told(*price));
-            if least > 0.0 {
-                let _ = write!(text, ", {} times that", ratio(price / least));
-            }
-        }
+    let all = ranked.iter().enumerate();
+    let named = all.filter(|(place, (method, _))| *place < 2 || *method == PEER);
+    let named = named.map(|(_, (method, price))| format!("{method} in {}", told(*price)));
+    match named.collect::<Vec<_>>().join("; ") {
+        none if none.is_empty() => "no method reaches it".to_owned(),
+        named => named,
     }
-    if ranked.len() == 1 {
-        text.push_str("; no other method reaches it");
-    } else if peer.is_none() && best != PEER {
-        let _ = write!(text, "; {PEER} does not reach it");
-    }
-    text
-}
-
-/// Two or three digits, not more.
-fn ratio(value: f64) -> String {
-    let places = usize::from(value < 9.95);
-    format!("{value:.places$}")
 }

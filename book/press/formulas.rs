@@ -2,44 +2,18 @@
 
 use katex::{KatexContext, Settings};
 use regex::{Captures, Regex};
-use std::collections::HashMap;
 use std::sync::LazyLock;
 
-/// The style in which a formula is typeset.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Style {
-    /// In the line.
-    Inline,
-    /// On a line of its own.
-    Display,
-}
-
-/// Typesets formulas, each of them only once.
-#[derive(Default)]
-pub struct Formulas {
-    context: KatexContext,
-    known: HashMap<(String, Style), String>,
-}
-
-impl Formulas {
-    /// HTML and hidden MathML of a formula, or a message of what is wrong with it.
-    pub fn set(&mut self, latex: &str, style: Style) -> Result<String, String> {
-        let key = (latex.to_owned(), style);
-        if let Some(html) = self.known.get(&key) {
-            return Ok(html.clone());
-        }
-        if has_bare_root(latex) {
-            return Err(
-                "write \\sqrt{…}, with braces: without them the root is set over its sign".into(),
-            );
-        }
-        let display = style == Style::Display;
-        let settings = Settings::builder().display_mode(display).build();
-        let html = katex::render_to_string(&self.context, latex, &settings);
-        let html = sort_attributes(&html.map_err(|error| error.to_string())?);
-        self.known.insert(key, html.clone());
-        Ok(html)
+/// HTML and hidden MathML of a formula, or a message of what is wrong with it.
+pub fn html(latex: &str, settings: &Settings) -> Result<String, String> {
+    static CONTEXT: LazyLock<KatexContext> = LazyLock::new(KatexContext::default);
+    if has_bare_root(latex) {
+        return Err(
+            "write \\sqrt{…}, with braces: without them the root is set over its sign".into(),
+        );
     }
+    let html = katex::render_to_string(&CONTEXT, latex, settings);
+    Ok(sort_attributes(&html.map_err(|error| error.to_string())?))
 }
 
 /// Whether a root lacks the braces without which the renderer leaves no room for its sign.

@@ -3,10 +3,11 @@
 use crate::appendix;
 use crate::chapters::{self, CHAPTERS, COVER};
 use crate::drawings::{Drawing, unknown_figure};
-use crate::formulas::{Formulas, Style};
+use crate::formulas;
 use crate::ledger::{Kind, Ledger, claims_of, line_after, markdown_options};
 use crate::pieces::{Pieces, inert, unbroken};
 use crate::{Error, Result, live};
+use katex::Settings;
 use pulldown_cmark::{Event, Parser, Tag};
 use std::collections::HashSet;
 use std::ops::Range;
@@ -19,7 +20,6 @@ pub struct Typesetter<'a> {
     /// The figures shown so far: the first is Figure 1.
     shown: Vec<&'static str>,
     ledger: Ledger,
-    formulas: Formulas,
     /// The pieces kept so far, to fill into the pages.
     pub pieces: Pieces,
     medium: Medium,
@@ -51,7 +51,6 @@ impl<'a> Typesetter<'a> {
             drawings,
             shown: Vec::new(),
             ledger: Ledger::read(root)?,
-            formulas: Formulas::default(),
             pieces: Pieces::default(),
             medium,
         })
@@ -102,8 +101,11 @@ impl<'a> Typesetter<'a> {
                         "a heading has the formula ${latex}$, but headings must have none"
                     ))
                 }
-                Event::InlineMath(latex) => self.formula(&latex, Style::Inline).map(Some),
-                Event::DisplayMath(latex) => self.formula(&latex, Style::Display).map(Some),
+                Event::InlineMath(latex) => self.formula(&latex, &Settings::default()).map(Some),
+                Event::DisplayMath(latex) => {
+                    let display = Settings::builder().display_mode(true).build();
+                    self.formula(&latex, &display).map(Some)
+                }
                 Event::Text(_) if text.contains("{{") => {
                     Err("a directive must be on a line of its own, between blank lines".into())
                 }
@@ -153,9 +155,9 @@ impl<'a> Typesetter<'a> {
         })
     }
 
-    fn formula(&mut self, latex: &str, style: Style) -> Told<String> {
+    fn formula(&mut self, latex: &str, settings: &Settings) -> Told<String> {
         let told = |error| format!("in the formula ${}$: {error}", latex.trim());
-        let html = self.formulas.set(latex, style).map_err(told)?;
+        let html = formulas::html(latex, settings).map_err(told)?;
         // A letter with its index can be searched for, but not LaTeX.
         let plain = match latex.contains('\\') {
             true => "…",
@@ -276,7 +278,7 @@ impl<'a> Typesetter<'a> {
             out += &match i % 2 {
                 // A straight apostrophe becomes a curved one, as mdBook does in the chapters.
                 0 => inert(&unbroken(&part.replace('\'', "’"))),
-                _ => self.formula(part, Style::Inline)?,
+                _ => self.formula(part, &Settings::default())?,
             };
         }
         Ok(out)

@@ -11,7 +11,8 @@ use crate::scenes::scan::Scan;
 use crate::scenes::{Motion, film, plot};
 use crate::usage::{self, Cli, Command};
 use crate::writer::{
-    Target, by_ending, can_be_written_into, folder_of, is_standard_output, say, say_beside, tell,
+    Target, by_ending, can_be_written_into, folder_of, is_standard_output, say, say_beside,
+    several, tell,
 };
 use crate::{Error, Result, accuracy, appendix, binding, ebook, interrupt, live, scenes, watch};
 use clap::{Parser, ValueEnum};
@@ -119,13 +120,8 @@ fn figures(root: &Path, asked: usage::Figures) -> Result<Vec<Drawing>> {
         std::fs::read_dir(&folder).map_err(Error::file(&folder))?;
         let drawings = draw(&entries, &values)?;
         drawings::check(&drawings, &folder)?;
-        let (count, folder) = (drawings.len(), folder.display());
-        let drawn = if count == 1 {
-            "figure agrees"
-        } else {
-            "figures agree"
-        };
-        say(&format!("{count} {drawn} with {folder}\n"))?;
+        let (all, folder) = (several(drawings.len(), "figure"), folder.display());
+        say(&format!("{all} compared with {folder}: no difference\n"))?;
         return Ok(drawings);
     }
     can_be_written_into(&folder)?;
@@ -144,9 +140,8 @@ fn figures(root: &Path, asked: usage::Figures) -> Result<Vec<Drawing>> {
         let Figure { claim, details, .. } = &drawing.figure;
         say_beside(data, &format!("{claim} {details}\n"))?;
     }
-    let (count, folder) = (drawings.len(), folder.display());
-    let s = if count == 1 { "" } else { "s" };
-    let told = format!("{count} figure{s} in {folder}, {changed} changed\n");
+    let (all, folder) = (several(drawings.len(), "figure"), folder.display());
+    let told = format!("{all} in {folder}, {changed} changed\n");
     say_beside(data, &told)?;
     Ok(drawings)
 }

@@ -2,7 +2,7 @@
 
 use crate::pictures::{self, Copying};
 use crate::progress::on_all_processors;
-use crate::writer::{ending, write_if_changed};
+use crate::writer::{ending, several, write_if_changed};
 use crate::{Error, Result};
 use figures::on_your_table::{Paper, Sheet};
 use figures::{Entry, Figure, Look, Parameter, Values};
@@ -65,10 +65,10 @@ pub fn list(entries: &[Entry], parameters: bool) -> String {
     for entry in entries {
         let count = match entry.parameters.len() {
             0 => String::new(),
-            1 => "  1 parameter".into(),
-            n => format!("  {n} parameters"),
+            n => several(n, "parameter"),
         };
-        text += &format!("{:width$}  {}.md{count}\n", entry.name, entry.chapter);
+        let line = format!("{:width$}  {}.md  {count}", entry.name, entry.chapter);
+        text += &format!("{}\n", line.trim_end());
         if parameters {
             let lines = entry.parameters.iter();
             text.extend(lines.map(|parameter| format!("  {parameter}\n")));

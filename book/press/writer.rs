@@ -125,6 +125,12 @@ pub fn say_beside(document: Option<&Path>, text: &str) -> Result<()> {
     say(text)
 }
 
+/// `1 figure`, `2 figures`.
+pub fn several(count: usize, what: &str) -> String {
+    let s = if count == 1 { "" } else { "s" };
+    format!("{count} {what}{s}")
+}
+
 /// Whether a file of this name is the standard output, as it is for `-`.
 pub fn is_standard_output(path: &Path) -> bool {
     path == Path::new("-") || are_one(path, Path::new("/dev/stdout"))

@@ -88,22 +88,11 @@ fn worst(row: &Measurement) -> f64 {
     row.error_attitude.max(row.error_omega)
 }
 
-/// The reason why a method failed at all efforts, from the last one, since the first may have been too coarse; without brackets, and at most a line.
+/// The reason why a method failed at all efforts, from the last one, since the first may have been too coarse.
 fn failure(one: &Swept) -> Option<String> {
-    const MOST: usize = 100;
     let failures = one.rows.iter().map(|row| row.failure.as_ref());
     let failures: Vec<_> = failures.collect::<Option<_>>()?;
-    let mut told = failures.last()?.to_string();
-    if let (Some(open), Some(close)) = (told.find(" ("), told.find(')'))
-        && open < close
-    {
-        told.replace_range(open..=close, "");
-    }
-    if let Some((end, _)) = told.char_indices().nth(MOST) {
-        told.truncate(end);
-        told.push('…');
-    }
-    Some(told)
+    failures.last().map(ToString::to_string)
 }
 
 /// The rows of interest to a reader: the cheapest to reach each of the targets, and the most accurate. The CSV file has all rows.

@@ -11,7 +11,7 @@ use spinning_bodies::scene::Sight;
 use super::{Motion, stem};
 use crate::pictures::{Form, can_be_made, file};
 use crate::progress::counted;
-use crate::writer::{can_be_written_into, ending, folder_of, followed, tell, whole};
+use crate::writer::{can_be_written_into, ending, folder_of, followed, several, tell, whole};
 use crate::{Error, Result, error::one_line};
 
 /// The film of a motion in `count` pictures at equal steps from the first of its times to the last. The motion must have all of its columns.
@@ -157,6 +157,6 @@ pub fn stills(
             false => Ok(()),
         }
     })?;
-    let stills = if count == 1 { "still" } else { "stills" };
-    Ok(format!("{count} {stills} in {}\n", folder.display()))
+    let stills = several(count, "still");
+    Ok(format!("{stills} in {}\n", folder.display()))
 }

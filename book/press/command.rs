@@ -271,12 +271,13 @@ fn draw_all() -> Result<Vec<Drawing>> {
 
 /// The scene file that a name stands for.
 fn scene_file(root: &Path, name: PathBuf) -> Result<PathBuf> {
-    if name == Path::new("-") {
-        return Ok(name);
+    match scenes::file(root, &name) {
+        _ if name == Path::new("-") => Ok(name),
+        Some(file) => Ok(file),
+        // Reading what is no file will report what is wrong.
+        None if name.exists() => Ok(name),
+        None => Err(Error::Input(scenes::not_found(root, &name, &[]))),
     }
-    // Reading what is no file will report what is wrong.
-    let found = scenes::file(root, &name).or_else(|| name.exists().then(|| name.clone()));
-    found.ok_or_else(|| Error::Input(scenes::not_found(root, &name, &[])))
 }
 
 fn open_page(page: &Path) -> Result<()> {

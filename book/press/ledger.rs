@@ -7,10 +7,12 @@ use crate::chapters::{self, CHAPTERS};
 use crate::paths::files_below;
 use crate::{Error, Result};
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag};
+use regex::Regex;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::io::ErrorKind;
 use std::path::Path;
+use std::sync::LazyLock;
 
 const REGISTER: &str = include_str!("../claims.toml");
 
@@ -152,20 +154,16 @@ impl Ledger {
 /// What names a claim in a chapter.
 pub const IN_CHAPTERS: &[Kind] = &[Kind::Block, Kind::Comment];
 
-/// The claims named by a comment `claim: A, B`.
-fn named(comment: &str) -> Option<Vec<String>> {
-    let list = comment.trim().strip_prefix("claim:")?;
-    let ids = list.split(|c: char| c == ',' || c.is_whitespace());
-    let ids = ids.filter(|id| !id.is_empty());
-    Some(ids.map(str::to_owned).collect())
-}
-
-/// The claims named by a line of Rust.
-fn named_in_rust(line: &str) -> Option<Vec<String>> {
-    // A block may be quoted.
-    let line = line.trim_start_matches([' ', '>']);
-    let line = line.strip_prefix("# ").unwrap_or(line).trim_start();
-    named(line.strip_prefix("//")?.trim_start_matches('/'))
+/// The claims that a line names in a comment of Rust, which may be hidden or quoted, or of HTML.
+fn named(line: &str) -> impl Iterator<Item = String> {
+    static COMMENT: LazyLock<Regex> = LazyLock::new(|| {
+        let pattern = r"^(?:[ >]*(?:# *)?//+|<!--) *claim:(.*?)(?:-->)?\s*$";
+        Regex::new(pattern).expect("it is well formed")
+    });
+    let marked = Some(line).filter(|line| line.contains("claim:"));
+    let list = marked.and_then(|line| COMMENT.captures(line)?.get(1));
+    let ids = list.map_or("", |list| list.as_str()).split([',', ' ']);
+    ids.filter(|id| !id.is_empty()).map(str::to_owned)
 }
 
 /// The options mdBook reads its Markdown with, and formulas.
@@ -183,17 +181,12 @@ pub fn markdown_options() -> Options {
 
 /// The claims that a part of a chapter names, `text`, and what names them.
 pub fn claims_of(event: &Event<'_>, text: &str) -> Option<(Kind, Vec<String>)> {
-    let (kind, claims) = match event {
-        Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) if is_rust(info) => {
-            let claims = text.lines().filter_map(named_in_rust);
-            (Kind::Block, claims.flatten().collect())
-        }
-        Event::Html(html) | Event::InlineHtml(html) => {
-            let comment = html.trim().strip_prefix("<!--")?.strip_suffix("-->")?;
-            (Kind::Comment, named(comment)?)
-        }
+    let kind = match event {
+        Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) if is_rust(info) => Kind::Block,
+        Event::Html(_) | Event::InlineHtml(_) => Kind::Comment,
         _ => return None,
     };
+    let claims: Vec<String> = text.lines().flat_map(named).collect();
     (!claims.is_empty()).then_some((kind, claims))
 }
 
@@ -226,14 +219,14 @@ pub fn is_rust(info: &str) -> bool {
 
 /// Where a file of tests names claims: a comment belongs to the function that it stands directly above, else to the one it stands in.
 fn in_tests(file: &str, source: &str) -> Vec<Place> {
-    let (mut places, mut named, mut inside) = (Vec::new(), Vec::new(), "");
+    let (mut places, mut above, mut inside) = (Vec::new(), Vec::new(), "");
     for line in source.lines().map(str::trim_start) {
-        named.extend(named_in_rust(line).into_iter().flatten());
+        above.extend(named(line));
         if line.is_empty() || line.starts_with("//") || line.starts_with("#[") {
             continue;
         }
         inside = function_name(line).unwrap_or(inside);
-        places.extend(named.drain(..).map(|claim| Place {
+        places.extend(above.drain(..).map(|claim| Place {
             claim,
             file: file.to_owned(),
             spot: inside.to_owned(),

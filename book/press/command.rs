@@ -57,6 +57,7 @@ fn obey(command: Option<Command>) -> Result<()> {
             print_book(root, &drawings).map(drop)
         }
         Some(Command::Figures(asked)) if asked.list => listed(&asked),
+        Some(Command::Figures(asked)) if asked.check => compared(root, asked),
         Some(Command::Figures(asked)) => figures(root, asked).map(drop),
         Some(Command::Sheets(asked)) => {
             can_be_written_into(&asked.out)?;
@@ -90,7 +91,18 @@ fn listed(asked: &usage::Figures) -> Result<()> {
     say(&drawings::list(&entries, !asked.names.is_empty()))
 }
 
-/// Draws figures, writes them or compares them with their files, and returns them.
+/// Draws figures and compares them with their files.
+fn compared(root: &Path, asked: usage::Figures) -> Result<()> {
+    let entries = drawings::chosen(&asked.names)?;
+    let folder = asked.out.unwrap_or_else(|| root.join("figures/svg"));
+    std::fs::read_dir(&folder).map_err(Error::file(&folder))?;
+    let drawings = draw(&entries, &Values::default())?;
+    drawings::check(&drawings, &folder)?;
+    let (all, folder) = (several(drawings.len(), "figure"), folder.display());
+    say(&format!("{all} compared with {folder}: no difference\n"))
+}
+
+/// Draws figures, writes their files, and returns them.
 fn figures(root: &Path, asked: usage::Figures) -> Result<Vec<Drawing>> {
     let entries = drawings::chosen(&asked.names)?;
     pictures::can_be_made(asked.form)?;
@@ -116,14 +128,6 @@ fn figures(root: &Path, asked: usage::Figures) -> Result<Vec<Drawing>> {
         true => root.join("figures/svg"),
         false => PathBuf::from("."),
     });
-    if asked.check {
-        std::fs::read_dir(&folder).map_err(Error::file(&folder))?;
-        let drawings = draw(&entries, &values)?;
-        drawings::check(&drawings, &folder)?;
-        let (all, folder) = (several(drawings.len(), "figure"), folder.display());
-        say(&format!("{all} compared with {folder}: no difference\n"))?;
-        return Ok(drawings);
-    }
     can_be_written_into(&folder)?;
     let data = asked.data.as_deref();
     if data.is_some() {

@@ -12,7 +12,7 @@ use super::patience::Swept;
 const PEER: &str = "dop853";
 
 /// The table of a motion: the telling rows of each method, then the winners, by evaluations if no times were measured; errors below the floor are not known.
-pub fn text<'a>(heading: &str, floor: f64, swept: &'a [Swept]) -> String {
+pub fn text(heading: &str, floor: f64, swept: &[Swept]) -> String {
     let mut text = format!(
         "{heading}\n\n{:>17} {:>10} {:>9} {:>9} {:>11} {:>10} {:>9}\n",
         "method", "parameter", "error", "of omega", "evaluations", "steps", "time",
@@ -34,33 +34,41 @@ pub fn text<'a>(heading: &str, floor: f64, swept: &'a [Swept]) -> String {
             let _ = writeln!(text, "{name:>17}   {told}");
         }
     }
-    text.push('\n');
+    text + "\n" + &winners(floor, swept) + "\n"
+}
+
+/// For each accuracy the cheapest method, the next one, and the peer.
+fn winners(floor: f64, swept: &[Swept]) -> String {
     let all = || swept.iter().flat_map(|one| &one.rows);
-    let row = |row: &'a Measurement| Row {
+    let rows = kept(all()).map(|row| Row {
         problem: "",
         method: &row.method,
         error: worst(row),
         price: price(row),
-    };
-    let rows: Vec<Row<'_>> = kept(all()).map(row).collect();
+    });
+    let rows: Vec<Row<'_>> = rows.collect();
     let unit = match all().any(|row| row.seconds.is_some()) {
         true => duration,
         false => |evaluations: f64| format!("{evaluations} evaluations"),
     };
-    for target in TARGETS {
+    let winner = |target: f64| {
         let mut ranked = ranking(&rows, "", target);
         // Below the floor only a closed form is known to be as good as its own estimate.
         ranked.retain(|(method, _)| target >= floor || CLOSED.contains(method));
-        let told = match ranked[..] {
-            [] if target < floor => "unknown: the judges do not agree to that".to_owned(),
-            [(best, least), ..] if target < floor => {
-                format!("{best} in {}; unknown for methods that step", unit(least))
-            }
-            _ => winner(&ranked, unit),
+        let others = match (target >= floor, ranked.is_empty()) {
+            (true, true) => "no method reaches it",
+            (true, false) => "",
+            (false, true) => "unknown: the judges do not agree to that",
+            (false, false) => "unknown for methods that step",
         };
-        let _ = writeln!(text, "{target:e}: {told}");
-    }
-    text + "\n"
+        let all = ranked.iter().enumerate();
+        let named = all.filter(|(place, (method, _))| *place < 2 || *method == PEER);
+        let named = named.map(|(_, (method, price))| format!("{method} in {}", unit(*price)));
+        let mut told: Vec<String> = named.chain([others.to_owned()]).collect();
+        told.retain(|told| !told.is_empty());
+        format!("{target:e}: {}\n", told.join("; "))
+    };
+    TARGETS.into_iter().map(winner).collect()
 }
 
 /// The methods that state their own error.
@@ -141,15 +149,4 @@ fn duration(seconds: f64) -> String {
     };
     let places = usize::from(value < 9.995) + usize::from(value < 99.95);
     format!("{value:.places$} {unit}")
-}
-
-/// The cheapest method, the next one, and the peer, in words.
-fn winner(ranked: &[(&str, f64)], told: impl Fn(f64) -> String) -> String {
-    let all = ranked.iter().enumerate();
-    let named = all.filter(|(place, (method, _))| *place < 2 || *method == PEER);
-    let named = named.map(|(_, (method, price))| format!("{method} in {}", told(*price)));
-    match named.collect::<Vec<_>>().join("; ") {
-        none if none.is_empty() => "no method reaches it".to_owned(),
-        named => named,
-    }
 }

@@ -237,7 +237,11 @@ fn accuracy(root: &Path, asked: usage::Accuracy) -> Result<()> {
         let report = accuracy::run(root, asked.scene.as_deref(), csv)?;
         return say_beside(csv, &report.text);
     };
-    let output = file.unwrap_or_else(|| "-".into());
+    if let (Some(_), Some(output)) = (&file, &asked.output) {
+        let told = "--plot has a FILE already, expected no --output";
+        return Err(Error::Input(format!("{told}, got {}", output.display())));
+    }
+    let output = file.or(asked.output).unwrap_or_else(|| "-".into());
     if is_standard_output(&output) && csv.is_some_and(is_standard_output) {
         let told = "--csv and --plot: both on standard output, expected a FILE for one of them";
         return Err(Error::Input(told.to_owned()));

@@ -189,4 +189,7 @@ pub struct Accuracy {
     /// Draws error against time instead, for the one motion that --scene names; without a FILE, to standard output
     #[arg(long, value_name = "FILE", requires = "scene")]
     pub plot: Option<Option<PathBuf>>,
+    /// The same as the FILE of --plot
+    #[arg(short, long, value_name = "FILE", requires = "plot")]
+    pub output: Option<PathBuf>,
 }

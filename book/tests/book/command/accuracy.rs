@@ -18,6 +18,6 @@ fn what_a_method_pays_is_drawn() {
     let fields = |line: &str| line.matches(',').count();
     assert!(rows.lines().all(|line| fields(line) == 8), "{rows}");
     refused(&typed("accuracy --plot"), &["--scene"]);
-    let csv = typed("accuracy --scene racket --plot x.csv");
+    let csv = typed("accuracy --scene racket --plot --output x.csv");
     refused(&csv, &["`.svg` or `.pdf` or `.png`"]);
 }

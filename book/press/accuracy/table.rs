@@ -63,7 +63,15 @@ fn winners(floor: f64, swept: &[Swept]) -> String {
         };
         let all = ranked.iter().enumerate();
         let named = all.filter(|(place, (method, _))| *place < 2 || *method == PEER);
-        let named = named.map(|(_, (method, price))| format!("{method} in {}", unit(*price)));
+        let named = named.map(|(place, (method, price))| {
+            let more = price / ranked[0].1;
+            let digits = usize::from(more < 9.95);
+            let more = match place > 0 && more.is_finite() {
+                true => format!(", {more:.digits$} times as much"),
+                false => String::new(),
+            };
+            format!("{method} in {}{more}", unit(*price))
+        });
         let mut told: Vec<String> = named.chain([others.to_owned()]).collect();
         told.retain(|told| !told.is_empty());
         format!("{target:e}: {}\n", told.join("; "))

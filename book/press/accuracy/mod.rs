@@ -153,7 +153,7 @@ pub fn measured(file: &Path, patience: f64, told: impl Fn(f64, String)) -> Resul
         return motion.wrong(TIMES, told);
     }
     let judged = JudgedScene::new(motion.scene, end).or_else(|error| {
-        let told = format!(": a run to {end} s cannot be judged: {error}");
+        let told = format!(": a run to {end:?} s cannot be judged: {error}");
         files::refused(&motion.name, &motion.text, TIMES, &told)
     })?;
     warn_of_debug();
@@ -169,7 +169,7 @@ pub fn measured(file: &Path, patience: f64, told: impl Fn(f64, String)) -> Resul
     }
     let judges: Vec<&str> = judged.judges().iter().map(|judge| judge.name()).collect();
     let heading = format!(
-        "{stem}: {} s, judged by {}; errors up to {:.0e} are not distinguishable from zero\n{}",
+        "{stem}: {:?} s, judged by {}; errors up to {:.0e} are not distinguishable from zero\n{}",
         judged.end(),
         judges.join(" and "),
         judged.floor(),

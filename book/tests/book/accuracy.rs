@@ -100,7 +100,7 @@ fn a_scene_of_ones_own_is_measured() {
     let scene_and_csv = ["--scene", file.to_str().unwrap(), "--csv", &name];
     let table = printed(&accuracy(&scene_and_csv));
     for words in [
-        "mine: 2 s, judged by dormand-prince-8 and verner98",
+        "mine: 2.0 s, judged by dormand-prince-8 and verner98",
         "exact   failed: ",
         "rotations-2 … moser-veselov-10   failed: ",
         "\n1e-9: dormand-prince-8 in ",

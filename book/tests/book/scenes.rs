@@ -359,6 +359,9 @@ fn what_is_wrong_is_refused_in_one_line_that_names_it() {
     assert!(told("\"a\\n\\u001b\" = 1\n").starts_with("a .toml:1: key `a  ` is unknown"));
     let many: String = (0..1000).map(|k| format!("k{k} = 1\n")).collect();
     assert_eq!(told(&many).lines().count(), 100);
+    // However long a wrong word is, its message is not.
+    let long = format!("kind = \"{}\"\n", "x".repeat(10_000));
+    assert!(told(&long).len() < 300, "{}", told(&long));
 }
 
 /// Numbers that are right one by one, but not together: the file has no mistake, and what is told of the accuracy is what was asked for.

@@ -237,7 +237,7 @@ fn chosen(place: &Place<'_>, names: &[&str]) -> Option<usize> {
     let text = String::read(place)?;
     let near = meant(&text, names.iter().copied());
     let found = names.iter().position(|name| *name == text);
-    found.or_else(|| place.wrong(&format!(", got {text:?}{near}")))
+    found.or_else(|| place.wrong(&format!(", got {}{near}", place.shown())))
 }
 
 impl Word for Pace {

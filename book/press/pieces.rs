@@ -14,9 +14,9 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 const OPEN: &str = "<span data-piece=\"";
-/// A placeholder with its number, and the unit and the marks that follow it.
+/// A placeholder with its number, and the ending, the unit and the marks that follow it.
 static PLACEHOLDER: LazyLock<Regex> = LazyLock::new(|| {
-    let pattern = r#"<span data-piece="(\d+)">[^<]*</span>((?: (?:kg|cm|mm|rad|[mgsNJ])\b[^ <.,;:!?)’]*)?[.,;:!?)’]*)"#;
+    let pattern = r#"<span data-piece="(\d+)">[^<]*</span>((?:-th)?(?: (?:kg|cm|mm|rad|[mgsNJ])\b[^ <.,;:!?)’]*)?[.,;:!?)’]*)"#;
     Regex::new(pattern).expect("it is well formed")
 });
 
@@ -91,7 +91,7 @@ fn with_hashes(page: &str) -> String {
     page.replace("'own-scripts'", &hashes.join(" "))
 }
 
-/// Text in which no line ends between a number and its unit, nor within the unit.
+/// Text in which no line ends between a number and its unit, nor within the unit, and with a true minus sign before a number.
 pub fn unbroken(text: &str) -> String {
     static NUMBER: LazyLock<Regex> = LazyLock::new(|| {
         let signs = "[ckmµ]?m|[km]?g|[mnµ]?s|m?[JN]|rad";
@@ -101,9 +101,21 @@ pub fn unbroken(text: &str) -> String {
         Regex::new(&pattern).expect("it is well formed")
     });
     let bound = NUMBER.replace_all(text, "$1\u{a0}$2");
-    bound
+    static MINUS: LazyLock<Regex> =
+        LazyLock::new(|| Regex::new(r" -(\d)").expect("it is well formed"));
+    MINUS
+        .replace_all(&bound, " \u{2212}$1")
         .replace("kg m", "kg\u{a0}m")
         .replace("N m", "N\u{a0}m")
+}
+
+/// A command in the line, in which no line ends between the hyphens of an option and its name.
+pub fn options(code: &str) -> String {
+    let word = |word: &str| match word.starts_with('-') {
+        true => format!("<span class=\"unbroken\">{}</span>", inert(word)),
+        false => inert(word),
+    };
+    code.split(' ').map(word).collect::<Vec<_>>().join(" ")
 }
 
 /// Text without any Markdown: everything except letters, digits and spaces is written as an entity.

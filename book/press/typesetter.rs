@@ -5,7 +5,7 @@ use crate::chapters::{self, CHAPTERS, COVER};
 use crate::drawings::{Drawing, unknown_figure};
 use crate::formulas;
 use crate::ledger::{Kind, Ledger, claims_of, line_after, markdown_options};
-use crate::pieces::{Pieces, inert, unbroken};
+use crate::pieces::{Pieces, inert, options, unbroken};
 use crate::{Error, Result, live};
 use katex::Settings;
 use pulldown_cmark::{Event, Parser, Tag};
@@ -113,6 +113,9 @@ impl<'a> Typesetter<'a> {
                     Err("this dollar sign neither opens nor closes a formula".into())
                 }
                 Event::Text(_) => Ok(Some(unbroken(text))),
+                Event::Code(code) if code.contains(" -") || code.starts_with("--") => {
+                    Ok(Some(format!("<code>{}</code>", options(&code))))
+                }
                 Event::Start(Tag::Link { dest_url, .. }) => {
                     let page = dest_url.split('#').next().unwrap_or_default();
                     match page.strip_suffix(".md") {

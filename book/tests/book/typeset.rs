@@ -51,7 +51,7 @@ fn printed(page: &str) -> Result<String> {
 fn a_page_has_what_its_chapter_asks_for() {
     let page = printed(
         "By {{value cat-animated.tilt}}\u{b0}, or $x={{value cat-animated.tilt}}$, and $x_1 * x_2$.\n\n\
-         In 470 µs 2 kg m² and 40 %, of order 3 at best\n\n$$\\sqrt{2}$$\n\n\
+         In 470 µs 2 kg m² and 40 %, of order 3 at best, from -1 to the $n$-th\n\n`cargo run -- claims`\n\n$$\\sqrt{2}$$\n\n\
          ```rs\n{{#include quoted.rs:2:5}}\n```\n",
     );
     let page = page.unwrap();
@@ -59,7 +59,9 @@ fn a_page_has_what_its_chapter_asks_for() {
         "<p>By 2.92\u{b0}, or <span class=\"unbroken\"><span class=\"katex\">",
         // A line ends neither between a formula and its full stop nor between a number and its unit.
         "</span>.</span></p>",
-        "In 470\u{a0}µs 2\u{a0}kg\u{a0}m² and 40\u{a0}%, of order 3 at best",
+        "In 470\u{a0}µs 2\u{a0}kg\u{a0}m² and 40\u{a0}%, of order 3 at best, from \u{2212}1 to the <span class=\"unbroken\">",
+        "-th</span></p>",
+        "<code>cargo run <span class=\"unbroken\">--</span> claims</code>",
         // Room for the sign of a root, on a line of its own.
         "katex-display",
         "padding-left",

@@ -172,7 +172,7 @@ async function toBothEnds() {
                 if (!await until(() => picture() !== before || !refusal.hidden)) fault('nothing is drawn');
                 if (!refusal.hidden) fault(refusal.textContent);
                 if (figure.querySelectorAll('svg.fig').length !== 1) fault('not one picture');
-                const said = [...figure.querySelectorAll('figcaption > .formula, .live')].map((one) => one.textContent).join(' ');
+                const said = [...figure.querySelectorAll('figcaption .formula, .live')].map((one) => one.textContent).join(' ');
                 if (/[\\${}]/.test(said)) fault(`no formula: ${said}`);
                 if (slider.getBoundingClientRect().height < 24) fault('too low for a finger');
                 if (/10[⁻⁰-⁹]/.test(slider.getAttribute('aria-valuetext'))) fault('a power is not told in words');

@@ -87,11 +87,17 @@ function readable(latex) {
     return parts.join('');
 }
 
-// A caption from plain text with formulas between dollars; `known` are those that are set.
+// A caption from plain text with formulas between dollars; `known` are those that are set. As on the printed page, no line ends before a unit, before the marks behind
+// a formula, or within a short formula.
+const MARKS = /^(?: (?:kg|cm|mm|rad|[mgsNJ])\b[^ .,;:!?)’]*)?[.,;:!?)’]*/;
 function caption(text, known) {
-    return text.split('$').map((part, k) => {
-        if (k % 2 === 0) return part.replaceAll('\'', '’');
-        return known?.get(part)?.cloneNode(true) ?? element('span', { className: 'formula', innerHTML: readable(part) });
+    const bound = (words) => words.replaceAll('\'', '’').replace(/(\d|kg|N) (?=[^ ])/g, '$1\u00a0');
+    const parts = text.split('$').map((part, k) => (k % 2 === 0 ? bound(part) : part));
+    return parts.map((part, k) => {
+        if (k % 2 === 0) return k > 0 ? part.replace(MARKS, '') : part;
+        const [marks] = MARKS.exec(parts[k + 1] ?? '');
+        const set = known?.get(part)?.cloneNode(true) ?? element('span', { className: part.length > 32 ? 'formula' : 'formula unbroken', innerHTML: readable(part) });
+        return marks ? element('span', { className: 'unbroken' }, set, marks.replace(' ', '\u00a0')) : set;
     });
 }
 

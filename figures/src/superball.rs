@@ -243,7 +243,8 @@ pub fn under_the_table(values: &Values) -> Result<Figure> {
         let right =
             |k| [50.0, 65.0, 80.0, 100.0, -50.0, -70.0].map(|far| [on(k)[0] + far, on(k)[1] + 4.0]);
         let beside = (0..50).flat_map(right);
-        let [x, y] = pen.room(beside, [28.0, 17.0]);
+        // Farther from a velocity than from each other, or the three would be one label.
+        let [x, y] = pen.room(beside, [28.0, 34.0]);
         pen.remark([x, y - 4.0], Middle, "without");
         pen.remark([x, y + 13.0], Middle, "spin");
     });
@@ -262,7 +263,8 @@ fn velocity_label(pen: &mut Pen, leg: &Leg, text: &str) {
         None => ("", text),
     };
     let letters = number.split('/').map(|part| part.chars().count()).max();
-    let half = 5.0 * letters.unwrap_or(0) as f64 + 20.0;
+    let beside = if number.contains('/') { 20.0 } else { 12.0 };
+    let half = 5.0 * letters.unwrap_or(0) as f64 + beside;
     let shares = [0.7, 0.6, 0.5, 0.8, 0.4, 0.9, 0.3, 0.2];
     let beside = |far: f64| {
         // Not beyond the line on which the ball comes in.

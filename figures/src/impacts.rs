@@ -44,7 +44,7 @@ pub fn meteorite(values: &Values) -> Result<Figure> {
     let ascii = |text: String| text.replace('\u{2212}', "-");
     let claim = match hit.tilt()?.to_degrees() >= 10.0 {
         true => "A small meteorite can tilt a planet's axis a long way.".to_owned(),
-        false => format!("Hit like this, the planet's axis tilts by {tilt} degrees only."),
+        false => format!("Hit like this, the planet's axis tilts by only {tilt} degrees."),
     };
     let [ratio, light, across, up] = briefs([moment, small_mass, velocity.y(), height]);
     let [across, up, exactly, roughly] = [across, up, triple(after), triple(rough)].map(ascii);

@@ -22,7 +22,7 @@ parameters! {
     SECOND: "second", r"\Omega_2", "rad/s", "spin about the second axis at the start", [-1.0, 1.5], 0.5;
     THIRD: "third", r"\Omega_3", "rad/s", "spin about the third axis at the start", [-1.5, 1.5], 0.3;
     RATIO: "ratio", "I_1/I_3", "", "ratio of moments in the panel on the right", [1.5, 2.5], 1.9;
-    SIZE: "size", r"\lvert K\rvert", "1/s²", "Kovalevskaya's constant", [0.05, 1.6], 0.6;
+    SIZE: "size", r"\lvert K\rvert", "s⁻²", "Kovalevskaya's constant", [0.05, 1.6], 0.6;
 }
 
 /// The start of all pictures: c = 1, z = (2, −1, 2)/3.

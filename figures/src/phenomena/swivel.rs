@@ -85,7 +85,7 @@ pub fn swivel(values: &Values) -> Result<Figure> {
             "Twist with the arms out, untwist with the arms in: you face another way.".to_owned()
         }
         false => format!(
-            "Twist with the arms out, untwist with the arms in: you face another way, by {} degrees only.",
+            "Twist with the arms out, untwist with the arms in: you face another way, by only {} degrees.",
             number(net.abs(), 2)
         ),
     };

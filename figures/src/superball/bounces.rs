@@ -67,7 +67,7 @@ pub fn reflections(values: &Values) -> Result<Figure> {
     let words = words!(
         "A bounce is a reflection; floor and ceiling have a mirror each.",
         "The motion of a superball is a point of a circle: across, the velocity $V$; upward, the spin as $\\sqrt{{\\kappa}}\\,R\\Omega$. The floor reflects it \
-         in the upper dashed line, the ceiling in the lower, both {degrees} degrees from the axis ($\\tan\\beta = \\sqrt{{\\kappa}}$, $\\kappa = {factor}$). \
+         in the upper dashed line, the ceiling in the lower, both {degrees}° from the axis ($\\tan\\beta = \\sqrt{{\\kappa}}$, $\\kappa = {factor}$). \
          Start at 0, thrown without spin; after {count} bounce{plural}, floor first, the ball is at {count}, {last}.",
         "A circle with two dashed mirror lines at plus and minus {degrees} degrees. Points of the circle, joined by arrows that cross the upper and the lower mirror in turn: {listed} degrees."
     );

@@ -42,8 +42,8 @@ pub fn path(values: &Values) -> Result<Figure> {
     let [spun, lever, rough] = briefs([spin, alpha, mu]);
     let rounds = number(turns, 1);
     let flight = match number(aloft, if aloft < 1.0 { 2 } else { 0 }) {
-        _ if aloft == 0.0 => ", and it never leaves the table".to_owned(),
-        aloft => format!("; for {aloft} per cent of that time it is in the air"),
+        _ if aloft == 0.0 => ", and the ball never leaves the table".to_owned(),
+        aloft => format!("; for {aloft} per cent of that time the ball is in the air"),
     };
     let spins = rows.iter().map(|(_, s)| s.spin()).sum::<f64>();
     let whole = number(spins * end / rows.len() as f64 / TAU, 0);

@@ -39,7 +39,7 @@ pub fn height_and_energy(values: &Values) -> Result<Figure> {
         Some(_) if last.tilt() > 3.0 => format!("While the top climbs, {paid}"),
         Some(_) => format!("While the top climbs to {ends} degrees, {paid}"),
         None if gain > 0.05 * weight * 0.02 * alpha => {
-            format!("In {END} seconds this top climbs to {ends} degrees only, and {paid}")
+            format!("In {END} seconds this top climbs only to {ends} degrees, and {paid}")
         }
         None => {
             let most = number(greatest_tilt(&rows), 0);

@@ -68,11 +68,20 @@ pub fn growth_rates(values: &Values) -> Result<Figure> {
         true => " The mean is negative throughout, and a logarithmic axis has no place for it.",
         false => "",
     };
+    let ends = match points.last() {
+        Some((mu, _)) if *mu < 0.19 => " Where both lines end, no such state is found any more.",
+        _ => "",
+    };
     let [around, skewed, lever] = briefs([spin, skew, alpha]);
+    let skewed = if skew == 1.0 {
+        String::new()
+    } else {
+        skewed + " times "
+    };
     let words = words!(
         "{claim}",
-        "Growth rates of the chiral top's slow swing about its quasi-steady state, in units of $\\sqrt{{g/R}}$, at ${around}\\sqrt{{g/R}}$, $\\alpha = {lever}$, the \
-         products of inertia {skewed} times the book's: half the difference of the two senses and their mean. Dotted: slopes 2 and 1. Where a curve falls off it changes sign.{absent}",
+        "Growth rates of the chiral top's slow swing about its quasi-steady state, in units of $\\sqrt{{g/R}}$, at ${around}\\sqrt{{g/R}}$, $\\alpha = {lever}$, with \
+         {skewed}the book's products of inertia: half the difference of the two senses and their mean. Dotted: slopes 2 and 1. Where a curve falls off it changes sign.{ends}{absent}",
         "Two curves on doubly logarithmic axes, friction from 0.001 to 0.25. The half difference of the growth rates starts with slope {first}. The mean, \
          grey, starts with slope {second}. Dotted lines of slopes two and one for comparison."
     );

@@ -44,7 +44,7 @@ pub fn reversals(values: &Values) -> Result<Figure> {
     let [wrong, right] = &told;
     let words = words!(
         "A rattleback spun the wrong way rattles, stops and turns back; spun the right way it {then}.",
-        "Spin about the vertical of Kane and Levinson's stone in pure rolling without any loss, released at ±{spun} rad/s {askew}° off level. First reversal: the wrong way \
+        "Spin about the vertical of Kane and Levinson's stone in pure rolling without any loss, released at ±{spun} rad/s, {askew}° off level. First reversal: the wrong way \
          {wrong}, the right way {right}.",
         "Spin against time up to {END} seconds. One curve starts at minus {spun} radians a second, trembles and crosses zero {wrong}. The grey one starts at plus {spun} and crosses zero \
          {right}."

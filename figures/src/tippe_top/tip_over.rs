@@ -47,7 +47,7 @@ pub fn tip_over(values: &Values) -> Result<Figure> {
     };
     let told = means.map(|mean| match mean {
         Some(mean) => format!("{}° a second", number(mean, 1)),
-        None => "it does not get there".to_owned(),
+        None => "none yet".to_owned(),
     });
     let [turns, mu] = briefs([values.of(&TURNS), mu]);
     let slope = number(rate.to_degrees(), 2);

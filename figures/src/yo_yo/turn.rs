@@ -29,7 +29,7 @@ pub fn turn(values: &Values) -> Result<Figure> {
     let [long, thick] = briefs([length, thick]);
     let words = words!(
         "In {lasts} milliseconds the centre swings half round the end of the thread: the velocity is reversed, the sense of the spin is not.",
-        "A yo-yo of 55 g and radius 29 mm on {long} m of string round an axle of radius {thick} mm, to scale, at five equal steps of its turn. Arrows: the velocity of the centre; \
+        "A yo-yo of 55 g and radius 29 mm on {long} m of string round an axle of radius {thick} mm, to scale, at five equally spaced instants of its turn. Arrows: the velocity of the centre; \
          bars: the pull of the string. The spin is {spun} rad/s at both ends and {fastest} at the bottom.",
         "Five pictures of a disc on a thread. In the first the axle hangs on the right of the thread and moves down, in the third it is below the end of the thread and moves to the left, in the \
          last it is on the left and moves up. A blue arrow shows the spin, clockwise in all five. The bar of the pull is short, longer, longest at {most} weights, and shorter again."

@@ -134,7 +134,7 @@ pub fn circle(values: &Values) -> Result<Figure> {
             pen.line([[left, MIDDLE], [right, MIDDLE]], inked(HAIR));
             let [above, below] = [MIDDLE - PANEL - 6.0, MIDDLE + PANEL + 6.0];
             pen.line([[x, above], [x, below]], inked(HAIR));
-            pen.label([right - 4.0, above + 18.0], Middle, text);
+            pen.label([right - 10.0, above + 18.0], Middle, text);
             pen.label([x, below + 26.0], Middle, remark);
         }
         let path = hers.iter().map(|p| scribble(p[0]));

@@ -169,7 +169,7 @@ impl Fall {
 
     /// x, y, θ, u, w, ω and heat at each of the times (units a/U), from the origin, by the method of order 8 with a tolerance of 1e-11.
     ///
-    /// Observed error over 100 units where the motion is regular: 1e-9. Chaotic motions (published coefficients, I* from 1.7 to 2.5)
+    /// Observed error over 100 units of 39 regular motions, I* from 0.1 to 20, against 27 digits: 1e-8, at worst 2e-7. Chaotic motions (published coefficients, I* from 1.7 to 2.5)
     /// lose a digit every few units, as any method must.
     ///
     /// # Errors

@@ -27,20 +27,25 @@ impl Sheet {
     /// The strip of this width, mass per area, in this fluid, under this gravity.
     ///
     /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive).
+    /// [`Error::NotFinite`](crate::Error::NotFinite), [`Error::NotPositive`](crate::Error::NotPositive), also where a product in the mass ratio or in the unit of speed
+    /// leaves the range of doubles.
     ///
     /// ```
     /// use spinning_bodies::falling_strip::Sheet;
     /// assert_eq!(Sheet::new(0.04, 0.08, 1.2, 9.81)?, Sheet::of_paper(0.04)?);
+    /// assert!(Sheet::new(1.0, 1e308, 1e308, 1.0).is_err());
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(width: f64, areal_density: f64, fluid_density: f64, gravity: f64) -> Result<Self> {
-        Ok(Self {
+        let strip = Self {
             width: positive("the width of the strip", width)?,
             areal_density: positive("the mass per area", areal_density)?,
             fluid_density: positive("the density of the fluid", fluid_density)?,
             gravity: positive("gravity", gravity)?,
-        })
+        };
+        positive("the mass ratio", strip.mass_ratio())?;
+        positive("the unit of speed", strip.speed())?;
+        Ok(strip)
     }
 
     /// Office paper, 80 g/m², in air of 1.2 kg/m³, with g = 9.81 m/s².
@@ -89,7 +94,7 @@ impl Sheet {
         4.0 * self.areal_density / (PI * self.fluid_density * self.width)
     }
 
-    /// The unit of speed of the theory, U = √(2σg/(π ρ)), m/s: the same for every width. For σg and ρ whose quotient is in the range of doubles.
+    /// The unit of speed of the theory, U = √(2σg/(π ρ)), m/s: the same for every width.
     ///
     /// ```
     /// use spinning_bodies::falling_strip::Sheet;

@@ -1,7 +1,7 @@
 //! A ball on a sheet that is withdrawn from under it (tutorial 4.5): it stops dead.
 
 use super::friction::Coulomb;
-use crate::error::{Result, finite, not_empty, positive, refused};
+use crate::error::{Result, each_finite, finite, not_empty, positive, refused};
 
 /// The speed of the sheet from time 0 on: linear between the points given, constant after the last one.
 ///
@@ -22,6 +22,7 @@ impl SheetSpeeds {
     /// use spinning_bodies::rolling::SheetSpeeds;
     /// assert_eq!(SheetSpeeds::through([(0.0, 0.0), (1.0, 2.0), (3.0, 0.0)])?.at(2.0), 1.0);
     /// assert!(SheetSpeeds::through([(1.0, 2.0), (0.0, 0.0)]).is_err());
+    /// assert!(SheetSpeeds::through([(0.0, -1e308), (1.0, 1e308)]).is_err());
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn through(points: impl Into<Vec<(f64, f64)>>) -> Result<Self> {
@@ -39,6 +40,8 @@ impl SheetSpeeds {
             let condition = "the times of the sheet's speeds must not decrease";
             return refused(condition, pair[1].0);
         }
+        let changes = points.array_windows().map(|[from, to]| to.1 - from.1);
+        each_finite("a change of the sheet's speed", changes)?;
         Ok(Self { points })
     }
 

@@ -2,7 +2,7 @@
 
 use super::shot::RoundBody;
 use super::{Coulomb, Course, Load, Moment, RollingResistance};
-use crate::error::{Result, finite, not_negative, positive, within};
+use crate::error::{Result, not_negative, positive, within};
 
 /// A spool on a table: discs with the radius of a [`RoundBody`] and an axle between them.
 ///
@@ -213,6 +213,9 @@ impl Spool {
     /// let spool = Spool::new(RoundBody::new(2.0, 1.0, 0.5)?, 0.5)?;
     /// // f = T/1.5 at most 0.2 · 20 N.
     /// assert!((spool.largest_gentle_tension(0.0, 0.2, 10.0)? - 6.0).abs() < 1e-14);
+    /// // No weight that a double holds.
+    /// let light = Spool::new(RoundBody::new(5e-324, 1e160, 1e-300)?, 1.0)?;
+    /// assert!(light.largest_gentle_tension(0.0, 1e300, 0.1).is_err());
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn largest_gentle_tension(&self, angle: f64, friction: f64, gravity: f64) -> Result<f64> {
@@ -249,7 +252,7 @@ impl Spool {
 
     fn weight(&self, gravity: f64) -> Result<f64> {
         let gravity = positive("the acceleration of gravity", gravity)?;
-        finite("the weight", self.body.mass * gravity)
+        positive("the weight", self.body.mass * gravity)
     }
 
     /// Distance in front of the point of contact (+x), m, at which the line of force meets the table; infinite for a level tug, but 0 if R = r, when the line

@@ -108,7 +108,7 @@ impl TableTop {
     /// ```
     pub fn phases(&self, request: &Request) -> Result<Vec<Phase>> {
         let trace = self.trace(request, &self.plan(request)?)?;
-        let phases = trace.phases.iter().map(|&(start, mode)| Phase {
+        let phases = trace.phases.iter().map(|&(start, mode, _)| Phase {
             start,
             support: mode.support(),
         });

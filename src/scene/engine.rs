@@ -67,9 +67,9 @@ pub(crate) trait Flow<const N: usize> {
         None
     }
 
-    /// The error of closed forms after this angle, rad, and these phases.
-    fn rounding(&self, angle: f64, phases: &[(f64, Self::Phase)]) -> f64 {
-        OF_CLOSED_FORMS * (1.0 + angle + phases.len() as f64)
+    /// The error of closed forms after this angle, rad, and so many phases.
+    fn rounding(&self, angle: f64, phases: usize) -> f64 {
+        OF_CLOSED_FORMS * (1.0 + angle + phases as f64)
     }
 
     /// Distance of two states that should be equal: the greater of radians and differences relative to the scale of a rate. By default, each component's
@@ -131,18 +131,16 @@ impl<const N: usize> Ahead<'_, N> {
     }
 }
 
-/// A phase and, if it took few steps, half the length of one and the duration of the phase, s.
-type Half<P> = (P, Option<[f64; 2]>);
+/// The time at which a phase began, s, the phase, and, if it took few steps, half the length of one and the duration of the phase, s.
+type Followed<P> = (f64, P, Option<[f64; 2]>);
 
 /// One motion through all its phases.
 #[derive(Debug, Clone)]
 pub(crate) struct Trace<P, const N: usize> {
     /// Phase and state at each of the times, in their order.
     pub samples: Vec<At<P, N>>,
-    /// The time, s, at which each phase began, for the phases after the start, in order.
-    pub phases: Vec<(f64, P)>,
-    /// A [`Half`] for each phase, in the order in which they were followed.
-    halves: Vec<Half<P>>,
+    /// The phases, in the order in which they were followed.
+    pub phases: Vec<Followed<P>>,
     pub cost: Cost,
     /// The greatest error of a sample, by [`Flow::distance`]; infinite where nothing vouches for the run.
     pub error: f64,
@@ -154,7 +152,6 @@ impl<P, const N: usize> Trace<P, N> {
         Self {
             samples,
             phases: Vec::new(),
-            halves: Vec::new(),
             cost: Cost::default(),
             error: f64::INFINITY,
         }
@@ -218,13 +215,12 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         &self,
         start: At<F::Phase, N>,
         times: &[f64],
-        halves: &[Half<F::Phase>],
+        before: &[Followed<F::Phase>],
     ) -> Result<Trace<F::Phase, N>> {
         let (mut phase, mut y) = start;
         let end = times.last().copied().unwrap_or(0.0);
         self.budget.begin(end);
         let mut trace = Trace::of(Vec::with_capacity(times.len()));
-        trace.phases.push((0.0, phase));
         let (mut now, mut at_once) = (0.0, 0);
         loop {
             let left = &times[trace.samples.len()..];
@@ -241,8 +237,8 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
                 };
                 self.leg(phase, &ahead, longest)
             };
-            let seen = halves.get(trace.halves.len());
-            let half = seen.and_then(|&(same, half)| half.filter(|_| same == phase));
+            let seen = before.get(trace.phases.len());
+            let half = seen.and_then(|&(_, same, half)| half.filter(|_| same == phase));
             let halved = half.and_then(|[half, lasted]| {
                 // The half steps are used if the phase ends by an event again; otherwise it is another phase.
                 let later = now + 2.0 * lasted;
@@ -257,7 +253,7 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
                 && (1..=FEW_STEPS).contains(&steps)
                 && lasted != 0.0;
             let half = few.then(|| [lasted.abs() / (2 * steps) as f64, lasted]);
-            trace.halves.push((phase, half));
+            trace.phases.push((now, phase, half));
             trace.cost += passage.cost;
             self.budget
                 .spend(passage.states.len() as u64 / 16, passage.time)?;
@@ -270,9 +266,8 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
             }
             phase = self.flow.next(phase, passage.stopped, now, &mut y)?;
             each_finite("the state after an event", y)?;
-            trace.phases.push((now, phase));
             self.budget.spend(1, now)?;
-            if trace.phases.len() > MOST_PHASES || at_once > MOST_AT_ONCE {
+            if trace.phases.len() >= MOST_PHASES || at_once > MOST_AT_ONCE {
                 let reason = "the events come too close to each other; end the run earlier, or let what changes so often be smooth";
                 return stopped(reason, now);
             }
@@ -345,15 +340,14 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         &self,
         start: At<F::Phase, N>,
         times: &[f64],
-        halves: &[Half<F::Phase>],
+        before: &[Followed<F::Phase>],
     ) -> Result<Trace<F::Phase, N>> {
         let mut whole = Trace::of(Vec::new());
         whole.samples = both_ways(times, &mut |times| {
-            let done = whole.halves.len().min(halves.len());
-            let trace = self.follow(start, times, &halves[done..])?;
-            whole.halves.extend(trace.halves);
+            let done = whole.phases.len().min(before.len());
+            let trace = self.follow(start, times, &before[done..])?;
+            whole.phases.extend(trace.phases);
             whole.cost += trace.cost;
-            whole.phases = trace.phases;
             Ok(trace.samples)
         })?;
         Ok(whole)
@@ -458,14 +452,14 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
     let mut cost = Cost::default();
     // What steps round may be amplified more than a doubt of the start is, if there is time for both.
     let drifts = !sure && angle > SHORT;
-    let mut run = |effort, off, halves: &[Half<F::Phase>]| -> Result<(F, Trace<F::Phase, N>)> {
+    let mut run = |effort, off, before: &[Followed<F::Phase>]| -> Result<(F, Trace<F::Phase, N>)> {
         let flow = flow(tolerance_of(effort, accuracy))?;
         let mut run = Run::new(&flow, stepper, effort, budget);
         if off != 0.0 && drifts {
             let led = |doubt: f64| off * DRIFT * doubt / request.furthest;
             run.drift = Some(flow.doubt().map(led));
         }
-        let trace = run.at(beside(&flow, off * BESIDE)?, &times, halves)?;
+        let trace = run.at(beside(&flow, off * BESIDE)?, &times, before)?;
         cost += trace.cost;
         Ok((flow, trace))
     };
@@ -480,7 +474,7 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
     // Runs beside the better one, the looser one last.
     let mut others = vec![run(efforts.worse(), 1.0, &[])?.1];
     loop {
-        let (flow, mut better) = run(efforts.better(), 0.0, &others[others.len() - 1].halves)?;
+        let (flow, mut better) = run(efforts.better(), 0.0, &others[others.len() - 1].phases)?;
         let seen = &better.samples;
         let floor = efforts.floor(better.phases.len());
         let told = |asked: &Trace<_, N>, checked: &Trace<_, N>, weight: f64| {
@@ -571,7 +565,7 @@ pub(crate) fn solved<const N: usize, F: Flow<N> + Copy>(
         _ => return to_accuracy(request, plan.solver, &|_| Ok(*flow)),
     };
     let angle = flow.pace() * request.furthest.abs();
-    trace.error = flow.rounding(angle, &trace.phases);
+    trace.error = flow.rounding(angle, trace.phases.len());
     Ok(trace)
 }
 

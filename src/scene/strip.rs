@@ -210,7 +210,7 @@ impl Flow<7> for Strip {
     }
 
     /// Position and energies grow with the square of the time; the total energy, a difference of two of them, does not.
-    fn rounding(&self, angle: f64, _: &[(f64, f64)]) -> f64 {
+    fn rounding(&self, angle: f64, _: usize) -> f64 {
         OF_CLOSED_FORMS * (1.0 + angle) + ROUNDING * angle * angle
     }
 

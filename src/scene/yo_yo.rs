@@ -444,8 +444,8 @@ impl Flow<6> for Playing {
     }
 
     /// Every phase has an error in proportion to its own duration.
-    fn rounding(&self, _: f64, phases: &[(f64, Stage)]) -> f64 {
-        OF_CLOSED_FORMS * (1.0 + phases.len() as f64)
+    fn rounding(&self, _: f64, phases: usize) -> f64 {
+        OF_CLOSED_FORMS * (1.0 + phases as f64)
     }
 
     fn distance(&self, a: &(Stage, Numbers), b: &(Stage, Numbers)) -> f64 {

@@ -219,7 +219,7 @@ impl Flow<4> for Cat {
     }
 
     /// The closed form is that of a cat without angular momentum, which stands still once it has turned over.
-    fn rounding(&self, angle: f64, _: &[(f64, ())]) -> f64 {
+    fn rounding(&self, angle: f64, _: usize) -> f64 {
         let whole = |path: Turnover| path.greatest_rate() * path.duration;
         OF_CLOSED_FORMS * (1.0 + angle.min(self.turnover.map_or(0.0, whole)))
     }

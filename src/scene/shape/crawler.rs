@@ -201,10 +201,10 @@ impl Flow<5> for Crawler {
 
     /// Strokes are told from the time since their cycle began, which has no rounding of its own however many there were; friction forgets the roundings of
     /// events, and only those of the way add up.
-    fn rounding(&self, angle: f64, phases: &[(f64, Phase)]) -> f64 {
+    fn rounding(&self, angle: f64, phases: usize) -> f64 {
         let of_a_cycle = angle.min(self.pace() * self.body.strokes.cycle());
         let events = match self.grip() {
-            Some(_) => f64::EPSILON * (angle + phases.len() as f64),
+            Some(_) => f64::EPSILON * (angle + phases as f64),
             None => 0.0,
         };
         OF_CLOSED_FORMS * (1.0 + of_a_cycle) + events

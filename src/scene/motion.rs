@@ -265,17 +265,14 @@ impl<S> OpenLedger<S> {
         (cost, error_estimate): (Cost, f64),
         states: &mut dyn Iterator<Item = S>,
     ) -> Self {
-        let (times, mut rows) = (&request.times, Vec::with_capacity(request.times.len()));
-        for (&time, state) in times.iter().zip(states) {
-            rows.push((time, state));
-        }
+        let times = &request.times;
         let order = ascending(Vec::from_iter(0..times.len()), times);
         let motion = Motion {
             plan,
             cost,
             error_estimate,
             ledger: Ledger::new(),
-            rows,
+            rows: times.iter().copied().zip(states).collect(),
         };
         Self { motion, order }
     }
@@ -288,9 +285,12 @@ impl<S> OpenLedger<S> {
         self
     }
 
-    /// The states of all rows.
-    pub fn states(&self) -> impl Iterator<Item = &S> {
-        self.motion.rows.iter().map(|(_, state)| state)
+    /// The greatest of these numbers, each from the place of a row and its state, and of `least`.
+    pub fn greatest(&self, least: f64, of: impl Fn(usize, &S) -> f64) -> f64 {
+        let rows = self.motion.rows.iter().enumerate();
+        rows.fold(least, |most, (place, (_, state))| {
+            most.max(of(place, state))
+        })
     }
 
     /// The earliest state read for the ledger.

@@ -90,12 +90,8 @@ impl Strip {
     /// ```
     pub fn new(plate: Plate, start: StripStart) -> Result<Self> {
         each_finite("the velocity at the start", start.velocity)?;
-        within(
-            "the angle at the start",
-            start.angle,
-            -MOST_TURNED,
-            MOST_TURNED,
-        )?;
+        let what = "the angle at the start";
+        within(what, start.angle, -MOST_TURNED, MOST_TURNED)?;
         finite("the angular velocity at the start", start.omega)?;
         let equations = Equations::new(plate);
         Ok(Self { equations, start })
@@ -258,20 +254,18 @@ impl Scene for Strip {
         let plan = self.plan(request)?;
         let known = |t| Ok(self.in_free_fall(t));
         let trace = solved((self, &plan, request), 1, &known)?;
-        let rows: Vec<[f64; 7]> = trace.samples.iter().map(|(_, y)| *y).collect();
         let (equations, times) = (&self.equations, request.times());
         let [.., speed, _, _, scale] = self.scales();
         let first = self.start()?.1;
         let [px, py] = equations.impulse(&first);
         let weight = equations.plate.mass * equations.gravity.unwrap_or(0.0);
-        let kinetic = rows.iter().map(|y| equations.kinetic_energy(y) + y[6]);
-        let energy = kinetic.fold(scale, f64::max);
-        let pulls = times.iter().map(|t| (weight * t).abs());
-        let impulse = pulls.fold(scale / speed, f64::max);
+        let impulse = (weight * request.furthest).abs().max(scale / speed);
         let opening = self.state(&first).energy;
-        let across = |k: usize, _: &_| equations.impulse(&rows[k])[0];
-        let up = |k: usize, _: &_| equations.impulse(&rows[k])[1] + weight * times[k];
+        let numbers = |k: usize| &trace.samples[k].1;
+        let across = |k: usize, _: &_| equations.impulse(numbers(k))[0];
+        let up = |k: usize, _: &_| equations.impulse(numbers(k))[1] + weight * times[k];
         let mut ledger = trace.told(request, plan, |_, _, y| self.state(y));
+        let energy = ledger.greatest(scale, |k, s| equations.kinetic_energy(numbers(k)) + s.heat);
         ledger.conserved("energy and heat", energy, opening, |_, s| s.energy + s.heat)?;
         if self.brakes() {
             ledger.keep(("heat", Law::NonDecreasing, energy), 0.0, |_, s| s.heat)?;

@@ -248,7 +248,7 @@ impl Scene for Crawler {
             CrawlerState::of([rear, front, center, velocity, work, heat])
         });
         let [.., mass_speed, _, energy] = self.scales();
-        let spent = ledger.states().map(|state| state.heat).fold(0.0, f64::max);
+        let spent = ledger.greatest(0.0, |_, state| state.heat);
         let mass: f64 = body.masses.iter().sum();
         let impulse = |place: usize| trace.samples[place].1[2];
         let momentum = |place: usize, s: &CrawlerState| mass * s.velocity - impulse(place);

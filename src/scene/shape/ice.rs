@@ -216,8 +216,7 @@ impl Scene for Swivel {
             self.bearing_friction
                 .map_or(both, |c| both + c * state.lower)
         };
-        let largest = (ledger.states().enumerate()).map(|(place, state)| upper(place, state).abs());
-        let scale = largest.fold(l.abs(), f64::max);
+        let scale = ledger.greatest(l.abs(), |place, state| upper(place, state).abs());
         ledger.conserved("angular momentum", scale, l, whole)?;
         ledger.closed(request)
     }
@@ -404,8 +403,7 @@ impl Scene for Skater {
         });
         let [.., scale] = self.scales();
         let scale = scale.max(self.body.energy(0.0, self.reach, hands));
-        let energies = ledger.states().map(|state| state.energy);
-        let largest = energies.fold(scale, f64::max);
+        let largest = ledger.greatest(scale, |_, state| state.energy);
         let momentum = |_: usize, state: &SkaterState| {
             let now = self.body.moment(state.reach) * state.spin;
             self.bearing_friction.map_or(now, |c| now + c * state.angle)

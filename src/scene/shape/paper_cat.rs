@@ -253,8 +253,7 @@ impl Scene for PaperCat {
             let kinetic = 0.5 * state.velocity * state.velocity;
             self.gravity.map_or(kinetic, |g| kinetic - g * state.fall)
         };
-        let squares = ledger.states().map(|state| state.velocity.powi(2));
-        let largest = squares.fold(0.0, f64::max);
+        let largest = ledger.greatest(0.0, |_, state| state.velocity.powi(2));
         let name = "energy of fall with what the air took";
         ledger.conserved(name, largest, 0.0, |k, s| energy(k, s) + s.lost)?;
         ledger.keep(("energy of fall", Law::NonIncreasing, largest), 0.0, energy)?;

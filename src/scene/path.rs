@@ -2,8 +2,8 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::error::{Result, not_negative, positive, within};
-use crate::phenomena::{Bend, Waist};
+use crate::error::{Result, finite, not_negative, positive, within};
+use crate::phenomena::Bend;
 
 /// The progress of a stroke in its time: from 0 to 1, at rest at both ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -91,12 +91,9 @@ impl FourPhases {
 
     pub(super) fn checked(self) -> Result<Self> {
         positive("the duration of a cycle", self.duration)?;
-        let waist = Waist {
-            upper_arms_out: self.arms_out,
-            upper_arms_in: self.arms_in,
-            lower: 0.0,
-        };
-        waist.swivel_angle(self.twist)?;
+        positive("the upper moment with arms out", self.arms_out)?;
+        positive("the upper moment with arms in", self.arms_in)?;
+        finite("the twist", self.twist)?;
         Ok(self)
     }
 

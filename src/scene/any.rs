@@ -75,27 +75,25 @@ impl AnyScene {
     /// ```
     pub fn scene<S: Tabulated + Send + 'static>(scene: Box<dyn Scene<State = S>>) -> Self {
         let mut usual = S::columns();
-        for column in &mut usual.columns {
+        for (column, ..) in &mut usual.0 {
             column.usual = true;
         }
-        let told = (0..usual.columns.len()).collect();
+        let told = (0..usual.0.len()).collect();
         let columns = usual.and(scene.further());
         Self {
-            columns: columns.columns.clone(),
+            columns: columns.0.iter().map(|(column, ..)| *column).collect(),
             told,
             simulation: Box::new(move |this, request| {
                 let motion = scene.simulate(request)?;
-                let mut rows = Vec::with_capacity(motion.rows.len());
-                for (time, state) in &motion.rows {
-                    rows.push((*time, columns.row(&this.told, state)));
-                }
+                let rows = motion.rows.iter();
+                let row = |(time, state): &(f64, S)| (*time, columns.row(&this.told, state));
                 Ok(Table {
                     plan: motion.plan,
                     cost: motion.cost,
                     error_estimate: motion.error_estimate,
                     ledger: motion.ledger,
                     columns: this.told().collect(),
-                    rows,
+                    rows: rows.map(row).collect(),
                 })
             }),
             #[cfg(feature = "scene-files")]

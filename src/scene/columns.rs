@@ -35,24 +35,21 @@ pub struct Column {
 type Teller<S> = Arc<dyn Fn(&S, usize) -> f64 + Send + Sync>;
 
 /// The columns of a state, in the order of a row.
-pub struct Columns<S> {
-    pub(crate) columns: Vec<Column>,
-    /// For each column the function that computes its number, and its place there.
-    tellers: Vec<(Teller<S>, usize)>,
-}
+pub struct Columns<S>(
+    /// Each with the function that computes its number, and its place there.
+    pub(super) Vec<(Column, Teller<S>, usize)>,
+);
 
 impl<S: 'static> core::fmt::Debug for Columns<S> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        self.columns.fmt(f)
+        let columns = self.0.iter().map(|(column, ..)| column);
+        f.debug_list().entries(columns).finish()
     }
 }
 
 impl<S> Default for Columns<S> {
     fn default() -> Self {
-        Self {
-            columns: Vec::new(),
-            tellers: Vec::new(),
-        }
+        Self(Vec::new())
     }
 }
 
@@ -60,14 +57,14 @@ impl<S: 'static> Columns<S> {
     /// With these columns added: name, unit and meaning of each.
     pub(crate) fn with(mut self, numbers: &[[&'static str; 3]], of: Teller<S>) -> Self {
         for (place, &[name, unit, meaning]) in numbers.iter().enumerate() {
-            self.tellers.push((of.clone(), place));
-            self.columns.push(Column {
+            let column = Column {
                 name,
                 unit,
                 meaning,
                 usual: false,
                 goes_round: meaning.ends_with("−π … π"),
-            });
+            };
+            self.0.push((column, of.clone(), place));
         }
         self
     }
@@ -131,8 +128,7 @@ impl<S: 'static> Columns<S> {
 
     /// These columns followed by `further`.
     pub(crate) fn and(mut self, further: Self) -> Self {
-        self.columns.extend(further.columns);
-        self.tellers.extend(further.tellers);
+        self.0.extend(further.0);
         self
     }
 
@@ -141,13 +137,12 @@ impl<S: 'static> Columns<S> {
     /// # Panics
     /// If there are not that many columns.
     pub(crate) fn row(&self, places: &[usize], state: &S) -> Vec<f64> {
-        let mut row = Vec::with_capacity(places.len());
-        for &place in places {
-            let (of, place) = &self.tellers[place];
+        let number = |&place: &usize| {
+            let (_, of, place) = &self.0[place];
             // Nothing is told as −0.
-            row.push(of(state, *place) + 0.0);
-        }
-        row
+            of(state, *place) + 0.0
+        };
+        places.iter().map(number).collect()
     }
 }
 
@@ -158,11 +153,11 @@ pub(crate) fn described(name: &'static str, text: &'static str) -> [&'static str
     [name, unit, meaning]
 }
 
-/// Declares a state whose fields are its columns: the doc comment of each is its meaning and, after the last comma, its unit.
+/// Declares a state whose fields are its columns, after those in parentheses: the doc comment of each is its meaning and, after the last comma, its unit.
 macro_rules! state {
     (
         $(#[$about:meta])*
-        $name:ident { $(#[doc = $text:literal] $number:ident,)* }
+        $name:ident $(($before:expr))? { $(#[doc = $text:literal] $number:ident,)* }
         $(#[doc = $more:literal] $field:ident: $type:ty,)*
     ) => {
         $(#[$about])*
@@ -187,7 +182,8 @@ macro_rules! state {
             fn columns() -> $crate::scene::Columns<Self> {
                 let told = [$($crate::scene::columns::described(stringify!($number), $text)),*];
                 let number = |state: &Self, place| [$(state.$number),*][place];
-                $crate::scene::Columns::default().with(&told, std::sync::Arc::new(number))
+                let columns = $crate::scene::Columns::default()$(.and($before))?;
+                columns.with(&told, std::sync::Arc::new(number))
             }
         }
     };

@@ -74,32 +74,23 @@ impl StruckPlanet {
     }
 }
 
-/// A planet at one time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Flying {
-    /// Attitude: turns the planet's axes into those of space.
-    pub attitude: Attitude,
-    /// Angular velocity along the planet's axes, rad/s.
-    pub omega: BodyVector,
-    /// The planet's centre C, m.
-    pub center: SpaceVector,
-    /// Kinetic energy of planet and meteorite, J.
-    pub energy: f64,
-    /// Angular momentum about the centre of mass, kg m²/s: of the planet before the impact, of both bodies after it.
-    pub angular_momentum: SpaceVector,
-}
-
-impl Tabulated for Flying {
-    fn columns() -> Columns<Self> {
-        Columns::default()
-            .attitude(|state: &Self| state.attitude)
-            .omega(|state| state.omega)
-            .vector(["x", "y", "z"], ["m", "centre of the planet"], |s| s.center)
-            .and(columns! { |state: &Self|
-                "energy", "J", "kinetic energy, before the blow of both bodies" => state.energy;
-            })
+state! {
+    /// A planet at one time.
+    Flying(Columns::default()
+        .attitude(|state: &Self| state.attitude)
+        .omega(|state| state.omega)
+        .vector(["x", "y", "z"], ["m", "centre of the planet"], |s| s.center)) {
+        /// kinetic energy, before the blow of both bodies, J
+        energy,
     }
+    /// Attitude: turns the planet's axes into those of space.
+    attitude: Attitude,
+    /// Angular velocity along the planet's axes, rad/s.
+    omega: BodyVector,
+    /// The planet's centre C, m.
+    center: SpaceVector,
+    /// Angular momentum about the centre of mass, kg m²/s: of the planet before the impact, of both bodies after it.
+    angular_momentum: SpaceVector,
 }
 
 /// Momentum, and angular momentum about the origin: what is conserved.
@@ -147,13 +138,9 @@ impl Free {
         // The centre of mass moves along the momentum, so its angular momentum about the origin is that at time 0.
         let orbit = space(self.body.center()).cross(&momentum);
         let ([p, l], energy) = self.beside;
-        let flying = Flying {
-            attitude,
-            omega,
-            center: common - attitude.to_space(self.body.center()),
-            energy: 0.5 * momentum.dot(&self.velocity) + turning.energy + energy,
-            angular_momentum: spin,
-        };
+        let center = common - attitude.to_space(self.body.center());
+        let energy = 0.5 * momentum.dot(&self.velocity) + turning.energy + energy;
+        let flying = Flying::of([energy], attitude, omega, center, spin);
         (flying, [momentum + p, spin + orbit + l])
     }
 }

@@ -62,7 +62,8 @@ mod prelude {
     pub(crate) use super::motion::OpenLedger;
     pub(crate) use super::{Choice, Motion, Plan, Request, Scene, Solver, Tabulated};
     pub(crate) use crate::conservation::Law;
-    pub(crate) use crate::error::{Error, Result, each_finite, finite, not_negative, positive};
+    pub(crate) use crate::error::{Error, Result, each_finite, finite};
+    pub(crate) use crate::error::{not_negative, positive, within};
     pub(crate) use crate::frame::{Attitude, BodyVector, SpaceVector};
     pub(crate) use crate::integrators::{Cost, Effort, Kept, Leg, Passage, Stop, System};
 }
@@ -138,7 +139,7 @@ pub trait Tabulated: Sized + 'static {
     /// ```
     fn row(&self) -> Vec<f64> {
         let columns = Self::columns();
-        let places: Vec<usize> = (0..columns.columns.len()).collect();
+        let places: Vec<usize> = (0..columns.0.len()).collect();
         columns.row(&places, self)
     }
 }

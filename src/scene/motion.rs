@@ -288,9 +288,8 @@ impl<S> OpenLedger<S> {
     /// The greatest of these numbers, each from the place of a row and its state, and of `least`.
     pub fn greatest(&self, least: f64, of: impl Fn(usize, &S) -> f64) -> f64 {
         let rows = self.motion.rows.iter().enumerate();
-        rows.fold(least, |most, (place, (_, state))| {
-            most.max(of(place, state))
-        })
+        let numbers = rows.map(|(place, (_, state))| of(place, state));
+        numbers.fold(least, f64::max)
     }
 
     /// The earliest state read for the ledger.

@@ -119,25 +119,16 @@ impl Roller {
     }
 }
 
-/// A body on the table at one time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Rolling {
-    /// Position and motion.
-    pub moment: Moment,
-    /// Kinetic energy, J.
-    pub energy: f64,
-    /// Heat so far, J.
-    pub heat: f64,
-}
-
-impl Tabulated for Rolling {
-    fn columns() -> Columns<Self> {
-        along(|state: &Self| state.moment).and(columns! { |state: &Self|
-            "energy", "J", "kinetic energy" => state.energy;
-            "heat", "J", "heat of friction and rolling resistance so far" => state.heat;
-        })
+state! {
+    /// A body on the table at one time.
+    Rolling(along(|state: &Self| state.moment)) {
+        /// kinetic energy, J
+        energy,
+        /// heat of friction and rolling resistance so far, J
+        heat,
     }
+    /// Position and motion.
+    moment: Moment,
 }
 
 /// Columns of the position and motion of a round body.
@@ -155,22 +146,17 @@ impl Scene for Roller {
 
     fn plan(&self, request: &Request) -> Result<Plan> {
         let slides = self.laws.friction.is_some() || self.laws.sheet.is_some();
-        let reason = match (slides, self.laws.resistance) {
-            (true, _) => Some("sliding friction: closed form from event to event"),
-            (false, Some(_)) => Some("rolling resistance: closed form from event to event"),
-            (false, None) => None,
-        };
-        rolling_plan(request, reason)
+        let resistance = self.laws.resistance.map(|_| "rolling resistance");
+        rolling_plan(request, slides.then_some("sliding friction").or(resistance))
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<Rolling>> {
         let plan = self.plan(request)?;
         let table = self.table(request.furthest)?;
         let (mass, kappa) = (self.body.mass, self.body.inertia_factor);
-        table.motion(request, plan, |moment| Rolling {
-            moment,
-            energy: mass * moment.energy(kappa),
-            heat: mass * moment.heat,
+        table.motion(request, plan, |moment| {
+            let parts = [moment.energy(kappa), moment.heat];
+            Rolling::of(parts.map(|part| mass * part), moment)
         })
     }
 
@@ -283,31 +269,20 @@ impl TuggedSpool {
     }
 }
 
-/// A spool at one time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Spooling {
-    /// Position and motion.
-    pub moment: Moment,
-    /// String wound on the axle since the start, m; negative if unwound.
-    pub wound: f64,
-    /// Kinetic energy, J.
-    pub energy: f64,
-    /// Heat so far, J.
-    pub heat: f64,
-    /// Work of the hand so far, J.
-    pub work: f64,
-}
-
-impl Tabulated for Spooling {
-    fn columns() -> Columns<Self> {
-        along(|state: &Self| state.moment).and(columns! { |state: &Self|
-            "wound", "m", "string wound up so far" => state.wound;
-            "energy", "J", "kinetic energy" => state.energy;
-            "heat", "J", "heat of friction and rolling resistance so far" => state.heat;
-            "work", "J", "work of the tug so far" => state.work;
-        })
+state! {
+    /// A spool at one time.
+    Spooling(along(|state: &Self| state.moment)) {
+        /// string wound up so far, m
+        wound,
+        /// kinetic energy, J
+        energy,
+        /// heat of friction and rolling resistance so far, J
+        heat,
+        /// work of the tug so far, J
+        work,
     }
+    /// Position and motion.
+    moment: Moment,
 }
 
 impl Scene for TuggedSpool {
@@ -315,25 +290,19 @@ impl Scene for TuggedSpool {
 
     fn plan(&self, request: &Request) -> Result<Plan> {
         let laws = &self.roller.laws;
-        let free = laws.load == Load::weight(self.gravity) && laws.resistance.is_none();
-        let reason = match (laws.friction, free) {
-            (Some(_), _) => Some("dry friction: closed form from event to event"),
-            (None, false) => Some("steady forces: closed form from event to event"),
-            (None, true) => None,
-        };
-        rolling_plan(request, reason)
+        let steady = laws.load != Load::weight(self.gravity) || laws.resistance.is_some();
+        let friction = laws.friction.map(|_| "dry friction");
+        rolling_plan(request, friction.or(steady.then_some("steady forces")))
     }
 
     fn simulate(&self, request: &Request) -> Result<Motion<Spooling>> {
         let plan = self.plan(request)?;
         let table = self.roller.table(request.furthest)?;
         let (mass, kappa) = (table.body.mass, table.body.inertia_factor);
-        table.motion(request, plan, |moment| Spooling {
-            moment,
-            wound: self.spool.wound(&moment),
-            energy: mass * moment.energy(kappa),
-            heat: mass * moment.heat,
-            work: mass * moment.work,
+        table.motion(request, plan, |moment| {
+            let parts = [moment.energy(kappa), moment.heat, moment.work];
+            let [energy, heat, work] = parts.map(|part| mass * part);
+            Spooling::of([self.spool.wound(&moment), energy, heat, work], moment)
         })
     }
 
@@ -342,10 +311,11 @@ impl Scene for TuggedSpool {
     }
 }
 
-/// The plan of a rolling body: closed forms from event to event, for this reason, or a closed form without events.
-fn rolling_plan(request: &Request, events: Option<&'static str>) -> Result<Plan> {
-    let reason = events.unwrap_or("no force along the table: closed form");
-    let plan = match (request.choice, events) {
+/// The plan of a rolling body: closed forms from event to event, where a force acts along the table, or a closed form without events.
+fn rolling_plan(request: &Request, force: Option<&'static str>) -> Result<Plan> {
+    let events = |force| format!("{force}: closed form from event to event");
+    let reason = force.map_or("no force along the table: closed form".into(), events);
+    let plan = match (request.choice, force) {
         (Choice::Auto | Choice::Use(Solver::Exact), None) => Plan::exact(reason),
         _ => Plan::events(reason),
     };

@@ -5,7 +5,6 @@ use nalgebra::{Rotation2, Vector2};
 use super::engine::ROUNDING;
 use super::path::MOST_TURNED;
 use super::prelude::*;
-use crate::error::within;
 use crate::falling_strip::{Equations, Plate, RotationalDamping};
 
 state! {

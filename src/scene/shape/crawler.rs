@@ -2,7 +2,6 @@
 
 use core::f64::consts::TAU;
 
-use crate::error::within;
 use crate::phenomena::{self, Foot, Gap, Leg};
 use crate::rolling::Coulomb;
 use crate::scene::prelude::*;

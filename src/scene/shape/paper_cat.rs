@@ -2,7 +2,6 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::error::within;
 use crate::phenomena;
 use crate::scene::path::MOST_TURNED;
 use crate::scene::prelude::*;

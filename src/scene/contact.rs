@@ -547,7 +547,7 @@ impl Flow<NUMBERS> for OnTheTable {
         [1.0, 1.0, 1.0, 1.0, w, w, w, v, v, size, size, energy]
     }
 
-    fn doubt(&self) -> Numbers {
+    fn doubt(&self, _: f64) -> Numbers {
         let [w, x, y, z, a, b, c, ..] = self.start;
         let q = tilted(Quaternion::new(w, x, y, z));
         let rate = Vector3::new(a, b, c).norm();

@@ -28,8 +28,8 @@ pub(crate) trait Flow<const N: usize> {
     /// Sizes below which each component counts as small.
     fn scales(&self) -> [f64; N];
 
-    /// The rounding error of each initial component, for a motion that may amplify it: compared runs start this far apart. Otherwise zero.
-    fn doubt(&self) -> [f64; N] {
+    /// The rounding error of each initial component, for a motion that may amplify it, over this angle, rad: compared runs start this far apart. Otherwise zero.
+    fn doubt(&self, _angle: f64) -> [f64; N] {
         [0.0; N]
     }
 
@@ -96,6 +96,9 @@ pub(crate) type At<P, const N: usize> = (P, [f64; N]);
 /// The passage of a leg, or why there is none.
 pub(crate) type Passed<const N: usize> = Result<Passage<[f64; N]>>;
 
+/// The state at a time, in closed form.
+pub(crate) type Known<'a, const N: usize> = &'a dyn Fn(f64) -> Result<[f64; N]>;
+
 /// The leg that is to be computed.
 #[derive(Clone, Copy)]
 pub(crate) struct Ahead<'a, const N: usize> {
@@ -112,17 +115,11 @@ pub(crate) struct Ahead<'a, const N: usize> {
 
 impl<const N: usize> Ahead<'_, N> {
     /// The passage in closed form, up to an event at the time `event`, if there is one.
-    pub fn in_closed_form(
-        &self,
-        event: Option<f64>,
-        at: &dyn Fn(f64) -> Result<[f64; N]>,
-    ) -> Passed<N> {
-        let (mut states, time) = (Vec::new(), event.unwrap_or(self.end));
-        for &t in self.times.iter().take_while(|&&t| t <= time) {
-            states.push(at(t)?);
-        }
+    pub fn in_closed_form(&self, event: Option<f64>, at: Known<'_, N>) -> Passed<N> {
+        let time = event.unwrap_or(self.end);
+        let before = self.times.iter().take_while(|&&t| t <= time);
         Ok(Passage {
-            states,
+            states: before.map(|&t| at(t)).collect::<Result<_>>()?,
             time,
             end: at(time)?,
             stopped: event.map_or(Stop::AtTheEnd, |_| Stop::AtTheEvent),
@@ -176,13 +173,16 @@ const MOST_PHASES: usize = 10_000_000;
 const MOST_AT_ONCE: usize = 1000;
 
 /// One run: a flow, a stepper, and its effort.
-pub(crate) struct Run<'a, F, const N: usize> {
+pub(crate) struct Run<'a, F: Flow<N>, const N: usize> {
     pub flow: &'a F,
     pub stepper: Stepper<'a>,
     pub effort: Effort,
     pub budget: &'a Budget,
     /// Rates that are added to those of the flow.
     pub drift: Option<[f64; N]>,
+    /// The phases of another run: those that it took in few steps are taken in steps half as long or shorter, because two tolerances might lead to the same
+    /// steps.
+    pub other: &'a [Followed<F::Phase>],
 }
 
 /// Returns the passage of a leg.
@@ -207,15 +207,16 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
             effort,
             budget,
             drift: None,
+            other: &[],
         }
     }
 
-    /// Follows the motion from the start through all phases to the last of the times, which ascend, or descend into the past.
+    /// Follows the motion from the start through all phases to the last of the times, which ascend, or descend into the past, after so many phases the other way.
     fn follow(
         &self,
         start: At<F::Phase, N>,
         times: &[f64],
-        before: &[Followed<F::Phase>],
+        done: usize,
     ) -> Result<Trace<F::Phase, N>> {
         let (mut phase, mut y) = start;
         let end = times.last().copied().unwrap_or(0.0);
@@ -237,7 +238,7 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
                 };
                 self.leg(phase, &ahead, longest)
             };
-            let seen = before.get(trace.phases.len());
+            let seen = self.other.get(done + trace.phases.len());
             let half = seen.and_then(|&(_, same, half)| half.filter(|_| same == phase));
             let halved = half.and_then(|[half, lasted]| {
                 // The half steps are used if the phase ends by an event again; otherwise it is another phase.
@@ -334,23 +335,35 @@ impl<'a, F: Flow<N>, const N: usize> Run<'a, F, N> {
         })
     }
 
-    /// The samples at times in any order, before and after the start. Phases that another run took in few steps are taken in steps half as long or shorter,
-    /// because two tolerances might lead to the same steps.
-    pub fn at(
-        &self,
-        start: At<F::Phase, N>,
-        times: &[f64],
-        before: &[Followed<F::Phase>],
-    ) -> Result<Trace<F::Phase, N>> {
+    /// The samples at times in any order, before and after the start.
+    pub fn at(&self, start: At<F::Phase, N>, times: &[f64]) -> Result<Trace<F::Phase, N>> {
         let mut whole = Trace::of(Vec::new());
         whole.samples = both_ways(times, &mut |times| {
-            let done = whole.phases.len().min(before.len());
-            let trace = self.follow(start, times, &before[done..])?;
+            let trace = self.follow(start, times, whole.phases.len())?;
             whole.phases.extend(trace.phases);
             whole.cost += trace.cost;
             Ok(trace.samples)
         })?;
         Ok(whole)
+    }
+
+    /// The factor by which a change of the start has grown: from two runs whose starts differ by 10⁻¹⁰ of the scales, or by a multiple of the
+    /// doubt.
+    fn growth(&self, angle: f64, times: &[f64]) -> Result<f64> {
+        let flow = self.flow;
+        let (phase, start) = flow.start()?;
+        let mut moved = beside(flow, angle, DOUBTS)?.1;
+        if flow.doubt(angle) == [0.0; N] {
+            // An arbitrary direction.
+            for (n, scale) in flow.scales().iter().enumerate() {
+                moved[n] += MOVED * scale * (2.0 + n as f64).sin();
+            }
+        }
+        let here = self.at((phase, start), times)?;
+        let there = self.at((phase, moved), times)?;
+        let seen = &here.samples;
+        let first = flow.furthest_apart(&[(phase, start)], &[(phase, moved)], seen);
+        Ok(flow.furthest_apart(seen, &there.samples, seen) / first)
     }
 }
 
@@ -442,24 +455,25 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
     if let Some(effort) = request.effort {
         let flow = &flow(tolerance_of(effort, OF_STEPS))?;
         let run = Run::new(flow, stepper, effort, budget);
-        return run.at(flow.start()?, request.times(), &[]);
+        return run.at(flow.start()?, request.times());
     }
     let (accuracy, count) = (request.accuracy, request.times().len());
     let first = flow(accuracy)?;
     let angle = first.pace() * request.furthest.abs();
-    let sure = first.doubt() == [0.0; N];
+    let sure = first.doubt(angle) == [0.0; N];
     let times = with_checks(request, angle);
     let mut cost = Cost::default();
     // What steps round may be amplified more than a doubt of the start is, if there is time for both.
     let drifts = !sure && angle > SHORT;
-    let mut run = |effort, off, before: &[Followed<F::Phase>]| -> Result<(F, Trace<F::Phase, N>)> {
+    let mut run = |effort, off, other: &[Followed<F::Phase>]| -> Result<(F, Trace<F::Phase, N>)> {
         let flow = flow(tolerance_of(effort, accuracy))?;
         let mut run = Run::new(&flow, stepper, effort, budget);
         if off != 0.0 && drifts {
             let led = |doubt: f64| off * DRIFT * doubt / request.furthest;
-            run.drift = Some(flow.doubt().map(led));
+            run.drift = Some(flow.doubt(angle).map(led));
         }
-        let trace = run.at(beside(&flow, off * BESIDE)?, &times, before)?;
+        run.other = other;
+        let trace = run.at(beside(&flow, angle, off * BESIDE)?, &times)?;
         cost += trace.cost;
         Ok((flow, trace))
     };
@@ -468,7 +482,8 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
     if rounding > accuracy {
         // No run would do. The growth is measured within a small budget, if that suffices.
         let budget = &request.briefly(100).budget();
-        let growth = growth(&first, stepper, efforts.worse(), &times, budget);
+        let run = Run::new(&first, stepper, efforts.worse(), budget);
+        let growth = run.growth(angle, &times);
         return Err(request.amplified(rounding, growth.unwrap_or(f64::NAN)));
     }
     // Runs beside the better one, the looser one last.
@@ -483,7 +498,7 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
             greater(greater(asked, weight * checked), floor) + rounding
         };
         let most = |others: &[Trace<_, N>]| {
-            let errors = others.iter().map(|run| told(run, run, efforts.weight()));
+            let errors = others.iter().map(|run| told(run, run, efforts.weight));
             errors.fold(0.0, greater)
         };
         let mut error = most(&others);
@@ -516,8 +531,8 @@ pub(crate) fn vouched<const N: usize, F: Flow<N>>(
             }
         }
         if error > accuracy {
-            let growth = growth(&flow, stepper, efforts.better(), &times, budget)?;
-            return Err(request.amplified(error, growth));
+            let run = Run::new(&flow, stepper, efforts.better(), budget);
+            return Err(request.amplified(error, run.growth(angle, &times)?));
         }
         // The runs agree within the accuracy. Below it more is reported, with the sum of the steps' errors: both may have been lucky.
         let mut whole = 2.0 * error;
@@ -545,7 +560,7 @@ pub(crate) const OF_CLOSED_FORMS: f64 = 2e-15;
 pub(crate) fn solved<const N: usize, F: Flow<N> + Copy>(
     (flow, plan, request): (&F, &Plan, &Request),
     evaluations: u64,
-    known: &dyn Fn(f64) -> Result<[f64; N]>,
+    known: Known<'_, N>,
 ) -> Result<Trace<F::Phase, N>> {
     let (times, budget) = (request.times(), &request.budget());
     let mut trace = match plan.solver {
@@ -560,7 +575,7 @@ pub(crate) fn solved<const N: usize, F: Flow<N> + Copy>(
         Solver::Events => {
             let (stepper, effort) = (Stepper::Events, Effort::Tolerance(OF_CLOSED_FORMS));
             let run = Run::new(flow, stepper, effort, budget);
-            run.at(flow.start()?, times, &[])?
+            run.at(flow.start()?, times)?
         }
         _ => return to_accuracy(request, plan.solver, &|_| Ok(*flow)),
     };
@@ -572,11 +587,11 @@ pub(crate) fn solved<const N: usize, F: Flow<N> + Copy>(
 /// The tolerance that a single run with steps of one length passes to its flow: small against the error of any step.
 const OF_STEPS: f64 = 1e-14;
 
-/// The start, displaced by `times` its doubt.
-fn beside<const N: usize, F: Flow<N>>(flow: &F, times: f64) -> Result<At<F::Phase, N>> {
+/// The start, displaced by `times` its doubt over this angle.
+fn beside<const N: usize, F: Flow<N>>(flow: &F, angle: f64, times: f64) -> Result<At<F::Phase, N>> {
     let (phase, mut start) = flow.start()?;
     if times != 0.0 {
-        add(&mut start, times, &flow.doubt());
+        add(&mut start, times, &flow.doubt(angle));
     }
     Ok((phase, start))
 }
@@ -639,6 +654,8 @@ struct Efforts {
     better: f64,
     /// The error estimate of the last pair.
     reached: f64,
+    /// The weight of the distance at times that were not requested: if the first pair parts there, a further one must agree.
+    weight: f64,
 }
 
 /// The first length, s, for steps of one length: at most a quarter of a radian.
@@ -665,6 +682,7 @@ impl Efforts {
             worse,
             better: worse / apart,
             reached: f64::INFINITY,
+            weight: 1.0,
         }
     }
 
@@ -689,15 +707,6 @@ impl Efforts {
         }
     }
 
-    /// The weight of the distance at times that were not requested: if the first pair parts there, a further one must agree.
-    fn weight(&self) -> f64 {
-        if self.reached.is_finite() {
-            CHECKED
-        } else {
-            1.0
-        }
-    }
-
     /// Passes to the next pair, whose worse run is the better one of the last; false if there is none.
     fn tighten(&mut self, accuracy: f64, error: f64) -> bool {
         // At least as much tighter as a first pair, for nearer runs may agree and both be wrong; at most four digits at once, for a greater
@@ -711,7 +720,8 @@ impl Efforts {
         if is_last || !error.is_finite() {
             return false;
         }
-        (self.worse, self.better, self.reached) = (self.better, next, error);
+        (self.worse, self.better) = (self.better, next);
+        (self.reached, self.weight) = (error, CHECKED);
         true
     }
 
@@ -733,31 +743,6 @@ fn with_checks(request: &Request, angle: f64) -> Vec<f64> {
     let more = (1..=missing).map(|n| last * n as f64 / (missing + 1) as f64);
     let early = (angle >= SHORT).then(|| last / angle);
     times.iter().copied().chain(more).chain(early).collect()
-}
-
-/// The factor by which a change of the start has grown: from two runs whose starts differ by 10⁻¹⁰ of the scales, or by a multiple of the
-/// doubt.
-fn growth<const N: usize, F: Flow<N>>(
-    flow: &F,
-    stepper: Stepper<'_>,
-    effort: Effort,
-    times: &[f64],
-    budget: &Budget,
-) -> Result<f64> {
-    let (phase, start) = flow.start()?;
-    let mut moved = beside(flow, DOUBTS)?.1;
-    if flow.doubt() == [0.0; N] {
-        // An arbitrary direction.
-        for (n, scale) in flow.scales().iter().enumerate() {
-            moved[n] += MOVED * scale * (2.0 + n as f64).sin();
-        }
-    }
-    let run = Run::new(flow, stepper, effort, budget);
-    let here = run.at((phase, start), times, &[])?;
-    let there = run.at((phase, moved), times, &[])?;
-    let seen = &here.samples;
-    let first = flow.furthest_apart(&[(phase, start)], &[(phase, moved)], seen);
-    Ok(flow.furthest_apart(seen, &there.samples, seen) / first)
 }
 
 /// Scales up to this count as zero: times a tolerance they have no finite inverse.

@@ -89,28 +89,21 @@ impl Superball {
     }
 }
 
-/// A ball at one time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Bouncing {
-    /// Position and motion.
-    pub ball: InFlight,
-    /// Kinetic energy plus weight times height, J.
-    pub energy: f64,
-}
-
-impl Tabulated for Bouncing {
-    fn columns() -> Columns<Self> {
-        columns! { |state: &Self|
-            "x", "m", "place along the floor" => state.ball.position;
-            "height", "m", "lowest point of the ball above the floor" => state.ball.height;
-            "velocity", "m/s", "velocity along the floor" => state.ball.motion.velocity;
-            "climb", "m/s", "velocity upward" => state.ball.climb;
-            "rim_speed", "m/s", "radius times angular velocity, positive as in rolling" => state.ball.motion.rim_speed;
-            "bounces", "1", "bounces so far; of infinitely many, those told apart" => state.ball.bounces as f64;
-            "energy", "J", "kinetic energy, and of the weight above the floor" => state.energy;
-        }
+state! {
+    /// A ball at one time.
+    Bouncing(columns! { |state: &Self|
+        "x", "m", "place along the floor" => state.ball.position;
+        "height", "m", "lowest point of the ball above the floor" => state.ball.height;
+        "velocity", "m/s", "velocity along the floor" => state.ball.motion.velocity;
+        "climb", "m/s", "velocity upward" => state.ball.climb;
+        "rim_speed", "m/s", "radius times angular velocity, positive as in rolling" => state.ball.motion.rim_speed;
+        "bounces", "1", "bounces so far; of infinitely many, those told apart" => state.ball.bounces as f64;
+    }) {
+        /// kinetic energy, and of the weight above the floor, J
+        energy,
     }
+    /// Position and motion.
+    ball: InFlight,
 }
 
 /// Position, height, velocity upward and along the floor, rim speed.
@@ -143,11 +136,9 @@ impl Scene for Superball {
                 let balls: Vec<_> = balls.collect::<Result<_>>()?;
                 (balls, (Cost::default(), 2.0 * OF_CLOSED_FORMS))
             }
-            Solver::Events => followed(&flight, request)?,
+            Solver::Events => followed(self, request)?,
             _ => {
-                let span = request.furthest;
-                let thrown = Thrown { flight, span };
-                let trace = to_accuracy(request, plan.solver, &|_| Ok(thrown))?;
+                let trace = to_accuracy(request, plan.solver, &|_| Ok(*self))?;
                 let balls = trace.samples.iter().map(|(ball, y)| flying(ball, y));
                 (balls.collect(), (trace.cost, trace.error))
             }
@@ -155,18 +146,15 @@ impl Scene for Superball {
         let energy = |ball: &InFlight| self.mass * ball.energy(flight.kappa, flight.gravity);
         // A ball that flew on through the floor would conserve its energy too.
         let depth = |ball: &InFlight| (-ball.height).max(ball.height - flight.room).max(0.0);
-        let heights = balls.iter().map(|ball| ball.height.abs());
-        let highest = heights.fold(flight.start.height, f64::max).min(flight.room);
         let (first, inside) = (energy(&flight.start), depth(&flight.start));
         let law = match flight.is_elastic() {
             true => Law::Conserved,
             false => Law::NonIncreasing,
         };
-        let mut states = balls.iter().map(|ball| Bouncing {
-            ball: *ball,
-            energy: energy(ball),
-        });
-        let mut ledger = OpenLedger::of(request, plan, done, &mut states);
+        let states = &mut balls.iter().map(|ball| Bouncing::of([energy(ball)], *ball));
+        let mut ledger = OpenLedger::of(request, plan, done, states);
+        let highest = ledger.greatest(flight.start.height, |_, s| s.ball.height.abs());
+        let highest = highest.min(flight.room);
         ledger.keep(("energy", law, first), first, |_, s| s.energy)?;
         let name = "depth in floor or ceiling";
         ledger.conserved(name, highest, inside, |_, s| depth(&s.ball))?;
@@ -197,8 +185,8 @@ const ROUNDING: f64 = 1e-15;
 /// Twins that differ by [`ROUNDING`] show how it is amplified: by no more than that, for next to a graze of the ceiling the effect grows as the root of the change.
 /// They are compared after the same number of bounces, because a bounce makes the speeds jump, a moment earlier or later. In one of the two twins the effects of the changes
 /// may cancel.
-fn followed(flight: &Flight, request: &Request) -> Result<(Vec<InFlight>, (Cost, f64))> {
-    let mut times = request.times().to_vec();
+fn followed(ball: &Superball, request: &Request) -> Result<(Vec<InFlight>, (Cost, f64))> {
+    let (flight, mut times) = (&ball.flight, request.times().to_vec());
     times.sort_by(f64::total_cmp);
     let budget = request.budget();
     let bounced = |time| budget.spend(1, time);
@@ -207,11 +195,7 @@ fn followed(flight: &Flight, request: &Request) -> Result<(Vec<InFlight>, (Cost,
     let counts = counted.iter_mut().zip(&ordered);
     counts.for_each(|((_, count), ball)| *count = Some(ball.bounces));
     // What the start can reach counts, seen or not.
-    let thrown = Thrown {
-        flight: *flight,
-        span: request.furthest,
-    };
-    let [length, _, speed] = thrown.scales();
+    let [length, _, speed] = ball.scales();
     let all = ordered.iter().chain([&flight.start]).map(numbers);
     let greatest = all.fold([length, length, speed, speed, speed], |most, ball| {
         core::array::from_fn(|n| greater(most[n], ball[n].abs()))
@@ -251,14 +235,6 @@ fn followed(flight: &Flight, request: &Request) -> Result<(Vec<InFlight>, (Cost,
     Ok((balls, (cost, error)))
 }
 
-/// A ball in steps: position, height, velocity upward. A phase is a flight, or its falling half, named by its initial state.
-#[derive(Clone, Copy)]
-struct Thrown {
-    flight: Flight,
-    /// The longest requested time, s.
-    span: f64,
-}
-
 /// The ball with these components in a flight.
 fn flying(flight: &InFlight, &[position, height, climb]: &[f64; 3]) -> InFlight {
     InFlight {
@@ -269,7 +245,7 @@ fn flying(flight: &InFlight, &[position, height, climb]: &[f64; 3]) -> InFlight 
     }
 }
 
-impl Thrown {
+impl Superball {
     /// The ball after the bounce at the surface that it flies to.
     fn bounced(&self, ball: &InFlight) -> InFlight {
         let surface = match ball.climb > 0.0 {
@@ -299,7 +275,8 @@ impl Thrown {
     }
 }
 
-impl Flow<3> for Thrown {
+/// The components: position, height, velocity upward. A phase is a flight, or its falling half, named by its initial state.
+impl Flow<3> for Superball {
     type Phase = InFlight;
 
     fn start(&self) -> Result<(InFlight, [f64; 3])> {
@@ -322,8 +299,7 @@ impl Flow<3> for Thrown {
     }
 
     /// Rounding of the times of the bounces adds up in one direction, as if the ball had started with another speed.
-    fn doubt(&self) -> [f64; 3] {
-        let bounces = self.pace() * self.span;
+    fn doubt(&self, bounces: f64) -> [f64; 3] {
         [0.0, 0.0, OF_CLOSED_FORMS * bounces * self.scales()[2]]
     }
 

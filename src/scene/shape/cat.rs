@@ -269,12 +269,10 @@ impl Scene for Cat {
 
     fn further(&self) -> Columns<CatState> {
         let turning = "angular velocity of the first half, along its axes";
-        let omega = ["rad/s", turning];
+        let (names, omega) = (["omega1", "omega2", "omega3"], ["rad/s", turning]);
         let l = ["kg m²/s", "angular momentum, along the axes of space"];
         Columns::default()
-            .vector(["omega1", "omega2", "omega3"], omega, |state: &CatState| {
-                state.omega
-            })
+            .vector(names, omega, |state: &CatState| state.omega)
             .vector(["lx", "ly", "lz"], l, |state| state.angular_momentum)
             .angles(|state| state.attitude)
     }

@@ -148,7 +148,7 @@ impl<const N: usize> Flow<N> for Turning {
         numbers(momenta, [1.0; 4], self.energy)
     }
 
-    fn doubt(&self) -> [f64; N] {
+    fn doubt(&self, _: f64) -> [f64; N] {
         let rate = self.speed(self.start.l);
         let [w, x, y, z] = self.start.q;
         let q = tilted(nalgebra::Quaternion::new(w, x, y, z));

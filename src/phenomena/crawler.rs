@@ -30,7 +30,7 @@ pub struct Strokes {
 
 /// The gap (m), its rate and its acceleration.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Gap {
+pub(crate) struct Gap {
     /// Front minus rear, m.
     pub gap: f64,
     /// Its rate, m/s.
@@ -111,41 +111,11 @@ fn wide(number: u64) -> bool {
     matches!(number % 4, 1 | 2)
 }
 
-/// The state of a foot.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Foot {
-    /// It is at rest on the ground.
-    Holds,
-    /// It slips forward.
-    Forward,
-    /// It slips back.
-    Back,
-}
-
-impl Foot {
-    /// The sign of the foot's velocity.
-    pub(crate) const fn sign(self) -> f64 {
-        match self {
-            Self::Holds => 0.0,
-            Self::Forward => 1.0,
-            Self::Back => -1.0,
-        }
-    }
-
-    fn toward(velocity: f64) -> Self {
-        if velocity > 0.0 {
-            Self::Forward
-        } else {
-            Self::Back
-        }
-    }
-}
-
 /// A stretch of time in which neither the muscle's acceleration nor the state of a foot changes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Leg {
-    /// State of rear and front foot.
-    pub feet: [Foot; 2],
+pub(crate) struct Leg {
+    /// The way in which rear and front foot slip: 1 forward, −1 back, 0 for one that holds.
+    pub feet: [f64; 2],
     /// Acceleration of the gap, m/s².
     pub acceleration: f64,
     /// Acceleration of the centre, m/s².
@@ -201,30 +171,29 @@ impl Crawler {
     ///
     /// `feet` is their state so far; `sliding` is μg (m/s²) of a slipping foot, `holding` the same for a foot at rest: it holds if the force
     /// needed for that is no more than `holding` times its mass, and otherwise starts to slip against that force.
-    pub(crate) fn leg(&self, feet: [Foot; 2], gap: &Gap, sliding: f64, holding: f64) -> Leg {
+    pub(crate) fn leg(&self, mut feet: [f64; 2], gap: &Gap, sliding: f64, holding: f64) -> Leg {
         let (masses, alpha) = (self.masses, gap.acceleration);
-        let held = |feet: &[Foot; 2]| feet.iter().position(|&foot| foot == Foot::Holds);
+        let held = |feet: [f64; 2]| feet.iter().position(|&sense| sense == 0.0);
         // The force that holds a foot, from the acceleration of the other one as seen from it and the friction on that.
-        let needed = |foot: usize, feet: &[Foot; 2]| {
+        let needed = |foot: usize, feet: [f64; 2]| {
             let (parting, other) = ([alpha, -alpha][foot], 1 - foot);
-            masses[other] * (parting + sliding * feet[other].sign())
+            masses[other] * (parting + sliding * feet[other])
         };
-        let holds = |foot, feet: &[Foot; 2]| needed(foot, feet).abs() <= masses[foot] * holding;
-        let mut feet = feet;
-        if feet == [Foot::Holds; 2] {
+        let holds = |foot, feet| needed(foot, feet).abs() <= masses[foot] * holding;
+        if feet == [0.0; 2] {
             // One holds and the other starts to slip, or both slip: outward when the gap accelerates outward.
-            feet = [Foot::toward(-alpha), Foot::toward(alpha)];
-            if let Some(foot) = [0, 1].into_iter().find(|&foot| holds(foot, &feet)) {
-                feet[foot] = Foot::Holds;
+            feet = [-alpha.signum(), alpha.signum()];
+            if let Some(foot) = [0, 1].into_iter().find(|&foot| holds(foot, feet)) {
+                feet[foot] = 0.0;
             }
-        } else if let Some(foot) = held(&feet)
-            && !holds(foot, &feet)
+        } else if let Some(foot) = held(feet)
+            && !holds(foot, feet)
         {
-            feet[foot] = Foot::toward(-needed(foot, &feet));
+            feet[foot] = -needed(foot, feet).signum();
         }
-        let mut ground = [0, 1].map(|foot| -sliding * masses[foot] * feet[foot].sign());
-        let center = if let Some(foot) = held(&feet) {
-            ground[foot] = needed(foot, &feet);
+        let mut ground = [0, 1].map(|foot| -sliding * masses[foot] * feet[foot]);
+        let center = if let Some(foot) = held(feet) {
+            ground[foot] = needed(foot, feet);
             self.holding(foot, alpha)
         } else {
             (ground[0] + ground[1]) / self.mass()
@@ -245,7 +214,7 @@ impl Crawler {
 
     /// Heat, W, at these velocities of the feet.
     pub(crate) fn heating(&self, leg: &Leg, velocities: [f64; 2]) -> f64 {
-        let slipping = (0..2).filter(|&foot| leg.feet[foot] != Foot::Holds);
+        let slipping = (0..2).filter(|&foot| leg.feet[foot] != 0.0);
         let heats = slipping.map(|foot| -leg.ground[foot] * velocities[foot]);
         heats.sum()
     }
@@ -255,9 +224,9 @@ impl Crawler {
     /// While the other foot holds, a foot moves with the stroke, and rests only where the stroke turns.
     pub(crate) fn slowing(&self, leg: &Leg, foot: usize, speeds: [f64; 2]) -> Option<[f64; 2]> {
         let [velocity, gap_rate] = speeds;
-        let along = |of: [f64; 2]| of[foot] * leg.feet[foot].sign();
+        let along = |of: [f64; 2]| of[foot] * leg.feet[foot];
         let acceleration = along(self.feet(leg.center, leg.acceleration));
-        let slows = acceleration < 0.0 && !leg.feet.contains(&Foot::Holds);
+        let slows = acceleration < 0.0 && !leg.feet.contains(&0.0);
         slows.then(|| [along(self.feet(velocity, gap_rate)), acceleration])
     }
 

@@ -14,7 +14,7 @@
 //! phase: it depends on the path and not on the pace, and for a closed path it is an area integral ([`ShapePlane`]).
 
 mod cat;
-mod crawler;
+pub(crate) mod crawler;
 mod holonomy;
 mod ice;
 mod paper_cat;
@@ -23,7 +23,7 @@ mod skater;
 mod waist;
 
 pub use cat::{Bend, Cat, EqualHalves, Half};
-pub use crawler::{Crawler, Foot, Gap, Leg, Strokes};
+pub use crawler::{Crawler, Strokes};
 pub use holonomy::{Hub, ShapePlane, Step, turn_along, turn_within};
 pub use ice::{PARTS, Part, Wriggler, feet};
 pub use paper_cat::PaperCat;

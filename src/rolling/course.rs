@@ -1,7 +1,7 @@
 //! The motion, from event to event, of a round body under dry friction, rolling resistance, a constant pull and a moving sheet.
 
 use super::moment::{Contact, Happening, Load, Moment, State};
-use super::stretch::{Hold, Laws, Stretch};
+use super::stretch::{Laws, Stretch};
 use crate::error::{Result, each_finite, finite, stopped};
 
 /// An event of a course.
@@ -69,10 +69,11 @@ impl Course {
         let mut stretch = laws.first(start);
         let mut sticks = start.slip == 0.0;
         while course.stretches.len() < MOST_STRETCHES {
-            if sticks && matches!(stretch.pace.slipping, Hold::Goes(_)) {
+            let slipping = stretch.pace.slipping;
+            if sticks && slipping.is_some_and(|sense| sense != 0.0) {
                 course.note(&stretch, Happening::SlippingBegins);
             }
-            sticks = stretch.pace.slipping == Hold::Held;
+            sticks = slipping.is_none();
             course.stretches.push(stretch);
             within_range(&stretch.state)?;
             let longest = stretch.leg_ends.min(until) - stretch.start;

@@ -6,22 +6,14 @@ use super::moment::{Contact, Happening, Load, Moment, State};
 use super::sheet::Sheet;
 use crate::error::{Result, finite, positive};
 
-/// The state of slipping or of turning: free of any law, going one way, or held at zero.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Hold {
-    /// No law acts on it.
-    Free,
-    /// It has this sign, +1 or −1.
-    Goes(f64),
-    /// It is zero and stays zero.
-    Held,
-}
+/// How the contact slips or the body turns: one way, with the sign +1 or −1; 0 where no law acts on it. `None` where it is zero and held there.
+type Sense = Option<f64>;
 
 /// Constant accelerations of one stretch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Pace {
-    pub slipping: Hold,
-    pub turning: Hold,
+    pub slipping: Sense,
+    pub turning: Sense,
     /// Friction f and couple m per mass.
     friction: f64,
     couple: f64,
@@ -82,59 +74,57 @@ impl Laws {
     /// is consistent with its own consequences. "Held" is tried first, so a contact that can stick does.
     fn pace(&self, law: Option<Coulomb>, state: &State, ground: f64) -> Pace {
         let [_, _, rim_speed, slip, ..] = *state;
-        // What begins to go must go the way assumed.
-        let stalls = |hold, value: f64, rate: f64| matches!(hold, Hold::Goes(sign) if value == 0.0 && sign * rate <= 0.0);
-        let mut first = None;
-        for &slipping in candidates(law.is_some(), slip) {
-            for &turning in candidates(self.resistance.is_some(), rim_speed) {
-                let (pace, agrees) = self.consequence(law, [slipping, turning], ground);
-                let [_, turns, slips] = pace.rates;
-                if agrees && !stalls(slipping, slip, slips) && !stalls(turning, rim_speed, turns) {
-                    return pace;
-                }
-                first.get_or_insert(pace);
-            }
-        }
+        let turns = candidates(self.resistance.is_some(), rim_speed);
+        let slips = candidates(law.is_some(), slip);
+        let all = slips
+            .iter()
+            .flat_map(|&slips| turns.map(|turns| [slips, turns]));
+        let mut paces = all.map(|senses| self.consequence(law, senses, state, ground));
+        let found = paces.find(|(_, agrees)| *agrees);
         // One of them is always consistent, but for rounding, which may exclude two that nearly agree; then either will do.
-        first.unwrap_or_else(|| self.consequence(None, [Hold::Free; 2], ground).0)
+        let (pace, _) =
+            found.unwrap_or_else(|| self.consequence(law, [slips[0], turns[0]], state, ground));
+        pace
     }
 
-    /// The accelerations under one such assignment, and whether friction and couple can then hold what it calls held.
-    fn consequence(&self, law: Option<Coulomb>, holds: [Hold; 2], ground: f64) -> (Pace, bool) {
-        let [slipping, turning] = holds;
+    /// The accelerations under one such assignment, and whether it agrees with them: friction and couple can hold what it calls held, and what begins to go
+    /// goes the way assumed.
+    fn consequence(
+        &self,
+        law: Option<Coulomb>,
+        [slipping, turning]: [Sense; 2],
+        state: &State,
+        ground: f64,
+    ) -> (Pace, bool) {
         let (kappa, load) = (self.kappa, self.load);
         let (push, twist) = (load.push, load.twist);
         let slides = law.map_or(0.0, |law| law.kinetic) * load.reaction;
         let grips = law.map_or(0.0, |law| law.grip) * load.reaction;
         let resists = self.resistance.map_or(0.0, |law| law.arm) * load.reaction;
-        let couple = match turning {
-            Hold::Goes(sign) => Some(-sign * resists),
-            Hold::Free => Some(0.0),
-            Hold::Held => None,
-        };
-        let friction = match (slipping, couple) {
-            (Hold::Free, _) => 0.0,
-            (Hold::Goes(sign), _) => -sign * slides,
-            (Hold::Held, Some(m)) => (kappa * (ground - push) + twist + m) / (1.0 + kappa),
-            (Hold::Held, None) => ground - push,
-        };
-        let velocity = match (slipping, couple) {
-            // Not by way of the friction: where the loads nearly balance, their sum keeps its digits.
-            (Hold::Held, Some(m)) => ((push + twist) + m + kappa * ground) / (1.0 + kappa),
-            (Hold::Held, None) => ground,
-            _ => push + friction,
+        let couple = turning.map(|sense| -sense * resists);
+        let (friction, velocity) = match (slipping, couple) {
+            (Some(sense), _) => (-sense * slides, push - sense * slides),
+            (None, Some(m)) => (
+                (kappa * (ground - push) + twist + m) / (1.0 + kappa),
+                // Not by way of the friction: where the loads nearly balance, their sum keeps its digits.
+                ((push + twist) + m + kappa * ground) / (1.0 + kappa),
+            ),
+            (None, None) => (ground - push, ground),
         };
         let couple = couple.unwrap_or(friction - twist);
         let rim_speed = match (turning, slipping) {
-            (Hold::Held, _) => 0.0,
+            (None, _) => 0.0,
             // Computed from the acceleration of the centre, so that rolling stays rolling.
-            (_, Hold::Held) => velocity - ground,
+            (_, None) => velocity - ground,
             _ => (twist + couple - friction) / kappa,
         };
-        let slip = match slipping {
-            Hold::Held => 0.0,
-            _ => velocity - rim_speed - ground,
+        let slip = slipping.map_or(0.0, |_| velocity - rim_speed - ground);
+        let agrees = |sense, value: f64, rate: f64, force: f64, most: f64| match sense {
+            None => force.abs() <= most,
+            Some(sense) => sense == 0.0 || value != 0.0 || sense * rate > 0.0,
         };
+        let slips = agrees(slipping, state[3], slip, friction, grips);
+        let turns = agrees(turning, state[2], rim_speed, couple, resists);
         let pace = Pace {
             slipping,
             turning,
@@ -142,9 +132,7 @@ impl Laws {
             couple,
             rates: [velocity, rim_speed, slip],
         };
-        let sticks = slipping != Hold::Held || friction.abs() <= grips;
-        let stays = turning != Hold::Held || couple.abs() <= resists;
-        (pace, sticks && stays)
+        (pace, slips && turns)
     }
 
     /// The first stretch; the slip of `start` is relative to the ground as it moves then.
@@ -212,36 +200,37 @@ impl Laws {
         // Everything except friction changes V + κRΩ.
         let moments = self.load.push + self.load.twist + pace.couple;
         let mut about = before.about + after * moments;
-        let mut on_sheet = before.on_sheet;
-        let sheet = before.sheet_speed(after);
-        let ground = |on: Option<bool>| if on == Some(true) { sheet } else { 0.0 };
-        let mut state = *state;
+        let (mut state, mut on_sheet, mut rests) = (*state, before.on_sheet, false);
         let [_, velocity, rim_speed, slip, .., margin] = &mut state;
-        let mut rests = false;
+        if matches!(what, Some(Happening::LeavesSheet | Happening::MountsSheet)) {
+            (on_sheet, *margin) = (on_sheet.map(|on| !on), 0.0);
+        }
+        let on_it = on_sheet == Some(true);
+        let ground = if on_it {
+            before.sheet_speed(after)
+        } else {
+            0.0
+        };
         match what {
-            // Slip that began to grow in a steep leg, at a rounded time, is off by as much.
-            None if pace.slipping != Hold::Held => {
-                *slip = *velocity - *rim_speed - ground(on_sheet);
+            None if pace.slipping.is_none() => {}
+            // Also where no event ends it: slip that began to grow in a steep leg, at a rounded time, is off by as much.
+            None | Some(Happening::LeavesSheet | Happening::MountsSheet) => {
+                *slip = *velocity - *rim_speed - ground;
             }
-            None => {}
-            Some(Happening::LeavesSheet | Happening::MountsSheet) => {
-                (on_sheet, *margin) = (on_sheet.map(|on| !on), 0.0);
-                *slip = *velocity - *rim_speed - ground(on_sheet);
-            }
-            Some(Happening::RollingBegins) if pace.turning != Hold::Held => {
+            Some(Happening::RollingBegins) if pace.turning.is_some() => {
                 *slip = 0.0;
-                *velocity = (about + kappa * ground(on_sheet)) / (1.0 + kappa);
-                *rim_speed = (about - ground(on_sheet)) / (1.0 + kappa);
+                *velocity = (about + kappa * ground) / (1.0 + kappa);
+                *rim_speed = (about - ground) / (1.0 + kappa);
                 rests = *rim_speed == 0.0;
             }
-            Some(_) if pace.slipping != Hold::Held && pace.turning != Hold::Held => {
+            Some(_) if pace.slipping.is_some() && pace.turning.is_some() => {
                 *rim_speed = 0.0;
                 rests = *slip == 0.0;
             }
             // It no longer slips or turns.
             Some(_) => {
                 (*slip, *rim_speed, rests) = (0.0, 0.0, true);
-                (*velocity, about) = (ground(on_sheet), ground(on_sheet));
+                (*velocity, about) = (ground, ground);
             }
         }
         let next = self.begins((time, state), about, before.leg, on_sheet);
@@ -251,12 +240,11 @@ impl Laws {
 }
 
 /// The states in which a quantity with this value can continue.
-fn candidates(acts: bool, value: f64) -> &'static [Hold] {
+fn candidates(acts: bool, value: f64) -> [Sense; 3] {
     match (acts, value) {
-        (false, _) => &[Hold::Free],
-        (true, 0.0) => &[Hold::Held, Hold::Goes(1.0), Hold::Goes(-1.0)],
-        (true, value) if value > 0.0 => &[Hold::Goes(1.0)],
-        (true, _) => &[Hold::Goes(-1.0)],
+        (false, _) => [Some(0.0); 3],
+        (true, 0.0) => [None, Some(1.0), Some(-1.0)],
+        (true, _) => [Some(value.signum()); 3],
     }
 }
 
@@ -292,9 +280,9 @@ impl Stretch {
     /// The events that can end the stretch, each with a number that is positive until it happens.
     pub fn ends(&self, state: &State) -> impl Iterator<Item = (f64, Happening)> {
         let [_, _, rim_speed, slip, _, _, _, margin] = *state;
-        let toward = |hold, value, what| match hold {
-            Hold::Goes(sign) => Some((sign * value, what)),
-            _ => None,
+        let toward = |sense: Sense, value, what| {
+            let goes = sense.filter(|&sense| sense != 0.0);
+            goes.map(|sense| (sense * value, what))
         };
         let edge = self.on_sheet.map(|on| match on {
             true => (margin, Happening::LeavesSheet),
@@ -327,15 +315,10 @@ impl Stretch {
     }
 }
 
-/// The time at which value + rate t + ½ bend t², positive or about to become so, falls through zero.
+/// The time at which value + rate t + ½ bend t², positive or about to become so, falls through zero. From zero it falls at once, or it rises first and may
+/// come back.
 fn falls(value: f64, rate: f64, bend: f64) -> Option<f64> {
-    if value <= 0.0 {
-        // Starting at zero: it falls at once, or it rises first and may come back.
-        if rate < 0.0 || (rate == 0.0 && bend < 0.0) {
-            return Some(0.0);
-        }
-        return (rate > 0.0 && bend < 0.0).then(|| -2.0 * rate / bend);
-    }
+    let value = value.max(0.0);
     if bend == 0.0 {
         return (rate < 0.0).then(|| -value / rate);
     }

@@ -4,7 +4,7 @@ use nalgebra::Matrix3;
 
 use super::body::ConvexBody;
 use super::surface::Surface;
-use crate::error::{Result, positive, within};
+use crate::error::{Result, within};
 use crate::frame::{Attitude, BodyVector};
 use crate::inertia::InertiaMatrix;
 
@@ -25,7 +25,11 @@ pub fn eccentric_ball(
     alpha: f64,
     inertia: Matrix3<f64>,
 ) -> Result<ConvexBody> {
-    round_ended(mass, radius, alpha, inertia, Surface::sphere(radius)?)
+    let surface = Surface::sphere(radius)?;
+    offset(alpha)?;
+    let inertia = InertiaMatrix::from_matrix(inertia * (mass * radius * radius))?;
+    let center = BodyVector::new(0.0, 0.0, alpha * radius);
+    ConvexBody::new(mass, inertia, surface, center)
 }
 
 /// α, the offset of C over the radius, if 0 ≤ α < 1.
@@ -38,20 +42,6 @@ pub(super) fn offset(alpha: f64) -> Result<f64> {
 pub(super) fn height(alpha: f64, tilt: f64) -> f64 {
     let half = (0.5 * tilt).sin();
     (1.0 - alpha) + 2.0 * alpha * half * half
-}
-
-fn round_ended(
-    mass: f64,
-    radius: f64,
-    alpha: f64,
-    inertia: Matrix3<f64>,
-    surface: Surface,
-) -> Result<ConvexBody> {
-    let radius = positive("the radius", radius)?;
-    offset(alpha)?;
-    let inertia = InertiaMatrix::from_matrix(inertia * (mass * radius * radius))?;
-    let center = BodyVector::new(0.0, 0.0, alpha * radius);
-    ConvexBody::new(mass, inertia, surface, center)
 }
 
 /// The tutorial's hoop with clay, taken as a ball with I = (2/5) M R² in every direction and C at α R from its centre.
@@ -140,9 +130,10 @@ pub fn celt_ended_top(alpha: f64, moments: [f64; 3], delta: f64, e: f64) -> Resu
     let radius = 0.02;
     let axes = [radius * (1.0 + e), radius * (1.0 - e), radius];
     let turn = Attitude::about_axis(BodyVector::new(0.0, 0.0, 1.0), delta)?;
-    let surface = Surface::ellipsoid(axes)?.turned(&turn);
     let inertia = Matrix3::from_diagonal(&moments.into());
-    round_ended(0.02, radius, alpha, inertia, surface)
+    let mut top = eccentric_ball(0.02, radius, alpha, inertia)?;
+    top.surface = Surface::ellipsoid(axes)?.turned(&turn);
+    Ok(top)
 }
 
 /// Kane and Levinson's rattleback (1982), of 1 kg: semi-axes 20, 3 and 2 cm, C 1 cm below the centre, moments 2, 16, 17 and product

@@ -99,10 +99,8 @@ impl Cat {
     pub fn new(halves: [Half; 2]) -> Result<Self> {
         for half in &halves {
             positive("the mass of a half", half.mass)?;
-            positive("the moment about the spine", half.axial)?;
-            positive("the moment across the spine", half.transverse)?;
+            EqualHalves::new(half.axial, half.transverse)?;
             positive("the distance to the joint", half.to_joint)?;
-            possible([half.transverse, half.transverse, half.axial], 0.0)?;
         }
         Ok(Self { halves })
     }
@@ -110,7 +108,8 @@ impl Cat {
     /// The closed form, if the halves are equal.
     pub(crate) fn equal_halves(&self) -> Option<EqualHalves> {
         let [first, second] = self.halves;
-        (first == second).then_some(EqualHalves::of(first.axial, first.transverse))
+        let equal = EqualHalves::new(first.axial, first.transverse).ok();
+        equal.filter(|_| first == second)
     }
 
     /// Positions of the joint and of the two halves' centres relative to the common centre of mass, m, along the first half's axes.
@@ -250,21 +249,13 @@ impl EqualHalves {
     /// assert!(EqualHalves::new(0.02, 0.02).is_ok() && EqualHalves::new(0.05, 0.02).is_err());
     /// ```
     pub fn new(axial: f64, transverse: f64) -> Result<Self> {
-        let half = Half {
-            mass: 1.0,
-            axial,
-            transverse,
-            to_joint: 1.0,
-        };
-        Cat::new([half, half])?;
-        Ok(Self::of(axial, transverse))
-    }
-
-    /// Only their ratio matters, so a power of two is divided out: products of the smallest moments would underflow.
-    fn of(axial: f64, transverse: f64) -> Self {
+        positive("the moment about the spine", axial)?;
+        positive("the moment across the spine", transverse)?;
+        possible([transverse, transverse, axial], 0.0)?;
+        // Only their ratio matters, so a power of two is divided out: products of the smallest moments would underflow.
         let unit = power_of_two_below(axial.max(transverse));
         let (axial, transverse) = ((axial / unit).max(f64::MIN_POSITIVE), transverse / unit);
-        Self { axial, transverse }
+        Ok(Self { axial, transverse })
     }
 
     /// 2I − J: never negative, and zero for flat discs.

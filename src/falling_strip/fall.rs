@@ -155,16 +155,16 @@ impl Fall {
         let mass_ratio = positive("the mass ratio of the plate", mass_ratio)?;
         // a = 1, π ρ a² = 1, m = I*, and with m g = 1 the speed √(I* a g) is 1.
         let plate = Plate::new(1.0, mass_ratio, FRAC_1_PI, 0.0, coefficients.inertia_factor)?;
-        Ok(Self {
-            equations: Equations {
-                plate,
-                gravity: Some(1.0 / mass_ratio),
-                lift: Some(coefficients.lift.checked()?),
-                drag: Some(coefficients.drag.checked()?),
-                damping: Some(coefficients.damping.checked()?),
-                added_mass: Some(AddedMass { factor: 1.0 }),
-            },
-        })
+        let equations = Equations {
+            plate,
+            gravity: Some(1.0 / mass_ratio),
+            lift: Some(coefficients.lift),
+            drag: Some(coefficients.drag),
+            damping: Some(coefficients.damping),
+            added_mass: Some(AddedMass { factor: 1.0 }),
+        };
+        let equations = equations.checked()?;
+        Ok(Self { equations })
     }
 
     /// x, y, θ, u, w, ω and heat at each of the times (units a/U), from the origin, by the method of order 8 with a tolerance of 1e-11.

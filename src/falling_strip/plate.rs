@@ -72,16 +72,6 @@ pub struct Lift {
     pub rotational: f64,
 }
 
-impl Lift {
-    /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite).
-    pub(crate) fn checked(self) -> Result<Self> {
-        finite("the lift of the angle of attack", self.translational)?;
-        finite("the lift of the rotation", self.rotational)?;
-        Ok(self)
-    }
-}
-
 /// Drag ρ a V²(A − B(u² − w²)/V²) against the velocity: A − B edgewise, A + B broadside.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Drag {
@@ -91,15 +81,6 @@ pub struct Drag {
     pub contrast: f64,
 }
 
-impl Drag {
-    /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Negative`](crate::Error::Negative) where it would push the plate.
-    pub(crate) fn checked(self) -> Result<Self> {
-        not_negative("the least drag", self.mean - self.contrast.abs())?;
-        Ok(self)
-    }
-}
-
 /// A torque −π ρ a⁴(c + μ₂|ω|)ω against the rotation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RotationalDamping {
@@ -107,16 +88,6 @@ pub struct RotationalDamping {
     pub linear: f64,
     /// μ₂, dimensionless.
     pub quadratic: f64,
-}
-
-impl RotationalDamping {
-    /// # Errors
-    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Negative`](crate::Error::Negative) where it would speed up the rotation.
-    pub(crate) fn checked(self) -> Result<Self> {
-        not_negative("the linear resistance to rotation", self.linear)?;
-        not_negative("the quadratic resistance to rotation", self.quadratic)?;
-        Ok(self)
-    }
 }
 
 /// The added mass, of the fluid that an accelerated plate carries along: π ρ a² broadside, β² times that edgewise, π ρ a⁴(1 − β²)²/8 in rotation, each times a factor.
@@ -174,6 +145,26 @@ impl Equations {
             damping: None,
             added_mass: None,
         }
+    }
+
+    /// # Errors
+    /// [`Error::NotFinite`](crate::Error::NotFinite); [`Error::Negative`](crate::Error::Negative) where drag would push the plate, or damping speed up its rotation.
+    pub(crate) fn checked(self) -> Result<Self> {
+        if let Some(lift) = self.lift {
+            finite("the lift of the angle of attack", lift.translational)?;
+            finite("the lift of the rotation", lift.rotational)?;
+        }
+        if let Some(drag) = self.drag {
+            not_negative("the least drag", drag.mean - drag.contrast.abs())?;
+        }
+        if let Some(damping) = self.damping {
+            not_negative("the linear resistance to rotation", damping.linear)?;
+            not_negative("the quadratic resistance to rotation", damping.quadratic)?;
+        }
+        if let Some(added) = self.added_mass {
+            not_negative("the added mass", added.factor)?;
+        }
+        Ok(self)
     }
 
     fn masses(&self) -> Masses {

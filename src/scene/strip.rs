@@ -115,15 +115,13 @@ impl Strip {
         let takes = "gravity, lift, drag, rotational_damping, added_mass";
         match effect.into() {
             Effect::Gravity(gravity) => equations.gravity = Some(gravity.value()),
-            Effect::Lift(lift) => equations.lift = Some(lift.checked()?),
-            Effect::Drag(drag) => equations.drag = Some(drag.checked()?),
-            Effect::RotationalDamping(damping) => equations.damping = Some(damping.checked()?),
-            Effect::AddedMass(added) => {
-                not_negative("the added mass", added.factor)?;
-                equations.added_mass = Some(added);
-            }
+            Effect::Lift(lift) => equations.lift = Some(lift),
+            Effect::Drag(drag) => equations.drag = Some(drag),
+            Effect::RotationalDamping(damping) => equations.damping = Some(damping),
+            Effect::AddedMass(added) => equations.added_mass = Some(added),
             other => return Err(other.refused("a strip", takes)),
         }
+        self.equations = self.equations.checked()?;
         Ok(self)
     }
 

@@ -62,6 +62,19 @@ type Told<'a> = &'a dyn Fn(f64) -> Result<()>;
 /// A time, s, and the number of bounces after which the ball is asked for, if it is given.
 type Sample = (f64, Option<u64>);
 
+/// The time until a ball meets a surface, the surface, and the vertical speed then.
+type Contact = (DoubleDouble, Surface, DoubleDouble);
+
+/// A ball followed from bounce to bounce.
+struct Followed {
+    /// One addition for each bounce, with similar rounding errors each time: in twice the precision.
+    now: DoubleDouble,
+    ball: InFlight,
+    next: Option<Contact>,
+    /// Once the flights form a geometric series: the time from which they do, the ball as it leaves the floor then, and the time at which the bounces end.
+    pile: Option<(f64, InFlight, f64)>,
+}
+
 /// Most bounces followed one by one.
 const MOST_BOUNCES: u64 = 10_000_000;
 
@@ -152,13 +165,8 @@ impl Flight {
         (floor, reached.then(|| after(rise, ceiling)))
     }
 
-    /// The next contact of a ball in flight with this vertical velocity: the time until it, the surface, and the vertical speed. `None` if the ball
-    /// never comes down, or lies on the floor.
-    fn contact(
-        &self,
-        ball: &InFlight,
-        v: DoubleDouble,
-    ) -> Option<(DoubleDouble, Surface, DoubleDouble)> {
+    /// The next contact of a ball in flight with this vertical velocity. `None` if the ball never comes down, or lies on the floor.
+    fn contact(&self, ball: &InFlight, v: DoubleDouble) -> Option<Contact> {
         let (floor, ceiling) = self.speeds(ball, v);
         // The root in the form that does not cancel, for either sign of v.
         let contact = match ceiling {
@@ -348,39 +356,54 @@ impl Flight {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn last_contact(&self) -> Result<Option<f64>> {
-        let pile = self.pile(f64::INFINITY, &|_| Ok(()))?;
-        pile.map(|(.., last)| finite("the time of the last contact", last))
+        let mut ball = self.thrown();
+        while self.piles()
+            && ball.pile.is_none()
+            && let Some(next) = ball.next
+        {
+            self.follow(&mut ball, next, &|_| Ok(()))?;
+        }
+        let last = ball.pile.map(|(.., last)| last);
+        last.map(|last| finite("the time of the last contact", last))
             .transpose()
     }
 
-    /// The time from which the flights form a geometric series, if that is not after `until`, the ball as it leaves the floor then, and the time at which the
-    /// bounces end.
-    fn pile(&self, until: f64, bounced: Told<'_>) -> Result<Option<(f64, InFlight, f64)>> {
-        let (mut time, mut ball) = (DoubleDouble::from(0.0), self.start);
-        let mut climb = ball.climb.into();
+    /// Whether it loses height at every bounce, so that the bounces have an end.
+    fn piles(&self) -> bool {
+        let [normal, _] = self.restitution();
+        self.gravity > 0.0 && normal < 1.0
+    }
+
+    /// The ball at the start. One that lies on the floor has made all its bounces.
+    fn thrown(&self) -> Followed {
+        let ball = self.start;
+        Followed {
+            now: DoubleDouble::from(0.0),
+            ball,
+            next: self.contact(&ball, ball.climb.into()),
+            pile: self.lies(&ball).then_some((0.0, ball, 0.0)),
+        }
+    }
+
+    /// The next bounce.
+    fn follow(&self, run: &mut Followed, next: Contact, bounced: Told<'_>) -> Result<()> {
+        if run.ball.bounces - self.start.bounces >= MOST_BOUNCES {
+            return stopped("too many bounces to follow one by one", run.now.value());
+        }
+        let (wait, surface, speed) = next;
+        run.now = run.now + wait;
+        let now = run.now.value();
+        bounced(now)?;
         let ([normal, _], g) = (self.restitution(), self.gravity);
-        if g == 0.0 || normal == 1.0 && !self.lies(&ball) {
-            return Ok(None);
+        let ball = self.bounced(&run.ball, wait.value(), surface, speed.value());
+        let low = surface == Surface::Floor && ball.climb * ball.climb <= 2.0 * g * self.room;
+        if low && self.piles() && run.pile.is_none() {
+            let last = now + 2.0 * ball.climb / (g * (1.0 - normal));
+            run.pile = Some((now, ball, last));
         }
-        for _ in 0..MOST_BOUNCES {
-            let Some((wait, surface, speed)) = self.contact(&ball, climb) else {
-                let time = time.value();
-                return Ok(self.lies(&ball).then_some((time, ball, time)));
-            };
-            time = time + wait;
-            if time.value() > until {
-                return Ok(None);
-            }
-            bounced(time.value())?;
-            ball = self.bounced(&ball, wait.value(), surface, speed.value());
-            climb = speed.times(normal).signed(ball.climb);
-            if surface == Surface::Floor && ball.climb * ball.climb <= 2.0 * g * self.room {
-                let time = time.value();
-                let last = time + 2.0 * ball.climb / (g * (1.0 - normal));
-                return Ok(Some((time, ball, last)));
-            }
-        }
-        too_many(time)
+        run.next = self.contact(&ball, speed.times(normal).signed(ball.climb));
+        run.ball = ball;
+        Ok(())
     }
 
     fn restitution(&self) -> [f64; 2] {
@@ -420,50 +443,33 @@ impl Flight {
     /// The same at times that may come with a number of bounces; then the ball is given after exactly that many, even if another falls on the same
     /// time. `bounced` receives the time of every bounce, and may end the run.
     pub(crate) fn sampled(&self, samples: &[Sample], bounced: Told<'_>) -> Result<Vec<InFlight>> {
-        let until = samples.last().map_or(0.0, |&(t, _)| t);
-        let pile = self.pile(until, bounced)?;
-        let mut states = Vec::with_capacity(samples.len());
-        // One addition for each bounce, with similar rounding errors each time: in twice the precision.
-        let (mut now, mut ball) = (DoubleDouble::from(0.0), self.start);
-        let [normal, _] = self.restitution();
-        let mut next = self.contact(&ball, ball.climb.into());
+        let (mut run, mut states) = (self.thrown(), Vec::with_capacity(samples.len()));
         for &(t, count) in samples {
             let t = not_negative("the time", t)?;
-            let over = pile.filter(|&(.., last)| t >= last);
-            let summed = over.filter(|_| self.grip.is_none());
-            while summed.is_none()
-                && let Some((wait, surface, speed)) = next
-            {
-                let (then, wait) = (now + wait, wait.value());
-                let later = count.map_or(then.value() > t, |count| ball.bounces >= count);
-                if over.is_none() && later {
-                    break;
-                }
+            let over = |run: &Followed| run.pile.filter(|&(.., last)| t >= last);
+            while let Some(next) = run.next {
+                let (now, wait, bounces) = (run.now, next.0, run.ball.bounces);
+                let later = count.map_or((now + wait).value() > t, |count| bounces >= count);
                 // The last bounces cannot be told apart from the end of the series.
-                let ends = |(_, first, last): (f64, InFlight, f64)| {
-                    ball.bounces >= first.bounces && wait <= SAME * last
-                };
-                if pile.is_some_and(ends) {
+                let ends = run
+                    .pile
+                    .is_some_and(|(.., last)| wait.value() <= SAME * last);
+                if ends || over(&run).map_or(later, |_| self.grip.is_none()) {
                     break;
                 }
-                if ball.bounces - self.start.bounces >= MOST_BOUNCES {
-                    return too_many(now);
-                }
-                now = then;
-                bounced(now.value())?;
-                ball = self.bounced(&ball, wait, surface, speed.value());
-                next = self.contact(&ball, speed.times(normal).signed(ball.climb));
+                self.follow(&mut run, next, bounced)?;
             }
-            states.push(match over {
+            let (now, ball) = (run.now, &run.ball);
+            states.push(match over(&run) {
                 Some((begun, first, last)) if self.grip.is_none() => {
                     self.piled(&first, last - begun, t - last)?
                 }
                 Some((.., last)) => {
                     let left = (DoubleDouble::from(last) - now).value();
                     let landed = ball.position + left * ball.motion.velocity;
-                    self.on_the_floor(&ball, landed, t - last)?
+                    self.on_the_floor(ball, landed, t - last)?
                 }
-                None => self.flown(&ball, (DoubleDouble::from(t) - now).value())?,
+                None => self.flown(ball, (DoubleDouble::from(t) - now).value())?,
             });
         }
         states.into_iter().map(InFlight::checked).collect()
@@ -492,11 +498,6 @@ impl Flight {
         self.on_the_floor(&ball, landed, after)
     }
 
-    /// The velocity of rolling (V + κRΩ)/(1+κ), which no impulse at the floor changes.
-    fn common(&self, motion: &Motion<f64>) -> f64 {
-        (motion.velocity + self.kappa * motion.rim_speed) / (1.0 + self.kappa)
-    }
-
     /// A ball that has lain on the floor for `t` seconds, since it landed at `landed`.
     fn on_the_floor(&self, ball: &InFlight, landed: f64, t: f64) -> Result<InFlight> {
         let [_, tangential] = self.restitution();
@@ -510,7 +511,8 @@ impl Flight {
             let end = course.at(t);
             (end.position, [end.velocity, end.rim_speed])
         } else if tangential.abs() < 1.0 || motion.contact_speed(Surface::Floor) == 0.0 {
-            let common = self.common(&motion);
+            // The velocity of rolling, which no impulse at the floor changes.
+            let common = (motion.velocity + self.kappa * motion.rim_speed) / (1.0 + self.kappa);
             (t * common, [common; 2])
         } else {
             let condition = "tangential restitution, 1 if none is given, must be below 1 for a motion after infinitely many bounces, each of which reverses the contact speed";
@@ -527,8 +529,4 @@ impl Flight {
             bounces: ball.bounces,
         })
     }
-}
-
-fn too_many<T>(time: DoubleDouble) -> Result<T> {
-    stopped("too many bounces to follow one by one", time.value())
 }

@@ -2,7 +2,7 @@
 
 use num_traits::Num;
 
-use super::{Motion, Surface, kicked};
+use super::{Motion, Surface};
 use crate::error::{Result, not_negative, positive, refused, within};
 use crate::rolling::Coulomb;
 use crate::search::halved;
@@ -111,7 +111,7 @@ pub fn bounce_with<T: Num + Copy>(
 ) -> Motion<T> {
     let slip = before.contact_speed(surface);
     let turned = (slip + restitution * slip) / (T::one() + kappa);
-    kicked(before, surface, kappa, turned)
+    before.kicked(surface, kappa, turned)
 }
 
 /// The same bounce with Coulomb's law for impulses: the contact transmits at most its grip times the normal impulse `pressed` per mass (m/s); if that is
@@ -140,7 +140,7 @@ pub fn gripping_bounce(
     if kappa * turned.abs() > law.grip * pressed {
         turned = (law.kinetic * pressed / kappa).copysign(slip);
     }
-    kicked(before, surface, kappa, turned)
+    before.kicked(surface, kappa, turned)
 }
 
 /// The tangential restitution below which a ball thrown under a table without spin does not come back after three bounces, but goes on with V₃ > 0.

@@ -88,6 +88,21 @@ where
     pub fn energy(&self, kappa: T) -> T {
         self.velocity * self.velocity + kappa * self.rim_speed * self.rim_speed
     }
+
+    /// The motion after a bounce that adds `turned` to the rim speed at the floor and subtracts it at the ceiling; V + κRΩ at the floor, V − κRΩ at the
+    /// ceiling does not change.
+    // ANCHOR: kicked
+    fn kicked(self, surface: Surface, kappa: T, turned: T) -> Self {
+        let rim_speed = match surface {
+            Surface::Floor => self.rim_speed + turned,
+            Surface::Ceiling => self.rim_speed - turned,
+        };
+        Self {
+            velocity: self.velocity - kappa * turned,
+            rim_speed,
+        }
+    }
+    // ANCHOR_END: kicked
 }
 
 /// The motion after one bounce (4.6): V' − RΩ' = −(V − RΩ) at the floor, with energy conserved.
@@ -111,33 +126,9 @@ where
 /// ```
 pub fn bounce<T: Num + Copy>(before: Motion<T>, surface: Surface, kappa: T) -> Motion<T> {
     // ANCHOR: bounce
-    let one = T::one();
     let slip = before.contact_speed(surface);
-    let turned = (slip + slip) / (one + kappa);
-    let rim_speed = match surface {
-        Surface::Floor => before.rim_speed + turned,
-        Surface::Ceiling => before.rim_speed - turned,
-    };
-    Motion {
-        velocity: before.velocity - kappa * turned,
-        rim_speed,
-    }
+    before.kicked(surface, kappa, (slip + slip) / (T::one() + kappa))
     // ANCHOR_END: bounce
-}
-
-/// The motion after a bounce that adds `turned` to the rim speed at the floor and subtracts it at the ceiling; V + κRΩ at the floor, V − κRΩ at the
-/// ceiling does not change.
-fn kicked<T>(before: Motion<T>, surface: Surface, kappa: T, turned: T) -> Motion<T>
-where
-    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>,
-{
-    Motion {
-        velocity: before.velocity - kappa * turned,
-        rim_speed: match surface {
-            Surface::Floor => before.rim_speed + turned,
-            Surface::Ceiling => before.rim_speed - turned,
-        },
-    }
 }
 
 /// [`bounce`] for fractions of fixed-width integers: `None` where a numerator or denominator would overflow, or κ = −1.
@@ -264,7 +255,7 @@ impl Iterator for UnderTable<f64> {
         // As in [`bounce`].
         let slip = before.contact_speed(self.next);
         let turned = (slip + slip) / DoubleDouble::sum(1.0, self.kappa);
-        let after = kicked(before, self.next, DoubleDouble::from(self.kappa), turned);
+        let after = before.kicked(self.next, DoubleDouble::from(self.kappa), turned);
         let part = |of: fn(DoubleDouble) -> f64| Motion {
             velocity: of(after.velocity),
             rim_speed: of(after.rim_speed),
@@ -473,7 +464,7 @@ pub fn spring_bounce(
     // 1 − cos of the whole phase, over 2: the part of the full bounce that takes place.
     let part = sin * sin;
     let slip = before.contact_speed(surface);
-    let motion = kicked(before, surface, kappa, part * (slip + slip) / (1.0 + kappa));
+    let motion = before.kicked(surface, kappa, part * (slip + slip) / (1.0 + kappa));
     finite("the velocity after the bounce", motion.velocity)?;
     finite("the rim speed after the bounce", motion.rim_speed)?;
     Ok(SpringBounce {

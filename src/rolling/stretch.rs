@@ -9,8 +9,11 @@ use crate::error::{Result, finite, positive};
 /// How the contact slips or the body turns: one way, with the sign +1 or −1; 0 where no law acts on it. `None` where it is zero and held there.
 type Sense = Option<f64>;
 
+/// The friction of the ground and its acceleration.
+type Ground = (Option<Coulomb>, f64);
+
 /// Constant accelerations of one stretch.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Pace {
     pub slipping: Sense,
     pub turning: Sense,
@@ -70,37 +73,30 @@ impl Laws {
         Ok(self)
     }
 
-    /// The accelerations for this slip and rim speed, on ground with the acceleration `ground`: from the one assignment of "goes one way" and "is held" that
+    /// The accelerations for this slip and rim speed on this ground: from the one assignment of "goes one way" and "is held" that
     /// is consistent with its own consequences. "Held" is tried first, so a contact that can stick does.
-    fn pace(&self, law: Option<Coulomb>, state: &State, ground: f64) -> Pace {
+    fn pace(&self, ground: Ground, state: &State) -> Pace {
         let [_, _, rim_speed, slip, ..] = *state;
         let turns = candidates(self.resistance.is_some(), rim_speed);
-        let slips = candidates(law.is_some(), slip);
-        let all = slips
-            .iter()
-            .flat_map(|&slips| turns.map(|turns| [slips, turns]));
-        let mut paces = all.map(|senses| self.consequence(law, senses, state, ground));
+        let slips = candidates(ground.0.is_some(), slip);
+        let slipping = slips.iter();
+        let all = slipping.flat_map(|&slips| turns.map(|turns| [slips, turns]));
+        let mut paces = all.map(|senses| self.consequence(ground, senses, state));
         let found = paces.find(|(_, agrees)| *agrees);
         // One of them is always consistent, but for rounding, which may exclude two that nearly agree; then either will do.
-        let (pace, _) =
-            found.unwrap_or_else(|| self.consequence(law, [slips[0], turns[0]], state, ground));
-        pace
+        let either = || self.consequence(ground, [slips[0], turns[0]], state);
+        found.unwrap_or_else(either).0
     }
 
     /// The accelerations under one such assignment, and whether it agrees with them: friction and couple can hold what it calls held, and what begins to go
     /// goes the way assumed.
-    fn consequence(
-        &self,
-        law: Option<Coulomb>,
-        [slipping, turning]: [Sense; 2],
-        state: &State,
-        ground: f64,
-    ) -> (Pace, bool) {
-        let (kappa, load) = (self.kappa, self.load);
-        let (push, twist) = (load.push, load.twist);
-        let slides = law.map_or(0.0, |law| law.kinetic) * load.reaction;
-        let grips = law.map_or(0.0, |law| law.grip) * load.reaction;
-        let resists = self.resistance.map_or(0.0, |law| law.arm) * load.reaction;
+    fn consequence(&self, ground: Ground, senses: [Sense; 2], state: &State) -> (Pace, bool) {
+        let (&Self { kappa, load, .. }, (law, ground)) = (self, ground);
+        let [slipping, turning] = senses;
+        let (push, twist, reaction) = (load.push, load.twist, load.reaction);
+        let slides = law.map_or(0.0, |law| law.kinetic) * reaction;
+        let grips = law.map_or(0.0, |law| law.grip) * reaction;
+        let resists = self.resistance.map_or(0.0, |law| law.arm) * reaction;
         let couple = turning.map(|sense| -sense * resists);
         let (friction, velocity) = match (slipping, couple) {
             (Some(sense), _) => (-sense * slides, push - sense * slides),
@@ -139,48 +135,42 @@ impl Laws {
     pub fn first(&self, start: Moment) -> Stretch {
         let mut state = start.state();
         state[7] = self.sheet.as_ref().map_or(0.0, |sheet| sheet.margin);
-        let on_sheet = self.sheet.as_ref().map(|_| true);
-        self.begins((0.0, state), start.about_the_table(self.kappa), 0, on_sheet)
+        self.begun(Stretch {
+            start: 0.0,
+            state,
+            pace: Pace::default(),
+            leg_ends: f64::INFINITY,
+            load: self.load,
+            leg: 0,
+            sheet: [0.0; 2],
+            on_sheet: self.sheet.as_ref().map(|_| true),
+            about: start.about_the_table(self.kappa),
+        })
     }
 
-    /// A stretch that begins in this leg of the sheet's motion.
-    fn begins(
-        &self,
-        (start, mut state): (f64, State),
-        about: f64,
-        mut leg: usize,
-        on_sheet: Option<bool>,
-    ) -> Stretch {
-        let (mut leg_ends, mut moves) = (f64::INFINITY, [0.0; 2]);
-        let (mut law, mut ground) = (self.friction, 0.0);
+    /// The stretch with the accelerations and the motion of the sheet that belong to its start.
+    fn begun(&self, mut stretch: Stretch) -> Stretch {
+        let mut ground = (self.friction, 0.0);
         if let Some(sheet) = &self.sheet {
-            let on_sheet = on_sheet == Some(true);
-            let (mut from, mut to) = sheet.speeds.leg(leg);
-            while to.0 <= start {
+            let on_sheet = stretch.on_sheet == Some(true);
+            let (mut from, mut to) = sheet.speeds.leg(stretch.leg);
+            while to.0 <= stretch.start {
                 if on_sheet && to.0 <= from.0 {
                     // A jump in the sheet's speed.
-                    state[3] -= to.1 - from.1;
+                    stretch.state[3] -= to.1 - from.1;
                 }
-                leg += 1;
-                (from, to) = sheet.speeds.leg(leg);
+                stretch.leg += 1;
+                (from, to) = sheet.speeds.leg(stretch.leg);
             }
             let slope = (to.1 - from.1) / (to.0 - from.0);
-            (leg_ends, moves) = (to.0, [from.1 + (start - from.0) * slope, slope]);
+            stretch.leg_ends = to.0;
+            stretch.sheet = [from.1 + (stretch.start - from.0) * slope, slope];
             if on_sheet {
-                (law, ground) = (Some(sheet.friction), slope);
+                ground = (Some(sheet.friction), slope);
             }
         }
-        Stretch {
-            start,
-            state,
-            pace: self.pace(law, &state, ground),
-            leg_ends,
-            load: self.load,
-            leg,
-            sheet: moves,
-            on_sheet,
-            about,
-        }
+        stretch.pace = self.pace(ground, &stretch.state);
+        stretch
     }
 
     /// The stretch that follows one that ended in this state `after` seconds from its start, by an event or because the sheet's acceleration changes; and the
@@ -196,20 +186,18 @@ impl Laws {
         what: Option<Happening>,
     ) -> (Stretch, Option<Happening>) {
         let (kappa, pace) = (self.kappa, &before.pace);
-        let time = what.map_or(before.leg_ends, |_| before.start + after);
+        let (mut next, mut rests) = (*before, false);
+        next.start = what.map_or(before.leg_ends, |_| before.start + after);
+        next.state = *state;
         // Everything except friction changes V + κRΩ.
-        let moments = self.load.push + self.load.twist + pace.couple;
-        let mut about = before.about + after * moments;
-        let (mut state, mut on_sheet, mut rests) = (*state, before.on_sheet, false);
-        let [_, velocity, rim_speed, slip, .., margin] = &mut state;
+        next.about += after * (self.load.push + self.load.twist + pace.couple);
+        let [_, velocity, rim_speed, slip, .., margin] = &mut next.state;
         if matches!(what, Some(Happening::LeavesSheet | Happening::MountsSheet)) {
-            (on_sheet, *margin) = (on_sheet.map(|on| !on), 0.0);
+            (next.on_sheet, *margin) = (next.on_sheet.map(|on| !on), 0.0);
         }
-        let on_it = on_sheet == Some(true);
-        let ground = if on_it {
-            before.sheet_speed(after)
-        } else {
-            0.0
+        let ground = match next.on_sheet {
+            Some(true) => before.sheet_speed(after),
+            _ => 0.0,
         };
         match what {
             None if pace.slipping.is_none() => {}
@@ -219,8 +207,8 @@ impl Laws {
             }
             Some(Happening::RollingBegins) if pace.turning.is_some() => {
                 *slip = 0.0;
-                *velocity = (about + kappa * ground) / (1.0 + kappa);
-                *rim_speed = (about - ground) / (1.0 + kappa);
+                *velocity = (next.about + kappa * ground) / (1.0 + kappa);
+                *rim_speed = (next.about - ground) / (1.0 + kappa);
                 rests = *rim_speed == 0.0;
             }
             Some(_) if pace.slipping.is_some() && pace.turning.is_some() => {
@@ -230,12 +218,11 @@ impl Laws {
             // It no longer slips or turns.
             Some(_) => {
                 (*slip, *rim_speed, rests) = (0.0, 0.0, true);
-                (*velocity, about) = (ground, ground);
+                (*velocity, next.about) = (ground, ground);
             }
         }
-        let next = self.begins((time, state), about, before.leg, on_sheet);
         let happened = if rests { Some(Happening::Rest) } else { what };
-        (next, happened)
+        (self.begun(next), happened)
     }
 }
 

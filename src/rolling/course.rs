@@ -22,7 +22,7 @@ pub struct Event {
 /// are quadratic in time, and events are roots of linear and quadratic equations.
 #[derive(Debug, Clone)]
 pub struct Course {
-    stretches: Vec<Stretch>,
+    pub(crate) stretches: Vec<Stretch>,
     /// The events, in order.
     pub events: Vec<Event>,
 }
@@ -147,11 +147,6 @@ impl Course {
     /// ```
     pub fn first(&self, what: Happening) -> Option<&Event> {
         self.events.iter().find(|event| event.what == what)
-    }
-
-    /// Number of stretches.
-    pub(crate) fn stretches(&self) -> usize {
-        self.stretches.len()
     }
 }
 

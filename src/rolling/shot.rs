@@ -143,12 +143,10 @@ impl RoundBody {
     pub fn strike(&self, height_over_radius: f64, velocity: f64) -> Result<Shot> {
         let velocity = positive("the velocity after the stroke", velocity)?;
         let relative = self.cue_slip(height_over_radius)?;
-        let regime = if relative > 0.0 {
-            Regime::SkidsBackward
-        } else if relative < 0.0 {
-            Regime::SkidsForward
-        } else {
-            Regime::PureRolling
+        let regime = match relative {
+            0.0 => Regime::PureRolling,
+            back if back > 0.0 => Regime::SkidsBackward,
+            _ => Regime::SkidsForward,
         };
         let slip = finite("the slip of the contact point", relative * velocity)?;
         Ok(Shot {

@@ -403,7 +403,7 @@ impl OnTable<'_> {
         let moments: Vec<Moment> = times.iter().map(|&t| course.at(t)).collect();
         let cost = Cost {
             evaluations: 0,
-            steps: course.stretches() as u64,
+            steps: course.stretches.len() as u64,
         };
         if plan.solver == Solver::Exact {
             return Ok((moments, (cost, OF_CLOSED_FORMS)));
@@ -422,7 +422,7 @@ impl OnTable<'_> {
             let apart = |&t: &f64| apart(&told(&course, t), &told(&twin, t), &sizes);
             off = times.iter().map(apart).fold(off, greater);
         }
-        let error = ROUNDING * (course.stretches() as f64 + off / MOVED);
+        let error = ROUNDING * (course.stretches.len() as f64 + off / MOVED);
         Ok((moments, (cost, error)))
     }
 

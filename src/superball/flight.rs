@@ -169,24 +169,24 @@ impl Flight {
     fn contact(&self, ball: &InFlight, v: DoubleDouble) -> Option<Contact> {
         let (floor, ceiling) = self.speeds(ball, v);
         // The root in the form that does not cancel, for either sign of v.
-        let contact = match ceiling {
+        let (time, surface, speed) = match ceiling {
             Some(speed) if ball.climb > 0.0 => {
                 let left = DoubleDouble::difference(self.room, ball.height);
-                let time = left.scaled(2.0) / (v + speed);
-                Some((time, Surface::Ceiling, speed))
+                (left.scaled(2.0) / (v + speed), Surface::Ceiling, speed)
             }
             _ if ball.climb < 0.0 => {
-                let time = DoubleDouble::from(2.0 * ball.height) / (floor - v);
-                Some((time, Surface::Floor, floor))
+                let fall = DoubleDouble::from(2.0 * ball.height);
+                (fall / (floor - v), Surface::Floor, floor)
             }
             _ if self.gravity > 0.0 && floor.value() > 0.0 => {
                 let time = (v + floor) / DoubleDouble::from(self.gravity);
-                Some((time, Surface::Floor, floor))
+                (time, Surface::Floor, floor)
             }
-            _ => None,
+            _ => return None,
         };
         // A time that overflows counts as never.
-        contact.filter(|(time, ..)| time.value().is_finite())
+        let happens = time.value().is_finite();
+        happens.then_some((time, surface, speed))
     }
 
     /// Whether a ball lies on the floor.
@@ -269,12 +269,11 @@ impl Flight {
             return refused(condition, self.kappa);
         }
         let start = &self.start;
+        if self.lies(start) {
+            return self.on_the_floor(start, start.position, t);
+        }
         let Some((first_time, first, speed)) = self.contact(start, start.climb.into()) else {
-            return if self.lies(start) {
-                self.on_the_floor(start, start.position, t)
-            } else {
-                self.flown(start, t)
-            };
+            return self.flown(start, t);
         };
         let since = DoubleDouble::from(t) - first_time;
         if since.value() < 0.0 {
@@ -298,6 +297,7 @@ impl Flight {
             (whole, later) = (whole - 1.0, later + flight);
         }
         let count = whole as u64;
+        let even = count.is_multiple_of(2);
         let (motion, way) = if ceiling.is_some() {
             let rotation = BounceRotation::new(self.kappa)?;
             // A motion that meets the ceiling first is the mirror image of one that meets the floor first.
@@ -316,16 +316,11 @@ impl Flight {
             let kick = slip.times(2.0 * self.kappa) / DoubleDouble::sum(1.0, self.kappa);
             let kicked = (count - count / 2) as f64;
             let way = DoubleDouble::product(v, whole) - kick.times(kicked);
-            let motion = if count.is_multiple_of(2) {
-                arrived.motion
-            } else {
-                start.motion
-            };
+            let motion = if even { arrived.motion } else { start.motion };
             (motion, (flight * way).value())
         };
-        let above = (first == Surface::Ceiling) == count.is_multiple_of(2);
         let (surface, speed) = match ceiling {
-            Some(speed) if above => (Surface::Ceiling, speed),
+            Some(speed) if (first == Surface::Ceiling) == even => (Surface::Ceiling, speed),
             _ => (Surface::Floor, floor),
         };
         let ball = InFlight {
@@ -520,13 +515,11 @@ impl Flight {
         };
         Ok(InFlight {
             position: landed + way,
-            height: 0.0,
-            climb: 0.0,
             motion: Motion {
                 velocity,
                 rim_speed,
             },
-            bounces: ball.bounces,
+            ..self.leaving(Surface::Floor, 0.0, ball)
         })
     }
 }

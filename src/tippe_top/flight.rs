@@ -367,10 +367,8 @@ mod tests {
         let mu = 0.8;
         let impulse = 0.3 / (C - mu * B);
         let [slip, ..] = after(Coulomb::new(mu).unwrap(), 5.0, 0.3);
-        assert!(
-            (slip - (5.0 - (mu * A - B) * impulse)).abs() < 1e-14 * 5.0,
-            "{slip}"
-        );
+        let off = slip - (5.0 - (mu * A - B) * impulse);
+        assert!(off.abs() < 1e-14 * 5.0, "{slip}");
         // Friction presses it into the table until the slip is over; then the contact sticks.
         assert_eq!(after(Coulomb::new(1.0).unwrap(), 5.0, 1e-3), [0.0; 3]);
         // A smooth law holds the slip at the value at which its force along the table is B/A of the upward one.
@@ -379,10 +377,8 @@ mod tests {
             let held = epsilon * ratio / (1.0 - ratio * ratio).sqrt();
             for approach in [1e-9, 0.3, 50.0] {
                 let [slip, ..] = after(Regularised::new(1.0, epsilon).unwrap(), 5.0, approach);
-                assert!(
-                    (slip / held - 1.0).abs() < 1e-9,
-                    "{epsilon} {approach} {slip}"
-                );
+                let off = slip / held - 1.0;
+                assert!(off.abs() < 1e-9, "{epsilon} {approach} {slip}");
             }
         }
         let [slip, ..] = after(Viscous::new(2.0).unwrap(), 5.0, 0.3);

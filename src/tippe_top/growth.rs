@@ -70,11 +70,12 @@ pub fn quasi_steady(
     let mut x = Vector4::zeros();
     for part in 0..=8 {
         table.friction = Some(friction.weakened(f64::from(part) / 8.0));
-        x = newton(&table, spin, x)?;
+        x = newton(&table, bends, spin, x)?;
     }
-    let (up, level) = steady(&table, &x);
-    let [_, turning, _] = sliding(&table, &Pose::seen(up, up * spin, level));
-    let growth_rates = growth_rates(&table, up, [level.x, level.y], spin)?;
+    let pose = steady(&table, spin, &x);
+    let up = pose.up;
+    let [_, turning, _] = sliding(&table, &pose);
+    let growth_rates = growth_rates(&table, bends, spin, &pose)?;
     let mut slowest = growth_rates;
     slowest.sort_by(|a, b| a.frequency.abs().total_cmp(&b.frequency.abs()));
     Ok(QuasiSteady {
@@ -85,11 +86,12 @@ pub fn quasi_steady(
     })
 }
 
-/// Vertical and level velocity from the unknowns: two components of the vertical, and two of the velocity over √(gR).
-fn steady(table: &Table, x: &Vector4<f64>) -> (Vector3<f64>, Vector3<f64>) {
+/// The state with these unknowns: two components of the vertical, and two of the velocity over √(gR).
+fn steady(table: &Table, spin: f64, x: &Vector4<f64>) -> Pose {
     let speed = table.body.speed_scale(table.gravity);
     let up = upright(x[0], x[1]);
-    (up, tangent(&up, [x[2] * speed, x[3] * speed]))
+    let level = tangent(&up, [x[2] * speed, x[3] * speed]);
+    Pose::seen(up, up * spin, level)
 }
 
 /// The rates of the vertical, of Ω and of the level velocity of a sliding body, as seen from it.
@@ -97,22 +99,18 @@ fn sliding(table: &Table, pose: &Pose) -> [Vector3<f64>; 3] {
     table.drift(pose, &table.slides(pose))
 }
 
-/// The slip over which friction bends, m/s.
-fn sharpness(table: &Table) -> f64 {
-    table.friction.map_or(f64::INFINITY, |law| law.sharpness())
-}
-
-fn newton(table: &Table, spin: f64, start: Vector4<f64>) -> Result<Vector4<f64>> {
+/// `bends` is the slip over which friction bends, m/s.
+fn newton(table: &Table, bends: f64, spin: f64, start: Vector4<f64>) -> Result<Vector4<f64>> {
     let size = table.body.surface.size;
     let speed = table.body.speed_scale(table.gravity);
     let rate = speed / size;
     let residual = |x: &Vector4<f64>| {
-        let (up, level) = steady(table, x);
-        let [_, turning, drift] = sliding(table, &Pose::seen(up, up * spin, level));
-        let (turn, drift) = (turning - up * up.dot(&turning), drift / size);
+        let pose = steady(table, spin, x);
+        let [_, turning, drift] = sliding(table, &pose);
+        let (turn, drift) = (turning - pose.up * pose.up.dot(&turning), drift / size);
         Vector4::new(turn.x, turn.y, drift.x, drift.y) / (rate * rate)
     };
-    let sharp = (sharpness(table) / speed).min(1.0);
+    let sharp = (bends / speed).min(1.0);
     let stride = 1e-4 * sharp * (rate / spin.abs()).min(1.0);
     let mut x = start;
     let mut value = residual(&x);
@@ -158,7 +156,7 @@ fn bend(body: &ConvexBody) -> f64 {
 }
 
 /// See [`QuasiSteady::growth_rates`].
-fn growth_rates(table: &Table, up: Vector3<f64>, [a, b]: [f64; 2], spin: f64) -> Result<[Rate; 6]> {
+fn growth_rates(table: &Table, bends: f64, spin: f64, steady: &Pose) -> Result<[Rate; 6]> {
     let body = &table.body;
     let speed = body.speed_scale(table.gravity);
     let size = body.surface.size;
@@ -169,17 +167,17 @@ fn growth_rates(table: &Table, up: Vector3<f64>, [a, b]: [f64; 2], spin: f64) ->
         let [turn, r, drift] = sliding(table, &Pose::seen(up, omega, level));
         SVector::from([turn.x, turn.y, r.x, r.y, r.z, drift.x, drift.y])
     };
-    let sharp = sharpness(table).min(speed);
+    let sharp = bends.min(speed);
     let swing = spin.abs() * size;
     let [v, w] = [0.02 * sharp, 0.02 * sharp / size];
     let n = (0.02 * sharp / (spin.abs() * body.surface.greatest())).min(1e-3) * bend(body);
-    let omega = up * spin;
-    let x = SVector::from([up.x, up.y, omega.x, omega.y, omega.z, a, b]);
+    let (up, w0, v0) = (steady.up, steady.omega, steady.level);
+    let x = SVector::from([up.x, up.y, w0.x, w0.y, w0.z, v0.x, v0.y]);
     let turn = spin.abs();
     let scales = [1.0, 1.0, turn, turn, turn, swing, swing];
     let jacobian = jacobian(rate, x, [n, n, w, w, w, v, v], scales)?;
     let mut values: [Complex<f64>; 7] = eigenvalues(&jacobian)?;
-    sort(&mut values, |value| value.norm());
+    values.sort_by(|a, b| a.norm().total_cmp(&b.norm()));
     let [_, rest @ ..] = values;
     Ok(fastest_first(rest))
 }
@@ -209,14 +207,9 @@ fn eigenvalues<const N: usize>(matrix: &SMatrix<f64, N, N>) -> Result<[Complex<f
     values.map_or_else(|| refused(condition, matrix.amax()), Ok)
 }
 
-/// Sorts eigenvalues by a number that belongs to each, ascending.
-fn sort(values: &mut [Complex<f64>], number: fn(&Complex<f64>) -> f64) {
-    values.sort_by(|a, b| number(a).total_cmp(&number(b)));
-}
-
 /// These eigenvalues, the fastest growing first.
 fn fastest_first<const N: usize>(mut values: [Complex<f64>; N]) -> [Rate; N] {
-    sort(&mut values, |value| -value.re);
+    values.sort_by(|a, b| b.re.total_cmp(&a.re));
     values.map(|Complex { re, im }| Rate {
         growth: re,
         frequency: im,

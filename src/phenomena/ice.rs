@@ -1,6 +1,6 @@
 //! On perfect ice: why wriggling takes you nowhere (tutorial 1.1, picture a).
 
-use crate::error::{Result, finite, not_empty, positive};
+use crate::error::{Result, each_finite, finite, not_empty, positive};
 use crate::integrators::System;
 
 /// A part of a body on ice.
@@ -31,22 +31,21 @@ pub struct Part {
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 pub fn feet(parts: &[Part], center: [f64; 2]) -> Result<[f64; 2]> {
+    not_empty("the list of parts", parts)?;
     let mut mass = 0.0;
     for part in parts {
         mass += positive("the mass of a part", part.mass)?;
+        each_finite("the place of a part", part.from_feet)?;
     }
-    not_empty("the list of parts", parts)?;
     finite("the mass of all parts", mass)?;
-    let mut mean = [0.0; 2];
-    for part in parts {
-        for (mean, place) in mean.iter_mut().zip(part.from_feet) {
-            *mean += part.mass / mass * finite("the place of a part", place)?;
-        }
-    }
-    Ok([
-        finite("the place of the feet", center[0] - mean[0])?,
-        finite("the place of the feet", center[1] - mean[1])?,
-    ])
+    let place = [0, 1].map(|axis| {
+        let shares = parts
+            .iter()
+            .map(|part| part.mass / mass * part.from_feet[axis]);
+        center[axis] - shares.sum::<f64>()
+    });
+    each_finite("the place of the feet", place)?;
+    Ok(place)
 }
 
 /// Parts of a [`Wriggler`].

@@ -195,16 +195,14 @@ impl Flight {
     }
 
     /// The ball after a time without contact.
-    fn flown(&self, ball: &InFlight, t: f64) -> Result<InFlight> {
+    fn flown(&self, ball: &InFlight, t: f64) -> InFlight {
         let g = self.gravity;
-        let position = ball.position + t * ball.motion.velocity;
-        let height = ball.height + t * ball.climb - 0.5 * g * t * t;
-        Ok(InFlight {
-            position: finite("the position", position)?,
-            height: finite("the height", height)?,
+        InFlight {
+            position: ball.position + t * ball.motion.velocity,
+            height: ball.height + t * ball.climb - 0.5 * g * t * t,
             climb: ball.climb - g * t,
             ..*ball
-        })
+        }
     }
 
     /// The ball as it leaves a surface at this speed.
@@ -273,18 +271,18 @@ impl Flight {
             return self.on_the_floor(start, start.position, t);
         }
         let Some((first_time, first, speed)) = self.contact(start, start.climb.into()) else {
-            return self.flown(start, t);
+            return Ok(self.flown(start, t));
         };
         let since = DoubleDouble::from(t) - first_time;
         if since.value() < 0.0 {
-            return self.flown(start, t);
+            return Ok(self.flown(start, t));
         }
         let arrived = self.bounced(start, first_time.value(), first, speed.value());
         let (floor, ceiling) = self.speeds(start, start.climb.into());
         let flight = match ceiling {
             Some(speed) => DoubleDouble::from(2.0 * self.room) / (floor + speed),
             None if self.gravity > 0.0 => floor.scaled(2.0) / DoubleDouble::from(self.gravity),
-            None => return self.flown(&arrived, since.value()),
+            None => return Ok(self.flown(&arrived, since.value())),
         };
         let mut whole = (since / flight).value().floor();
         if whole.is_nan() || whole >= MOST_FLIGHTS {
@@ -302,10 +300,7 @@ impl Flight {
             let rotation = BounceRotation::new(self.kappa)?;
             // A motion that meets the ceiling first is the mirror image of one that meets the floor first.
             let sense = if first == Surface::Floor { 1.0 } else { -1.0 };
-            let mirror = |m: Motion<f64>| Motion {
-                rim_speed: sense * m.rim_speed,
-                ..m
-            };
+            let mirror = |m: Motion<f64>| Motion::new(m.velocity, sense * m.rim_speed);
             let seen = mirror(start.motion);
             let way = flight.value() * rotation.place(seen, count);
             (mirror(rotation.after(seen, count + 1)), way)
@@ -329,7 +324,7 @@ impl Flight {
             bounces: arrived.bounces.saturating_add(count),
             ..self.leaving(surface, speed.value(), &arrived)
         };
-        self.flown(&ball, later.value())
+        Ok(self.flown(&ball, later.value()))
     }
 
     /// The time, s, at which a ball that loses height at every bounce has made all its bounces, infinitely many in a finite time. `None` if they never end.
@@ -464,7 +459,7 @@ impl Flight {
                     let landed = ball.position + left * ball.motion.velocity;
                     self.on_the_floor(ball, landed, t - last)?
                 }
-                None => self.flown(ball, (DoubleDouble::from(t) - now).value())?,
+                None => self.flown(ball, (DoubleDouble::from(t) - now).value()),
             });
         }
         states.into_iter().map(InFlight::checked).collect()
@@ -497,28 +492,25 @@ impl Flight {
     fn on_the_floor(&self, ball: &InFlight, landed: f64, t: f64) -> Result<InFlight> {
         let [_, tangential] = self.restitution();
         let motion = ball.motion;
-        let (way, [velocity, rim_speed]) = if tangential == -1.0 {
-            (t * motion.velocity, [motion.velocity, motion.rim_speed])
+        let (way, motion) = if tangential == -1.0 {
+            (t * motion.velocity, motion)
         } else if self.grip.is_some() {
             let start = Moment::moving(motion.velocity, motion.rim_speed);
             let load = Load::weight(self.gravity);
             let course = Course::new(self.kappa, load, (self.grip, None, None), start, t)?;
             let end = course.at(t);
-            (end.position, [end.velocity, end.rim_speed])
+            (end.position, Motion::new(end.velocity, end.rim_speed))
         } else if tangential.abs() < 1.0 || motion.contact_speed(Surface::Floor) == 0.0 {
             // The velocity of rolling, which no impulse at the floor changes.
             let common = (motion.velocity + self.kappa * motion.rim_speed) / (1.0 + self.kappa);
-            (t * common, [common; 2])
+            (t * common, Motion::new(common, common))
         } else {
             let condition = "tangential restitution, 1 if none is given, must be below 1 for a motion after infinitely many bounces, each of which reverses the contact speed";
             return refused(condition, tangential);
         };
         Ok(InFlight {
             position: landed + way,
-            motion: Motion {
-                velocity,
-                rim_speed,
-            },
+            motion,
             ..self.leaving(Surface::Floor, 0.0, ball)
         })
     }

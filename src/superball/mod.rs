@@ -65,6 +65,13 @@ impl<T> Motion<T>
 where
     T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>,
 {
+    const fn new(velocity: T, rim_speed: T) -> Self {
+        Self {
+            velocity,
+            rim_speed,
+        }
+    }
+
     /// Velocity of the contact point: V − RΩ at the floor, V + RΩ at the ceiling (4.6).
     ///
     /// ```
@@ -158,10 +165,7 @@ where
         Surface::Ceiling => before.rim_speed.checked_sub(&turned)?,
     };
     let velocity = before.velocity.checked_sub(&kappa.checked_mul(&turned)?)?;
-    Some(Motion {
-        velocity,
-        rim_speed,
-    })
+    Some(Motion::new(velocity, rim_speed))
 }
 
 /// The matrix of a bounce on the column (V, RΩ): [[1−κ, ±2κ], [±2, −(1−κ)]]/(1+κ), plus at the floor (4.6).
@@ -212,10 +216,7 @@ impl<T: Num + Copy> UnderTable<T> {
     pub fn new(start: Motion<T>, kappa: T) -> Self {
         Self {
             motion: start,
-            rest: Motion {
-                velocity: T::zero(),
-                rim_speed: T::zero(),
-            },
+            rest: Motion::new(T::zero(), T::zero()),
             kappa,
             next: Surface::Floor,
         }
@@ -256,10 +257,8 @@ impl Iterator for UnderTable<f64> {
         let slip = before.contact_speed(self.next);
         let turned = (slip + slip) / DoubleDouble::sum(1.0, self.kappa);
         let after = before.kicked(self.next, DoubleDouble::from(self.kappa), turned);
-        let part = |of: fn(DoubleDouble) -> f64| Motion {
-            velocity: of(after.velocity),
-            rim_speed: of(after.rim_speed),
-        };
+        let part =
+            |of: fn(DoubleDouble) -> f64| Motion::new(of(after.velocity), of(after.rim_speed));
         (self.motion, self.rest) = (part(DoubleDouble::high), part(DoubleDouble::low));
         self.next = self.next.opposite();
         Some(self.motion)
@@ -387,10 +386,8 @@ impl BounceRotation {
         let (p, q) = (p / modulus, q / modulus);
         let across = q * start.velocity - p * start.rim_speed;
         let even = bounces.is_multiple_of(2);
-        Motion {
-            velocity: p * start.velocity + kappa * q * start.rim_speed,
-            rim_speed: if even { -across } else { across },
-        }
+        let rim_speed = if even { -across } else { across };
+        Motion::new(p * start.velocity + kappa * q * start.rim_speed, rim_speed)
     }
 
     /// V₁ + V₂ + … + V_n, the velocities after bounces 1…n, floor first: the position of bounce n+1, in flight times (4.6).

@@ -60,7 +60,8 @@ const JOINS: usize = PARTS * (PARTS - 1) / 2;
 pub struct Wriggler {
     masses: [f64; PARTS],
     muscles: [Muscle; JOINS],
-    start: [f64; 4 * PARTS],
+    /// The state at time 0: at rest.
+    pub start: [f64; 4 * PARTS],
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -113,24 +114,13 @@ impl Wriggler {
         }
     }
 
-    /// The state at time 0: at rest.
-    ///
-    /// ```
-    /// use spinning_bodies::phenomena::Wriggler;
-    /// // At rest: the second half of the numbers are velocities.
-    /// assert!(Wriggler::random(7).start()[12..].iter().all(|&rate| rate == 0.0));
-    /// ```
-    pub const fn start(&self) -> &[f64; 4 * PARTS] {
-        &self.start
-    }
-
     /// The centre of mass, m.
     ///
     /// ```
     /// use spinning_bodies::phenomena::Wriggler;
     /// let body = Wriggler::random(7);
     /// // It starts on a circle of half a metre, so its centre is inside.
-    /// let [x, y] = body.center(body.start());
+    /// let [x, y] = body.center(&body.start);
     /// assert!(x.hypot(y) < 0.5);
     /// ```
     pub fn center(&self, state: &[f64; 4 * PARTS]) -> [f64; 2] {

@@ -160,10 +160,10 @@ fn crawled(values: &Values, mu: Option<f64>) -> Result<Vec<(f64, CrawlerState)>>
 pub fn crawler(values: &Values) -> Result<Figure> {
     let wriggler = Wriggler::random(4);
     let times: Vec<f64> = (0..=500).map(|k| 0.01 * f64::from(k)).collect();
-    let (start, scales) = (wriggler.start(), [1.0; 4 * PARTS]);
+    let (start, scales) = (&wriggler.start, [1.0; 4 * PARTS]);
     let effort = Effort::Tolerance(1e-6);
     let run = order_eight(&wriggler, Kept::Nothing, start, &scales, &times, effort)?;
-    let center = wriggler.center(wriggler.start());
+    let center = wriggler.center(start);
     let (mu, strokes) = (values.of(&GRIP), strokes(values));
     let (ice, ground) = (crawled(values, None)?, crawled(values, Some(mu))?);
     let way = |rows: &[(f64, CrawlerState)]| rows.last().map_or(0.0, |(_, s)| s.center);

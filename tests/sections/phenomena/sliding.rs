@@ -10,7 +10,7 @@ fn s1_1_no_wriggling_moves_the_centre() {
     for seed in 0..20 {
         let body = Wriggler::random(seed);
         let times: Vec<f64> = (0..=60).map(|k| f64::from(k) * 0.1).collect();
-        let start = body.start();
+        let start = &body.start;
         let (scales, effort) = ([1.0; 4 * PARTS], Effort::Tolerance(1e-10));
         let run = order_eight(&body, Kept::Nothing, start, &scales, &times, effort).unwrap();
         let center = body.center(start);

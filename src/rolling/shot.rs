@@ -189,7 +189,7 @@ impl RoundBody {
         let velocity = finite("the velocity", velocity)?;
         let rim_speed = finite("the rim speed", rim_speed)?;
         let speed = (velocity + self.inertia_factor * rim_speed) / self.pure_rolling_height();
-        self.slide(velocity, velocity - rim_speed, speed, friction, gravity)
+        self.slide([velocity, velocity - rim_speed, speed], friction, gravity)
     }
 
     /// [`Self::slide_to_roll`] for a body that turns at Ω (`omega`, rad/s). V − RΩ is formed by one fused multiplication, so that close to rolling the slip is
@@ -218,17 +218,11 @@ impl RoundBody {
         let slip = (-self.radius).mul_add(omega, velocity);
         let spin = self.inertia_factor * self.radius * omega;
         let speed = (velocity + spin) / self.pure_rolling_height();
-        self.slide(velocity, slip, speed, friction, gravity)
+        self.slide([velocity, slip, speed], friction, gravity)
     }
 
-    fn slide(
-        &self,
-        velocity: f64,
-        slip: f64,
-        speed: f64,
-        friction: f64,
-        gravity: f64,
-    ) -> Result<SlideToRoll> {
+    fn slide(&self, speeds: [f64; 3], friction: f64, gravity: f64) -> Result<SlideToRoll> {
+        let [velocity, slip, speed] = speeds;
         let deceleration = positive("the coefficient of friction", friction)?
             * positive("the acceleration of gravity", gravity)?;
         // Friction takes κ/(1+κ) of the slip from the velocity, and the rest goes to the rim.
@@ -263,8 +257,8 @@ impl Shot {
     pub fn slide(&self, friction: f64, gravity: f64) -> Result<SlideToRoll> {
         // From the angular momentum of the stroke about the table: struck at table level, the body stops dead.
         let speed = self.velocity * self.height_over_radius / self.body.pure_rolling_height();
-        self.body
-            .slide(self.velocity, self.slip, speed, friction, gravity)
+        let speeds = [self.velocity, self.slip, speed];
+        self.body.slide(speeds, friction, gravity)
     }
 }
 

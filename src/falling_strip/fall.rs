@@ -220,9 +220,8 @@ impl Fall {
         positive("the window beside the run-up", (run_up + window) - run_up)?;
         let count = (window / SAMPLE).ceil();
         let step = window / count;
-        let times: Vec<f64> = (0..=count as usize)
-            .map(|k| run_up + step * k as f64)
-            .collect();
+        let times = (0..=count as usize).map(|k| run_up + step * k as f64);
+        let times: Vec<f64> = times.collect();
         let path = self.path(start, &times)?;
         let samples: Vec<Sample> = times.into_iter().zip(path).collect();
         let edge_on = self.crossings(&samples, W)?;

@@ -119,11 +119,8 @@ impl Flight {
             let (height, climb) = self.takeoff.at(before, gravity);
             let squared = |drop: f64| 2.0 * gravity * drop.max(0.0) + climb * climb;
             // Nor before the parabola has brought C down to a height at which a point could touch.
-            let aloft = if height > reach {
-                (climb + squared(height - reach).sqrt()) / gravity
-            } else {
-                0.0
-            };
+            let falls = || (climb + squared(height - reach).sqrt()) / gravity;
+            let aloft = (height > reach).then(falls).unwrap_or(0.0);
             let nearing = gap / (squared(height).sqrt() + turning * reach);
             after = (before + nearing.max(aloft).max(0.01 * stride)).min(until);
             if after == before {
@@ -154,13 +151,10 @@ impl Table {
         let pose = Pose::of(y);
         let arm = self.body.arm(&pose.up);
         let contact = pose.level + pose.up * climb + pose.omega.cross(&arm);
-        let yielding = Yielding {
-            matrix: self.body.yielding(&arm),
-            // An approach of 1: what follows from it is in proportion.
-            free: -pose.up,
-            up: pose.up,
-        };
-        let contact = yielding.after_impact(t, self.friction, &contact, spent)?;
+        // An approach of 1: what follows from it is in proportion.
+        let (matrix, free, up) = (self.body.yielding(&arm), -pose.up, pose.up);
+        let contact =
+            Yielding { matrix, free, up }.after_impact(t, self.friction, &contact, spent)?;
         Ok(self.body.struck(y, &pose, climb, contact))
     }
 

@@ -74,7 +74,7 @@ pub fn quasi_steady(
     }
     let pose = steady(&table, spin, &x);
     let up = pose.up;
-    let [_, turning, _] = sliding(&table, &pose);
+    let [_, turning, _] = table.drift(&pose, &table.slides(&pose));
     let growth_rates = growth_rates(&table, bends, spin, &pose)?;
     let mut slowest = growth_rates;
     slowest.sort_by(|a, b| a.frequency.abs().total_cmp(&b.frequency.abs()));
@@ -94,11 +94,6 @@ fn steady(table: &Table, spin: f64, x: &Vector4<f64>) -> Pose {
     Pose::seen(up, up * spin, level)
 }
 
-/// The rates of the vertical, of Ω and of the level velocity of a sliding body, as seen from it.
-fn sliding(table: &Table, pose: &Pose) -> [Vector3<f64>; 3] {
-    table.drift(pose, &table.slides(pose))
-}
-
 /// `bends` is the slip over which friction bends, m/s.
 fn newton(table: &Table, bends: f64, spin: f64, start: Vector4<f64>) -> Result<Vector4<f64>> {
     let size = table.body.surface.size;
@@ -106,7 +101,7 @@ fn newton(table: &Table, bends: f64, spin: f64, start: Vector4<f64>) -> Result<V
     let rate = speed / size;
     let residual = |x: &Vector4<f64>| {
         let pose = steady(table, spin, x);
-        let [_, turning, drift] = sliding(table, &pose);
+        let [_, turning, drift] = table.drift(&pose, &table.slides(&pose));
         let (turn, drift) = (turning - pose.up * pose.up.dot(&turning), drift / size);
         Vector4::new(turn.x, turn.y, drift.x, drift.y) / (rate * rate)
     };
@@ -164,7 +159,8 @@ fn growth_rates(table: &Table, bends: f64, spin: f64, steady: &Pose) -> Result<[
         let up = upright(x[0], x[1]);
         let omega = Vector3::new(x[2], x[3], x[4]);
         let level = tangent(&up, [x[5], x[6]]);
-        let [turn, r, drift] = sliding(table, &Pose::seen(up, omega, level));
+        let pose = Pose::seen(up, omega, level);
+        let [turn, r, drift] = table.drift(&pose, &table.slides(&pose));
         SVector::from([turn.x, turn.y, r.x, r.y, r.z, drift.x, drift.y])
     };
     let sharp = bends.min(speed);
@@ -233,11 +229,10 @@ fn jacobian<const N: usize>(
         (near - (at(2.0) - at(-2.0))) / (12.0 * strides[i])
     });
     let matrix = SMatrix::<f64, N, N>::from_fn(|i, j| columns[j][i] * scales[j] / scales[i]);
-    if matrix.iter().all(|x| x.is_finite()) {
-        Ok(matrix)
-    } else {
-        refused("the linearised equations must be finite", matrix.sum())
+    if !matrix.iter().all(|x| x.is_finite()) {
+        return refused("the linearised equations must be finite", matrix.sum());
     }
+    Ok(matrix)
 }
 
 /// The eigenvalues (1/s) of pure rolling about steady spin round the vertical third axis, the fastest growing first. That spin must be steady: CK

@@ -286,15 +286,11 @@ impl Stretch {
         let bends = self.flow(self.pace.rates, [0.0; 3], self.sheet[1]);
         let motions = self.ends(&self.state).zip(self.ends(&rates));
         let motions = motions.zip(self.ends(&bends));
-        let mut soonest = None;
-        for (((value, what), (rate, _)), (bend, _)) in motions {
-            if let Some(t) = falls(value, rate, bend)
-                && t < soonest.map_or(longest, |(sooner, _)| sooner)
-            {
-                soonest = Some((t, what));
-            }
-        }
-        soonest
+        let falling = motions.filter_map(|(((value, what), (rate, _)), (bend, _))| {
+            let wait = falls(value, rate, bend).filter(|&wait| wait < longest)?;
+            Some((wait, what))
+        });
+        falling.min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
     fn sheet_speed(&self, t: f64) -> f64 {

@@ -86,16 +86,12 @@ impl Friction {
     /// f(v), opposite to the level slip v (m/s). Zero for pure rolling, which has no slip.
     #[inline]
     pub(crate) fn traction(&self, slip: &Vector3<f64>) -> Vector3<f64> {
-        match *self {
-            Self::Coulomb(law) => match slip.norm() {
-                0.0 => Vector3::zeros(),
-                size => slip * (-law.kinetic / size),
-            },
-            Self::Regularised(Regularised { mu, epsilon }) => {
-                slip * (-mu / (slip.norm_squared() + epsilon * epsilon).sqrt())
-            }
-            Self::Viscous(law) => slip * -law.coefficient,
-            Self::NoSlip => Vector3::zeros(),
+        let square = slip.norm_squared();
+        slip * -match *self {
+            Self::Coulomb(law) if square > 0.0 => law.kinetic / square.sqrt(),
+            Self::Regularised(law) => law.mu / (square + law.epsilon * law.epsilon).sqrt(),
+            Self::Viscous(law) => law.coefficient,
+            Self::Coulomb(_) | Self::NoSlip => 0.0,
         }
     }
 

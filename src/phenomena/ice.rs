@@ -39,10 +39,8 @@ pub fn feet(parts: &[Part], center: [f64; 2]) -> Result<[f64; 2]> {
     }
     finite("the mass of all parts", mass)?;
     let place = [0, 1].map(|axis| {
-        let shares = parts
-            .iter()
-            .map(|part| part.mass / mass * part.from_feet[axis]);
-        center[axis] - shares.sum::<f64>()
+        let share = |part: &Part| part.mass / mass * part.from_feet[axis];
+        center[axis] - parts.iter().map(share).sum::<f64>()
     });
     each_finite("the place of the feet", place)?;
     Ok(place)

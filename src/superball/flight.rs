@@ -65,14 +65,16 @@ type Sample = (f64, Option<u64>);
 /// The time until a ball meets a surface, the surface, and the vertical speed then.
 type Contact = (DoubleDouble, Surface, DoubleDouble);
 
+/// The time from which the flights form a geometric series, the ball as it leaves the floor then, and the time at which the bounces end.
+type Pile = (f64, InFlight, f64);
+
 /// A ball followed from bounce to bounce.
 struct Followed {
     /// One addition for each bounce, with similar rounding errors each time: in twice the precision.
     now: DoubleDouble,
     ball: InFlight,
     next: Option<Contact>,
-    /// Once the flights form a geometric series: the time from which they do, the ball as it leaves the floor then, and the time at which the bounces end.
-    pile: Option<(f64, InFlight, f64)>,
+    pile: Option<Pile>,
 }
 
 /// Most bounces followed one by one.
@@ -353,9 +355,8 @@ impl Flight {
         {
             self.follow(&mut ball, next, &|_| Ok(()))?;
         }
-        let last = ball.pile.map(|(.., last)| last);
-        last.map(|last| finite("the time of the last contact", last))
-            .transpose()
+        let finite = |(.., last): Pile| finite("the time of the last contact", last);
+        ball.pile.map(finite).transpose()
     }
 
     /// Whether it loses height at every bounce, so that the bounces have an end.
@@ -441,10 +442,8 @@ impl Flight {
                 let (now, wait, bounces) = (run.now, next.0, run.ball.bounces);
                 let later = count.map_or((now + wait).value() > t, |count| bounces >= count);
                 // The last bounces cannot be told apart from the end of the series.
-                let ends = run
-                    .pile
-                    .is_some_and(|(.., last)| wait.value() <= SAME * last);
-                if ends || over(&run).map_or(later, |_| self.grip.is_none()) {
+                let ends = |(.., last): Pile| wait.value() <= SAME * last;
+                if run.pile.is_some_and(ends) || over(&run).map_or(later, |_| self.grip.is_none()) {
                     break;
                 }
                 self.follow(&mut run, next, bounced)?;

@@ -134,38 +134,76 @@ fn centered(solid: Solid) -> Outline {
     Outline::new("its shape", solid)
 }
 
-/// Reads one kind of shape.
-#[derive(Clone, Copy)]
-struct Known(fn(&Table<'_>) -> Option<Shape>);
+/// Makes a shape from its sizes.
+type Known = fn(&Table<'_>) -> Option<Shape>;
 
+/// Declares the shapes, each with the keys of its sizes below it.
 macro_rules! shapes {
-    ($($name:literal, $sizes:ty, $made:expr;)*) => {
+    ($table:ident: $($name:literal => $made:expr; $($size:ident: $type:ty, $what:expr $(, $bound:expr)?;)*)*) => {
         impl Word for Known {
             fn words() -> Vec<(&'static str, Self)> {
-                vec![$(($name, Self(|table| {
-                    let made: fn(&Reader<'_>, $sizes) -> Option<Shape> = $made;
-                    made(table.reader, <$sizes>::fields(table)?)
-                }))),*]
+                vec![$(($name, |$table| {
+                    $(let $size = key!($table, $size: $type, $what $(, $bound)?);)*
+                    $(let $size = $size?;)*
+                    $made
+                })),*]
             }
         }
     };
 }
 
-shapes! {
-    "ball", Radius, |_, Radius { radius: r }| Some(round(r, 4.0 / 3.0 * PI * r * r * r, move |m| shapes::ball(m, r)));
-    "shell", Radius, |_, Radius { radius: r }| Some(round(r, 4.0 * PI * r * r, move |m| shapes::spherical_shell(m, r)));
-    "hoop", Radius, |_, Radius { radius: r }| Some(Shape::new(TAU * r, centered(Solid::wheel(r, 0.0)), move |m| shapes::hoop(m, r)));
-    "disc", Radius, |_, Radius { radius: r }| Some(Shape::new(PI * r * r, centered(Solid::wheel(r, 0.0)), move |m| shapes::disc(m, r)));
-    "cylinder", Cylinder, |_, Cylinder { radius: r, height: h }| Some(Shape::new(PI * r * r * h, centered(Solid::wheel(r, h)), move |m| shapes::cylinder(m, r, h)));
-    "cone", Cone, |_, Cone { radius: r, height: h }| Some(cone(r, h));
-    "cuboid", Cuboid, |_, Cuboid { edges }| Some(Shape::new(edges.iter().product::<f64>(), centered(Solid::Cuboid(edges.into())), move |m| shapes::cuboid(m, edges)));
-    "ellipsoid", Ellipsoid, |_, Ellipsoid { semi_axes }| Some(ellipsoid(semi_axes));
-    "egg", Egg, |_, Egg { long, short }| Some(ellipsoid([short, short, long]));
-    "racket", Racket, |_, Racket { head, handle }| Some(racket(head, handle));
-    "ball-without-cap", WithoutCap, without_cap;
-    "ball-with-weight", WithWeight, with_weight;
-    "beads", Beads, beads;
-    "mesh", Mesh, mesh;
+// Where nothing else is said, the origin is the centre, and an axis of symmetry the third.
+shapes! { table:
+    "ball" => Some(round(radius, 4.0 / 3.0 * PI * radius * radius * radius, move |m| shapes::ball(m, radius)));
+    radius: f64, "the radius in m", Positive;
+
+    "shell" => Some(round(radius, 4.0 * PI * radius * radius, move |m| shapes::spherical_shell(m, radius)));
+    radius: f64, "the radius in m", Positive;
+
+    "hoop" => Some(Shape::new(TAU * radius, centered(Solid::wheel(radius, 0.0)), move |m| shapes::hoop(m, radius)));
+    radius: f64, "the radius in m", Positive;
+
+    "disc" => Some(Shape::new(PI * radius * radius, centered(Solid::wheel(radius, 0.0)), move |m| shapes::disc(m, radius)));
+    radius: f64, "the radius in m", Positive;
+
+    "cylinder" => Some(Shape::new(PI * radius * radius * height, centered(Solid::wheel(radius, height)), move |m| shapes::cylinder(m, radius, height)));
+    radius: f64, "the radius in m", Positive;
+    height: f64, "the height along axis 3 in m, from the centre both ways", Positive;
+
+    "cone" => Some(cone(radius, height));
+    radius: f64, "the radius of the base in m", Positive;
+    height: f64, "the height along axis 3 in m, from the tip, which is the origin, to the base", Positive;
+
+    "cuboid" => Some(Shape::new(edges.iter().product::<f64>(), centered(Solid::Cuboid(edges.into())), move |m| shapes::cuboid(m, edges)));
+    edges: [f64; 3], "the edges along the three axes in m", Positive;
+
+    "ellipsoid" => Some(ellipsoid(semi_axes));
+    semi_axes: [f64; 3], "the semi-axes in m", Positive;
+
+    "egg" => Some(ellipsoid([short, short, long]));
+    long: f64, "half its length, along axis 3, in m", Positive;
+    short: f64, "half its width in m", Positive;
+
+    // The origin is the centre of the ring.
+    "racket" => Some(racket(head, handle));
+    head: f64, "the radius of the ring in m, all of one wire", Positive;
+    handle: f64, "the length of the handle in m, along axis 1; axis 3 is normal to the ring", NotNegative;
+
+    "ball-without-cap" => without_cap(table.reader, radius, cut);
+    radius: f64, "the radius in m", Positive;
+    cut: f64, "the place of the cut on axis 3 in m from the centre of the ball, which is the origin; what is above is missing, but on a table it stands and rolls on the whole ball";
+
+    "ball-with-weight" => with_weight(table.reader, radius, weight, weight_at);
+    radius: f64, "the radius in m", Positive;
+    weight: f64, "the part of the mass that is the weight, a point", From(0.0, 1.0);
+    weight_at: BodyVector, "the place of the weight in m from the centre of the ball, which is the origin";
+
+    "beads" => beads(table.reader, places, parts);
+    places: Vec<BodyVector>, "the places of the beads in m, a list of lists of 3 numbers";
+    parts: Option<Vec<f64>>, "the shares of the beads in the mass, in any unit (all the same by default)", Positive;
+
+    "mesh" => mesh(table.reader, &file);
+    file: String, "the file of a closed mesh in m, STL or OBJ by its ending, beside the scene file; it has the origin and the axes";
 }
 
 impl Value for Shape {
@@ -179,32 +217,15 @@ impl Value for Shape {
             // Without a known shape no size can be called wrong.
             place.table.takes_any.set(true);
         }
-        known?.0(place.table)
+        known?(place.table)
     }
 }
 
 /// Reads the sizes of every shape, each from a table with the shape's name.
 pub(super) fn read_all_shapes(reader: &Reader<'_>) {
     for (name, shape) in Known::words() {
-        shape.0(&Table::new(reader, name.to_owned()));
+        shape(&Table::new(reader, name.to_owned()));
     }
-}
-
-// Sizes of balls, shells, hoops and discs; the axis of the last two is the third, the origin the centre.
-section! { Radius
-    radius: f64, "the radius in m", Positive;
-}
-
-// Sizes of a cylinder; its axis is the third, the origin the centre.
-section! { Cylinder
-    radius: f64, "the radius in m", Positive;
-    height: f64, "the height along axis 3 in m, from the centre both ways", Positive;
-}
-
-// Sizes of a cone; its axis is the third, the origin the tip.
-section! { Cone
-    radius: f64, "the radius of the base in m", Positive;
-    height: f64, "the height along axis 3 in m, from the tip, which is the origin, to the base", Positive;
 }
 
 fn cone(radius: f64, height: f64) -> Shape {
@@ -226,22 +247,6 @@ fn racket(head: f64, handle: f64) -> Shape {
     Shape::new(TAU * head + handle, outline, made)
 }
 
-// Sizes of a cuboid; the origin is the centre.
-section! { Cuboid
-    edges: [f64; 3], "the edges along the three axes in m", Positive;
-}
-
-// Sizes of an ellipsoid; the origin is the centre.
-section! { Ellipsoid
-    semi_axes: [f64; 3], "the semi-axes in m", Positive;
-}
-
-// Sizes of an egg; the origin is the centre.
-section! { Egg
-    long: f64, "half its length, along axis 3, in m", Positive;
-    short: f64, "half its width in m", Positive;
-}
-
 fn ellipsoid(semi_axes: [f64; 3]) -> Shape {
     let volume = 4.0 / 3.0 * PI * semi_axes.iter().product::<f64>();
     let made = move |mass| shapes::ellipsoid(mass, semi_axes);
@@ -249,19 +254,7 @@ fn ellipsoid(semi_axes: [f64; 3]) -> Shape {
     Shape::new(volume, centered(Solid::Ellipsoid(half)), made).on(Surface::ellipsoid(semi_axes))
 }
 
-// Sizes of a racket; the origin is the centre of the ring.
-section! { Racket
-    head: f64, "the radius of the ring in m, all of one wire", Positive;
-    handle: f64, "the length of the handle in m, along axis 1; axis 3 is normal to the ring", NotNegative;
-}
-
-// Sizes of a ball without a cap; the origin is the centre of the ball.
-section! { WithoutCap
-    radius: f64, "the radius in m", Positive;
-    cut: f64, "the place of the cut on axis 3 in m from the centre of the ball, which is the origin; what is above is missing, but on a table it stands and rolls on the whole ball";
-}
-
-fn without_cap(file: &Reader<'_>, WithoutCap { radius, cut }: WithoutCap) -> Option<Shape> {
+fn without_cap(file: &Reader<'_>, radius: f64, cut: f64) -> Option<Shape> {
     file.right("body.cut", shapes::ball_without_cap(1.0, radius, cut))?;
     let height = radius + cut;
     let volume = PI * height * height * (radius - height / 3.0);
@@ -274,15 +267,12 @@ fn without_cap(file: &Reader<'_>, WithoutCap { radius, cut }: WithoutCap) -> Opt
     Some(Shape::new(volume, outline, made).on(Surface::sphere(radius)))
 }
 
-// Sizes of a ball with a weight; the origin is the centre of the ball.
-section! { WithWeight
-    radius: f64, "the radius in m", Positive;
-    weight: f64, "the part of the mass that is the weight, a point", From(0.0, 1.0);
-    weight_at: BodyVector, "the place of the weight in m from the centre of the ball, which is the origin";
-}
-
-fn with_weight(file: &Reader<'_>, sizes: WithWeight) -> Option<Shape> {
-    let (radius, weight, weight_at) = (sizes.radius, sizes.weight, sizes.weight_at);
+fn with_weight(
+    file: &Reader<'_>,
+    radius: f64,
+    weight: f64,
+    weight_at: BodyVector,
+) -> Option<Shape> {
     if weight_at.norm() > radius {
         let told = format!(" must be within the ball, of radius {radius:?} m");
         return file.wrong("body.weight_at", &told);
@@ -302,13 +292,7 @@ fn with_weight(file: &Reader<'_>, sizes: WithWeight) -> Option<Shape> {
     Some(Shape::new(whole, outline, made).on(Surface::sphere(radius)))
 }
 
-// Masses and positions of beads; the origin is that of the positions.
-section! { Beads
-    places: Vec<BodyVector>, "the places of the beads in m, a list of lists of 3 numbers";
-    parts: Option<Vec<f64>>, "the shares of the beads in the mass, in any unit (all the same by default)", Positive;
-}
-
-fn beads(file: &Reader<'_>, Beads { places, parts }: Beads) -> Option<Shape> {
+fn beads(file: &Reader<'_>, places: Vec<BodyVector>, parts: Option<Vec<f64>>) -> Option<Shape> {
     let parts = parts.unwrap_or_else(|| vec![1.0; places.len()]);
     if places.is_empty() {
         return file.wrong("body.places", " must have one bead at least");
@@ -335,14 +319,9 @@ fn beads(file: &Reader<'_>, Beads { places, parts }: Beads) -> Option<Shape> {
     Some(Shape::new(None, outline, made))
 }
 
-// A mesh; axes and origin are those of its file.
-section! { Mesh
-    file: String, "the file of a closed mesh in m, STL or OBJ by its ending, beside the scene file; it has the origin and the axes";
-}
-
-fn mesh(file: &Reader<'_>, Mesh { file: name }: Mesh) -> Option<Shape> {
+fn mesh(file: &Reader<'_>, name: &str) -> Option<Shape> {
     const KEY: &str = "body.file";
-    let bytes = match (file.open)(&name) {
+    let bytes = match (file.open)(name) {
         Ok(bytes) => bytes,
         Err(told) => return file.wrong(KEY, &format!(": {name}: {told}")),
     };
@@ -361,18 +340,6 @@ fn mesh(file: &Reader<'_>, Mesh { file: name }: Mesh) -> Option<Shape> {
         MassProperties::new(mass, solid.center(), InertiaMatrix::from_matrix(inertia)?)
     };
     Some(Shape::new(solid.mass(), None, made))
-}
-
-/// Keys that are absent where a `shape` determines them.
-pub(super) struct Shapeless<T>(pub Option<T>);
-
-impl<T: Section> Section for Shapeless<T> {
-    fn fields(table: &Table<'_>) -> Option<Self> {
-        match table.entry("shape") {
-            Some(_) => Some(Self(None)),
-            None => T::fields(table).map(|keys| Self(Some(keys))),
-        }
-    }
 }
 
 // The shape of a rolling body, or what stands for it.

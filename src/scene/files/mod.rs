@@ -53,11 +53,8 @@ use file::*;
 use reader::{find, joined};
 use run::Run;
 
-/// Makes a scene from the tables that were read.
-type Maker = Box<dyn FnOnce(&Reader<'_>) -> Option<AnyScene>>;
-
-/// Reads the tables of a kind of scene.
-type Kind = fn(&Table<'_>) -> Option<Maker>;
+/// Makes a scene from the tables of its kind.
+type Kind = fn(&Table<'_>) -> Option<AnyScene>;
 
 /// The kinds of scene; the first is that of a file without `kind`.
 const KINDS: [(&str, Kind); 13] = [
@@ -82,13 +79,12 @@ impl Word for Kind {
     }
 }
 
-/// Reads the tables from which `made` makes a scene.
-fn then<K: Section + 'static>(
+/// The scene that is made from these keys, once all of them are read.
+fn then<K: Section>(
     whole: &Table<'_>,
     made: fn(&Reader<'_>, K) -> Option<AnyScene>,
-) -> Option<Maker> {
-    let keys = K::fields(whole)?;
-    Some(Box::new(move |file| made(file, keys)))
+) -> Option<AnyScene> {
+    made(whole.reader, K::fields(whole)?)
 }
 
 /// The scene and the request in a file of the given kind, or of the kind that it names. Every table is read before the first mistake ends the reading.
@@ -96,12 +92,11 @@ fn scene(file: &Reader<'_>, kind: Option<Kind>) -> Option<(AnyScene, Request)> {
     let whole = Table::new(file, String::new());
     key!(whole, title: Option<String>, "a title in quotes");
     let named = key!(whole, kind: Kind, "");
-    let made = kind.or(named)?(&whole);
+    let scene = kind.or(named)?(&whole);
     let run = whole.part("run", Run::fields);
     whole.done();
     let request = run.as_ref().and_then(|run| run.request(file));
-    let scene = made?(file)?;
-    Some((run?.told(file, scene)?, request?))
+    Some((run?.told(file, scene?)?, request?))
 }
 
 /// The scene and the request described by a file's text; `name` names the file in messages.

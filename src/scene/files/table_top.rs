@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::body::{Matter, Shapeless};
+use super::body::Matter;
 use super::file::*;
 use crate::scene::contact::TableTop;
 use crate::tippe_top::{ConvexBody, Start, Surface};
@@ -10,7 +10,7 @@ use crate::tippe_top::{ConvexBody, Start, Surface};
 tables! { TableTopKeys
     [body]
     matter: Matter;
-    stands_on: Shapeless<StandsOn>;
+    stands_on: Option<StandsOn>;
     [initial]
     tilt: Option<f64>, "the angle of the third axis to the vertical in rad";
     azimuth: Option<f64>, "the azimuth of the vertical along the body's axes in rad";
@@ -34,6 +34,16 @@ section! { StandsOn
     semi_axes: Option<[f64; 3]>, "semi-axes in m", Positive;
     surface_turn: f64 = 0.0, "the turn of the semi-axes about the third axis in rad";
     surface_center: Option<BodyVector>, "the place of the centre of the surface, from C, in m";
+}
+
+/// Absent beside a `shape`, which has a surface of its own.
+impl Section for Option<StandsOn> {
+    fn fields(table: &Table<'_>) -> Option<Self> {
+        match table.entry("shape") {
+            Some(_) => Some(None),
+            None => StandsOn::fields(table).map(Some),
+        }
+    }
 }
 
 /// The law that `friction_law` names.
@@ -78,7 +88,7 @@ impl TableTopKeys {
     fn made(&self, file: &Reader<'_>) -> Option<(ConvexBody, Outline)> {
         let matter = &self.matter;
         let solid = matter.about_center(file);
-        let Some(own) = &self.stands_on.0 else {
+        let Some(own) = &self.stands_on else {
             let Some(surface) = &matter.shape.as_ref()?.surface else {
                 let told = " must have a smooth surface to stand on: a ball, with a weight or without a cap, a shell, an egg or an ellipsoid";
                 return file.wrong("body.shape", told);

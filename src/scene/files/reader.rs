@@ -81,20 +81,13 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Records a mistake in these keys, given by their paths, separated by commas: "body.mass, body.radius".
+    /// Records a mistake in these keys, given by their paths, separated by commas: "body.mass, body.radius". It has the place of the first of them that
+    /// is there, or of the table.
     pub fn wrong<T>(&self, keys: &str, told: &str) -> Option<T> {
-        self.tell(keys, told);
-        None
-    }
-
-    fn tell(&self, keys: &str, told: &str) {
-        self.add(self.place(keys), &[&named(keys), told]);
-    }
-
-    /// The place of the first of these keys that is there, or of the table.
-    fn place(&self, keys: &str) -> Option<Range<usize>> {
         let mut paths = keys.split(", ").chain(keys.split('.').take(1));
-        Some(paths.find_map(|path| find(&self.entries, path))?.span())
+        let first = paths.find_map(|path| find(&self.entries, path));
+        self.add(first.map(Spanned::span), &[&named(keys), told]);
+        None
     }
 
     /// Records that a key is missing.
@@ -118,23 +111,22 @@ impl<'a> Reader<'a> {
 
     /// The result of a constructor; its error is recorded for these keys.
     pub fn right<T>(&self, keys: &str, given: crate::Result<T>) -> Option<T> {
-        given.map_err(|error| self.refused(keys, &error)).ok()
+        given.map_or_else(|error| self.wrong(keys, &format!(": {error}")), Some)
     }
 
-    fn refused(&self, keys: &str, error: &crate::Error) {
-        self.tell(keys, &format!(": {error}"));
-    }
-
-    /// The table with this path, which is empty if it is absent.
-    pub fn table(&self, path: String) -> Option<Table<'_>> {
-        match find(&self.entries, &path) {
-            Some(value) if !value.get_ref().is_table() => {
-                let (kind, shown) = (value.get_ref().type_str(), self.shown(value));
-                let told = format!(" must be a table, got the {kind} {shown}");
-                self.wrong(&path, &told)
-            }
-            _ => Some(Table::new(self, path)),
+    /// What is read from the table with this path, if all of it is right; an absent table is empty.
+    pub fn section<T>(&self, path: String, read: fn(&Table<'_>) -> Option<T>) -> Option<T> {
+        let found = find(&self.entries, &path);
+        if let Some(value) = found.filter(|value| !value.get_ref().is_table()) {
+            let (kind, shown) = (value.get_ref().type_str(), self.shown(value));
+            let told = format!(" must be a table, got the {kind} {shown}");
+            return self.wrong(&path, &told);
         }
+        let mistakes = || self.mistakes.borrow().len();
+        let (before, table) = (mistakes(), Table::new(self, path));
+        let section = read(&table);
+        table.done();
+        section.filter(|_| mistakes() == before)
     }
 
     /// A value as it is written, shortened.
@@ -149,14 +141,12 @@ impl<'a> Reader<'a> {
 pub(super) fn find<'t, 'a>(entries: &'t DeTable<'a>, path: &str) -> Option<&'t Toml<'a>> {
     let mut steps = path.split('.');
     let first = entries.get(steps.next()?)?;
-    steps.try_fold(first, |value, step| match value.get_ref() {
-        DeValue::Table(table) => table.get(step),
-        DeValue::Array(list) => {
-            let place: usize = step.parse().ok()?;
-            // A number has one path: "00" is no place.
-            list.get(place).filter(|_| place.to_string() == step)
-        }
-        _ => None,
+    steps.try_fold(first, |value, step| {
+        let place = step.parse().unwrap_or(usize::MAX);
+        // A number has one path: "00" is no place.
+        let member = value.get_ref().get(place);
+        let member = member.filter(|_| place.to_string() == step);
+        member.or_else(|| value.get_ref().get(step))
     })
 }
 
@@ -216,8 +206,6 @@ pub(super) struct Table<'r> {
     known: RefCell<Vec<&'static str>>,
     /// Whether unknown keys are allowed: the key that decides which there may be is wrong.
     pub takes_any: Cell<bool>,
-    /// The number of mistakes before the first of this table.
-    before: usize,
 }
 
 impl<'r> Table<'r> {
@@ -233,7 +221,6 @@ impl<'r> Table<'r> {
             entries,
             known: RefCell::default(),
             takes_any: Cell::default(),
-            before: reader.mistakes.borrow().len(),
         }
     }
 
@@ -263,19 +250,15 @@ impl<'r> Table<'r> {
             });
         }
         let (value, absent) = T::absent(self, key).unzip();
-        self.lacks(key.name, expected, absent);
-        value
-    }
-
-    fn lacks(&self, key: &'static str, expected: &str, absent: Option<String>) {
         if !expected.is_empty() {
             self.reader.absent.borrow_mut().push(KeyRow {
                 section: self.path.clone(),
-                key,
-                expected: expected.to_owned(),
+                key: key.name,
+                expected: expected.clone(),
                 absent,
             });
         }
+        value
     }
 
     /// What is read from one of the main tables, such as `[body]`: empty if it is absent, unless its name seems to be misspelt.
@@ -283,13 +266,7 @@ impl<'r> Table<'r> {
         if self.entry(name).is_none() && self.slip(name).is_some() {
             return None;
         }
-        self.reader.table(name.to_owned())?.section(read)
-    }
-
-    /// What is read from this table, if all of it is right.
-    pub fn section<T>(self, read: fn(&Table<'_>) -> Option<T>) -> Option<T> {
-        let section = read(&self);
-        if self.done() { section } else { None }
+        self.reader.section(name.to_owned(), read)
     }
 
     fn strangers(&self) -> impl Iterator<Item = &'r str> {
@@ -304,8 +281,8 @@ impl<'r> Table<'r> {
         nearest(key, &mut self.strangers())
     }
 
-    /// Records the unknown and the missing keys; a misspelt one is reported once. Returns whether the table is without mistakes.
-    pub fn done(&self) -> bool {
+    /// Records the unknown and the missing keys; a misspelt one is reported once.
+    pub fn done(&self) {
         let reader = self.reader;
         let absent = reader.absent.borrow();
         let needed = |row: &&KeyRow| row.section == self.path && row.absent.is_none();
@@ -326,7 +303,6 @@ impl<'r> Table<'r> {
             };
             reader.wrong::<()>(&self.path_of(key), &told);
         }
-        reader.mistakes.borrow().len() == self.before
     }
 }
 

@@ -35,7 +35,7 @@ macro_rules! keys {
 
         impl Value for $name {
             fn read(place: &Place<'_>) -> Option<Self> {
-                place.table.reader.table(place.path())?.section(Self::fields)
+                place.table.reader.section(place.path(), Self::fields)
             }
 
             /// Lists its keys, without a mistake.
@@ -222,22 +222,18 @@ impl<T: Word> Value for T {
     }
 
     fn read(place: &Place<'_>) -> Option<Self> {
-        let chosen = chosen(place, &T::names())?;
-        Some(T::words().swap_remove(chosen).1)
+        let text = String::read(place)?;
+        let found = T::words().into_iter().find(|(name, _)| *name == text);
+        found.map(|(_, word)| word).or_else(|| {
+            let near = meant(&text, T::names().into_iter());
+            place.wrong(&format!(", got {}{near}", place.shown()))
+        })
     }
 
     fn absent(_: &Table<'_>, _: &Key) -> Option<(Self, String)> {
         let (name, word) = T::words().into_iter().next()?;
         Some((word, name.to_owned()))
     }
-}
-
-/// The place of a word among these names.
-fn chosen(place: &Place<'_>, names: &[&str]) -> Option<usize> {
-    let text = String::read(place)?;
-    let near = meant(&text, names.iter().copied());
-    let found = names.iter().position(|name| *name == text);
-    found.or_else(|| place.wrong(&format!(", got {}{near}", place.shown())))
 }
 
 impl Word for Pace {

@@ -91,11 +91,7 @@ impl Add for Extended {
         let exponent = self.exponent.max(other.exponent);
         let first = self.digits.scaled(power(self.exponent - exponent));
         let second = other.digits.scaled(power(other.exponent - exponent));
-        let digits = first + second;
-        if digits.high() == 0.0 {
-            return Self::zero();
-        }
-        Self { digits, exponent }
+        Self::from_parts(first + second, exponent)
     }
 }
 
@@ -111,12 +107,8 @@ impl Mul for Extended {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        if self.is_zero() || other.is_zero() {
-            return Self::zero();
-        }
         let exponent = self.exponent + other.exponent;
-        let digits = self.digits * other.digits;
-        Self { digits, exponent }
+        Self::from_parts(self.digits * other.digits, exponent)
     }
 }
 
@@ -128,8 +120,7 @@ impl Div for Extended {
             return Self::zero();
         }
         let exponent = self.exponent - other.exponent;
-        let digits = self.digits / other.digits;
-        Self { digits, exponent }
+        Self::from_parts(self.digits / other.digits, exponent)
     }
 }
 
@@ -165,11 +156,8 @@ pub(crate) fn exponent_of(power_of_two: f64) -> i32 {
 
 /// 2^exponent; zero below the smallest normal number, where adding it to 1 has no effect.
 pub(crate) fn power(exponent: i32) -> f64 {
-    if exponent < -1022 {
-        0.0
-    } else {
-        f64::from_bits(u64::from((exponent.min(1023) + 1023).unsigned_abs()) << 52)
-    }
+    let biased = exponent.clamp(-1023, 1023) + 1023;
+    f64::from_bits(u64::from(biased.unsigned_abs()) << 52)
 }
 
 /// `value · 2^exponent`, in steps that overflow or underflow only if the result does.

@@ -106,13 +106,9 @@ impl Number for Extended {
     }
 
     fn square_root(self) -> Self {
-        if self.is_zero() {
-            return Self::zero();
-        }
         let odd = self.exponent & 1;
         let digits = self.digits.scaled(f64::from(1 + odd)).square_root();
-        let exponent = (self.exponent - odd) / 2;
-        Self { digits, exponent }
+        Self::from_parts(digits, (self.exponent - odd) / 2)
     }
 
     fn narrow(self) -> DoubleDouble {
@@ -128,15 +124,15 @@ impl Number for Extended {
     }
 
     fn rough_cube_root(self) -> Self {
-        if self.is_zero() {
-            return self;
-        }
         let third = self.exponent.div_euclid(3);
         let rest = f64::from(1 << self.exponent.rem_euclid(3));
         Self::from_double((self.digits.high() * rest).cbrt()).raised(third)
     }
 
     fn from_parts(digits: DoubleDouble, exponent: i32) -> Self {
+        if digits.high() == 0.0 {
+            return Self::zero();
+        }
         Self { digits, exponent }
     }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
-use crate::error::{Result, each_finite, finite, not_negative, positive, refused};
+use crate::error::{Result, each, each_finite, finite, not_negative, positive, refused};
 use crate::euler_equations::AxisMoments;
 use crate::frame::{Attitude, BodyVector, finite_vector};
 use crate::inertia::{InertiaMatrix, MassProperties, PrincipalMoments, principal_axes_of};
@@ -151,18 +151,12 @@ impl Body {
     /// assert!((motion.rows[0].1.energy - 3.0).abs() < 1e-15);
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
-    pub fn with_center_of_mass(self, mass: f64, center: BodyVector) -> Result<Self> {
-        let center = self
-            .inward(finite_vector("the centre of mass", center)?)
-            .into();
-        let mass = not_negative("the mass", mass)?;
-        let body = Self {
-            mass,
-            center,
-            ..self
-        };
-        each_finite("mass times centre of mass", body.arm())?;
-        Ok(body)
+    pub fn with_center_of_mass(mut self, mass: f64, center: BodyVector) -> Result<Self> {
+        let center = finite_vector("the centre of mass", center)?;
+        self.center = self.inward(center).into();
+        self.mass = not_negative("the mass", mass)?;
+        each_finite("mass times centre of mass", self.arm())?;
+        Ok(self)
     }
 
     /// A vector, from the body's own axes to the principal ones.
@@ -223,7 +217,7 @@ impl Body {
     /// [`Error::NotPositive`](crate::Error::NotPositive) for an axis without moment.
     pub(super) fn has_every_moment(&self) -> Result<()> {
         let quantity = "a principal moment of a body without a closed form";
-        (self.moments.iter()).try_for_each(|&moment| positive(quantity, moment).map(|_| ()))
+        each(positive, quantity, self.moments)
     }
 
     /// Whether axis 3 is an axis of symmetry with C on it.
@@ -308,10 +302,7 @@ impl Start {
             Spin::Omega(omega) => <[f64; 3]>::from(omega.components()).map(number),
             Spin::AngularMomentum(l) => {
                 let l: [f64; 3] = l.components().into();
-                core::array::from_fn(|k| match l[k] {
-                    0.0 => Extended::zero(),
-                    part => number(part).quotient(number(moments[k])),
-                })
+                core::array::from_fn(|k| number(l[k]).quotient(number(moments[k])))
             }
         }
     }

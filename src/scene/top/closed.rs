@@ -52,7 +52,11 @@ impl ClosedForm {
                 };
                 return Ok(Some(Self::Free(top?)));
             }
-            Integrability::SphericalInertia => Axes::third_along(lever_vector),
+            // With three equal moments all axes are principal: the line to C becomes the third, by the shortest turn.
+            Integrability::SphericalInertia => Axes {
+                onto: onto_third(lever_vector),
+                shift: None,
+            },
             Integrability::Lagrange(axis) => Axes::third_from(axis),
             Integrability::Kovalevskaya(axis) => {
                 let axes = Axes::third_from(axis);
@@ -183,12 +187,6 @@ impl Axes {
         let onto = Quaternion::new(half.0, half.1, half.1, half.1);
         let (onto, shift) = (UnitQuaternion::new_unchecked(onto), Some(shift));
         Self { onto, shift }
-    }
-
-    /// This direction becomes the third axis, by the shortest turn; for a body with three equal moments, all of whose axes are principal.
-    fn third_along(direction: BodyVector) -> Self {
-        let onto = onto_third(direction);
-        Self { onto, shift: None }
     }
 
     fn exchanged<T: Copy>(&self, components: [T; 3]) -> [T; 3] {

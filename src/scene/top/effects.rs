@@ -4,7 +4,6 @@ use nalgebra::Matrix3;
 
 use super::body::{Body, Start};
 use crate::error::refused;
-use crate::precise::power_of_two_below;
 use crate::scene::effects::{AirDrag, BearingFriction, Gravity, PivotFriction, TipFriction};
 use crate::scene::prelude::*;
 
@@ -22,8 +21,7 @@ use crate::scene::prelude::*;
 /// # Ok::<(), spinning_bodies::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "Written"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Top {
     pub(super) body: Body,
     pub(super) start: Start,
@@ -34,10 +32,10 @@ pub struct Top {
     pub(super) tip_friction: Option<TipFriction>,
 }
 
-/// A serialised top before its effects are checked.
+/// Reads the fields of a serialised top.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(remote = "Top", deny_unknown_fields)]
 struct Written {
     body: Body,
     start: Start,
@@ -49,19 +47,10 @@ struct Written {
 }
 
 #[cfg(feature = "serde")]
-impl TryFrom<Written> for Top {
-    type Error = crate::Error;
-
-    fn try_from(written: Written) -> Result<Self> {
-        let effects = [
-            written.gravity.map(Effect::from),
-            written.pivot_friction.map(Effect::from),
-            written.bearing_friction.map(Effect::from),
-            written.air_drag.map(Effect::from),
-            written.tip_friction.map(Effect::from),
-        ];
-        let alone = Self::of_principal_axes(written.body, written.start)?;
-        effects.into_iter().flatten().try_fold(alone, Self::with)
+impl<'de> serde::Deserialize<'de> for Top {
+    fn deserialize<D: serde::Deserializer<'de>>(text: D) -> core::result::Result<Self, D::Error> {
+        let read = Written::deserialize(text)?;
+        read.checked().map_err(serde::de::Error::custom)
     }
 }
 
@@ -109,21 +98,16 @@ impl Top {
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
     pub fn new(body: Body, start: Start) -> Result<Self> {
-        Self::of_principal_axes(body, start.inward(&body))
-    }
-
-    /// A top whose start is along the principal axes.
-    fn of_principal_axes(body: Body, start: Start) -> Result<Self> {
-        start.omega(body.moments)?;
-        Ok(Self {
+        let top = Self {
             body,
-            start,
+            start: start.inward(&body),
             gravity: None,
             pivot_friction: None,
             bearing_friction: None,
             air_drag: None,
             tip_friction: None,
-        })
+        };
+        top.checked()
     }
 
     /// Adds an effect, or replaces its value.
@@ -142,40 +126,42 @@ impl Top {
     /// ```
     pub fn with(mut self, effect: impl Into<Effect>) -> Result<Self> {
         let takes = "gravity, pivot_friction, bearing_friction, air_drag and tip_friction";
-        let largest_product = |own: Attitude| {
-            let turn = own.quaternion().to_rotation_matrix();
-            let moments = Matrix3::from_diagonal(&self.body.moments.into());
-            let matrix = turn * moments * turn.inverse();
-            let [xy, xz, yz] = [matrix.m12, matrix.m13, matrix.m23].map(f64::abs);
-            xy.max(xz).max(yz)
-        };
         match effect.into() {
             Effect::Gravity(gravity) => self.gravity = Some(gravity),
             Effect::PivotFriction(friction) => self.pivot_friction = Some(friction),
-            Effect::BearingFriction(_) if let Some(own) = self.body.own => {
-                let condition = "bearing friction is for bodies whose own axes are principal axes, without products of inertia in kg m²";
-                return refused(condition, largest_product(own));
-            }
             Effect::BearingFriction(friction) => self.bearing_friction = Some(friction),
             Effect::AirDrag(drag) => self.air_drag = Some(drag),
-            Effect::TipFriction(friction) if self.body.is_symmetric_about_third() => {
-                self.tip_friction = Some(friction);
-            }
-            Effect::TipFriction(_) if let Some(own) = self.body.own => {
-                let condition = "tip friction is for bodies whose own axes are principal axes, without products of inertia in kg m²";
-                return refused(condition, largest_product(own));
-            }
-            Effect::TipFriction(_) => {
-                let ([x, y, _], [first, second, _]) = (self.body.center, self.body.moments);
-                return match x.hypot(y) {
-                    0.0 => refused("tip friction is for bodies with I2/I1 = 1", second / first),
-                    off => refused(
-                        "tip friction is for bodies with the centre of mass on the third axis",
-                        off,
-                    ),
-                };
-            }
+            Effect::TipFriction(friction) => self.tip_friction = Some(friction),
             other => return Err(other.refused("a top", takes)),
+        }
+        self.checked()
+    }
+
+    /// The top, if its start is finite and its body is one for its effects.
+    fn checked(self) -> Result<Self> {
+        let body = self.body;
+        self.start.omega(body.moments)?;
+        if let Some(own) = body.own {
+            let turn = own.quaternion().to_rotation_matrix();
+            let matrix = turn * Matrix3::from_diagonal(&body.moments.into()) * turn.inverse();
+            let [xy, xz, yz] = [matrix.m12, matrix.m13, matrix.m23].map(f64::abs);
+            let product = xy.max(xz).max(yz);
+            if self.bearing_friction.is_some() {
+                let condition = "bearing friction is for bodies whose own axes are principal axes, without products of inertia in kg m²";
+                return refused(condition, product);
+            }
+            if self.tip_friction.is_some() {
+                let condition = "tip friction is for bodies whose own axes are principal axes, without products of inertia in kg m²";
+                return refused(condition, product);
+            }
+        }
+        if self.tip_friction.is_some() && !body.is_symmetric_about_third() {
+            let ([x, y, _], [first, second, _]) = (body.center, body.moments);
+            let condition = "tip friction is for bodies with the centre of mass on the third axis";
+            return match x.hypot(y) {
+                0.0 => refused("tip friction is for bodies with I2/I1 = 1", second / first),
+                off => refused(condition, off),
+            };
         }
         Ok(self)
     }
@@ -226,9 +212,6 @@ impl Top {
             0.0 => 0.0,
             moment => arms[k] / moment,
         });
-        // In units of their size: their squares may leave the range of doubles.
-        let unit = power_of_two_below(ratios.into_iter().fold(0.0, f64::max));
-        let sum: f64 = ratios.map(|ratio| (ratio / unit).powi(2)).iter().sum();
-        (2.0 * (unit * sum.sqrt())).sqrt()
+        (2.0 * BodyVector::from(ratios).norm()).sqrt()
     }
 }

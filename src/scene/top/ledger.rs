@@ -2,7 +2,6 @@
 
 use super::effects::{State, Top};
 use crate::euler_equations::{HeavyTop, Integrability, TopState};
-use crate::precise::power_of_two_below;
 use crate::scene::prelude::*;
 
 /// A top and its start, with the scales for its ledger.
@@ -28,10 +27,9 @@ impl Conserved {
         let omega = start.omega(body.moments)?;
         let heavy = HeavyTop::new(body.axis_moments(), lever)?;
         let (weight, turning) = (lever.norm(), heavy.moments.angular_momentum(omega).norm());
-        let greatest = body.moments.iter().fold(0.0_f64, |a, &b| a.max(b));
-        // In a unit near the root of a moment: the product of moment and torque may leave the range of doubles.
-        let unit = power_of_two_below(greatest.sqrt());
-        let falling = unit * (greatest / unit * (weight / unit)).sqrt();
+        let greatest = body.moments.into_iter().fold(0.0, f64::max);
+        // Root by root: the product of moment and torque may leave the range of doubles.
+        let falling = greatest.sqrt() * weight.sqrt();
         let momentum_scale = turning.hypot(falling);
         let energy_scale = heavy.moments.energy(omega) + weight;
         let conserved = Self {

@@ -193,10 +193,8 @@ pub fn superball(file: &Reader<'_>, given: BallKeys) -> Option<AnyScene> {
     let ball = ball.under(ceiling.unwrap_or(f64::INFINITY));
     file.right("effects.ceiling, initial.height", ball.flight.checked())?;
     let (normal, along) = (given.restitution, given.tangential_restitution);
-    let losses = Restitution::new(normal.unwrap_or(1.0), 1.0);
-    file.right("effects.restitution", losses)?;
     let losses = Restitution::new(normal.unwrap_or(1.0), along.unwrap_or(1.0));
-    let losses = file.right("effects.tangential_restitution", losses)?;
+    let losses = file.right("effects.restitution", losses)?;
     let losses = normal.or(along).map(|_| losses.into());
     let mut acting = acting![given: gravity, grip];
     acting.push(("effects.restitution", losses));

@@ -59,8 +59,5 @@ pub use error::{Error, Result};
 // The examples of both READMEs run as doctests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
-struct FrontPage;
-
-#[cfg(doctest)]
 #[doc = include_str!("README.md")]
-struct RegistryPage;
+struct FrontPages;

@@ -140,25 +140,15 @@ const ARCSINE: [f64; 5] = [
 /// operation of a single chain would wait for the one before.
 #[inline(always)]
 pub(crate) fn polynomial<const N: usize>(coefficients: &[f64; N], x: f64) -> f64 {
-    if N <= 4 {
-        let mut sum = coefficients[N - 1];
-        for i in (0..N - 1).rev() {
-            sum = sum * x + coefficients[i];
-        }
-        return sum;
-    }
-    let x2 = x * x;
-    let (mut one, mut other) = (coefficients[N - 1], coefficients[N - 2]);
-    for i in (0..N - 2).rev().step_by(2) {
-        one = one * x2 + coefficients[i];
-        if i > 0 {
-            other = other * x2 + coefficients[i - 1];
-        }
-    }
-    if N.is_multiple_of(2) {
-        other + one * x
-    } else {
-        one + other * x
+    let chain = |first: usize, step: usize, x: f64| {
+        let each = coefficients[first..].iter().step_by(step).rev();
+        each.copied()
+            .reduce(|sum, next| sum * x + next)
+            .unwrap_or(0.0)
+    };
+    match N {
+        0..=4 => chain(0, 1, x),
+        _ => chain(0, 2, x * x) + chain(1, 2, x * x) * x,
     }
 }
 

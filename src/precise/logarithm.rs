@@ -1,7 +1,7 @@
 //! The natural logarithm to 103 bits, for the quarter period next to the separatrix.
 
 use super::double_double::{DoubleDouble, power_of_two_below};
-use super::extended::exponent_of;
+use super::extended::{Extended, exponent_of};
 use super::number::Number;
 use super::quick;
 
@@ -34,15 +34,10 @@ const LOGARITHMS: [f64; 66] = [
     core::f64::consts::LN_2, 2.3190468138462996e-17,
 ];
 
-/// ln(x · 2^exponent) for a normal positive x, to 103 bits of the result or of 1, whichever is greater.
+/// ln(x · 2^exponent) for a positive x, to 103 bits of the result or of 1, whichever is greater.
 pub(crate) fn logarithm(x: DoubleDouble, exponent: i32) -> DoubleDouble {
-    let unit = power_of_two_below(x.high());
-    let digits = DoubleDouble::new(x.high() / unit, x.low() / unit);
-    logarithm_of_quotient(
-        digits,
-        DoubleDouble::from(1.0),
-        exponent_of(unit) + exponent,
-    )
+    let Extended { digits, exponent } = Extended::from(x).raised(exponent);
+    logarithm_of_quotient(digits, DoubleDouble::from(1.0), exponent)
 }
 
 /// ln(n/d · 2^exponent) for n and d between 1 and 16, as exact; the quotient itself is not formed.

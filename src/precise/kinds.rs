@@ -40,12 +40,6 @@ impl Number for DoubleDouble {
         Self::new(high, low)
     }
 
-    #[inline]
-    fn times(self, factor: f64) -> Self {
-        let leading = Self::product(self.high(), factor);
-        Self::ordered_sum(leading.high(), leading.low() + self.low() * factor)
-    }
-
     #[inline(always)]
     fn quick_quotient(self, b: Self) -> Self {
         let inverse = 1.0 / b.high();

@@ -321,20 +321,15 @@ fn beads(file: &Reader<'_>, places: Vec<BodyVector>, parts: Option<Vec<f64>>) ->
 
 fn mesh(file: &Reader<'_>, name: &str) -> Option<Shape> {
     const KEY: &str = "body.file";
-    let bytes = match (file.open)(name) {
-        Ok(bytes) => bytes,
-        Err(told) => return file.wrong(KEY, &format!(": {name}: {told}")),
-    };
+    let refused = |told: String| file.wrong::<()>(KEY, &format!(": {name}: {told}"));
+    let bytes = (file.open)(name).map_err(refused).ok()?;
     let mesh = match name.rsplit('.').next().map(str::to_lowercase).as_deref() {
         Some("stl") => mesh_of_stl(&bytes),
         Some("obj") => mesh_of_obj(&String::from_utf8_lossy(&bytes)),
         _ => return file.wrong(KEY, &format!(" must end in .stl or .obj, got {name}")),
     };
     let solid = mesh.and_then(|(at, triangles)| mesh_mass_properties(&at, &triangles, 1.0));
-    let solid = match solid {
-        Ok(solid) => solid,
-        Err(error) => return file.wrong(KEY, &format!(": {name}: {error}")),
-    };
+    let solid = solid.map_err(|error| refused(error.to_string())).ok()?;
     let made = move |mass: f64| {
         let inertia = solid.inertia().matrix() * (mass / solid.mass());
         MassProperties::new(mass, solid.center(), InertiaMatrix::from_matrix(inertia)?)

@@ -231,10 +231,7 @@ pub fn meteorite(file: &Reader<'_>, given: PlanetKeys) -> Option<AnyScene> {
     let outline = given.matter.outline(&solid);
     let outline = outline.moved(-solid.center().components());
     let still = BodyVector::zero();
-    let (velocity, omega) = (
-        given.velocity.unwrap_or(still),
-        given.omega.unwrap_or(still),
-    );
+    let [velocity, omega] = [given.velocity, given.omega].map(|given| given.unwrap_or(still));
     let planet = Planet::new(solid.mass(), solid.inertia(), velocity, omega);
     let mut planet = StruckPlanet::new(file.right("body.moments", planet)?);
     let keys = "effects.impact_mass, effects.impact_velocity, effects.impact_at";

@@ -27,16 +27,15 @@ pub(super) use acting;
 /// The scene with those effects that are present.
 pub(super) fn with<S>(
     file: &Reader<'_>,
-    mut scene: S,
+    scene: S,
     acting: Vec<Acting>,
     add: fn(S, Effect) -> crate::Result<S>,
 ) -> Option<S> {
-    for (keys, effect) in acting {
-        if let Some(effect) = effect {
-            scene = file.right(keys, add(scene, effect))?;
-        }
-    }
-    Some(scene)
+    let mut acting = acting.into_iter();
+    acting.try_fold(scene, |scene, (keys, effect)| match effect {
+        Some(effect) => file.right(keys, add(scene, effect)),
+        None => Some(scene),
+    })
 }
 
 /// The scene of a file, and how it is drawn.

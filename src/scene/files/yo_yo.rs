@@ -25,18 +25,15 @@ tables! { YoYoKeys
 }
 
 pub fn yo_yo(file: &Reader<'_>, given: YoYoKeys) -> Option<AnyScene> {
-    let YoYoKeys {
-        mass, length, axle, ..
-    } = given;
     let toy = match (given.inertia, given.radius) {
         (Some(inertia), None) => {
-            let keys = "body.axle, body.length, body.mass, body.inertia";
-            file.right(keys, YoYo::new(mass, inertia, length, axle))
+            let toy = YoYo::new(given.mass, inertia, given.length, given.axle);
+            file.right("body.axle, body.length, body.mass, body.inertia", toy)
         }
         (None, Some(radius)) => {
-            not_beyond(file, axle, radius)?;
-            let keys = "body.axle, body.length, body.mass, body.radius";
-            file.right(keys, YoYo::disc(mass, radius, length, axle))
+            not_beyond(file, given.axle, radius)?;
+            let toy = YoYo::disc(given.mass, radius, given.length, given.axle);
+            file.right("body.axle, body.length, body.mass, body.radius", toy)
         }
         (Some(_), Some(_)) => file.exclude("body.inertia", "radius"),
         (None, None) => {

@@ -135,16 +135,12 @@ impl Neg for Extended {
 
 impl From<DoubleDouble> for Extended {
     fn from(number: DoubleDouble) -> Self {
-        if number.high() == 0.0 {
-            return Self::zero();
-        }
-        if number.high().abs() < f64::MIN_POSITIVE {
-            // A subnormal: scaled up, so that its leading digit is that of a normal number.
+        if number.high().is_subnormal() {
+            // Scaled up, so that its leading digit is that of a normal number.
             return Self::from(number.scaled(power(1000))).raised(-1000);
         }
         let unit = power_of_two_below(number.high().abs());
-        let (digits, exponent) = (number.scaled(1.0 / unit), exponent_of(unit));
-        Self { digits, exponent }
+        Self::from_parts(number.scaled(1.0 / unit), exponent_of(unit))
     }
 }
 

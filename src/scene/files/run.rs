@@ -28,10 +28,8 @@ impl Run {
         match self.columns.as_deref() {
             None => Some(scene),
             Some([]) => file.wrong("run.columns", " must name one number at least"),
-            Some(names) => match telling(scene, names) {
-                Ok(scene) => Some(scene),
-                Err(told) => file.wrong("run.columns", &format!(" {told}")),
-            },
+            Some(names) => telling(scene, names)
+                .map_or_else(|told| file.wrong("run.columns", &format!(" {told}")), Some),
         }
     }
 

@@ -432,6 +432,7 @@ impl Attitude {
     /// assert_eq!(half.to_body(SpaceVector::new(1.0, 2.0, 3.0)), BodyVector::new(1.0, -2.0, -3.0));
     /// # Ok::<(), spinning_bodies::Error>(())
     /// ```
+    #[inline]
     pub fn to_body(&self, vector: SpaceVector) -> BodyVector {
         BodyVector::from_components(self.0.inverse_transform_vector(&vector.components()))
     }

@@ -123,6 +123,7 @@ pub(super) fn state(heavy: &HeavyTop, attitude: Attitude, omega: BodyVector) -> 
     }
 }
 
+#[inline]
 pub(super) fn up(attitude: &Attitude) -> BodyVector {
     attitude.to_body(SpaceVector::new(0.0, 0.0, 1.0))
 }

@@ -79,13 +79,16 @@ impl Laws {
         let [_, _, rim_speed, slip, ..] = *state;
         let turns = candidates(self.resistance.is_some(), rim_speed);
         let slips = candidates(ground.0.is_some(), slip);
-        let slipping = slips.iter();
-        let all = slipping.flat_map(|&slips| turns.map(|turns| [slips, turns]));
-        let mut paces = all.map(|senses| self.consequence(ground, senses, state));
-        let found = paces.find(|(_, agrees)| *agrees);
+        for &slipping in slips {
+            for &turning in turns {
+                let (pace, agrees) = self.consequence(ground, [slipping, turning], state);
+                if agrees {
+                    return pace;
+                }
+            }
+        }
         // One of them is always consistent, but for rounding, which may exclude two that nearly agree; then either will do.
-        let either = || self.consequence(ground, [slips[0], turns[0]], state);
-        found.unwrap_or_else(either).0
+        self.consequence(ground, [slips[0], turns[0]], state).0
     }
 
     /// The accelerations under one such assignment, and whether it agrees with them: friction and couple can hold what it calls held, and what begins to go
@@ -227,11 +230,12 @@ impl Laws {
 }
 
 /// The states in which a quantity with this value can continue.
-fn candidates(acts: bool, value: f64) -> [Sense; 3] {
+fn candidates(acts: bool, value: f64) -> &'static [Sense; 3] {
     match (acts, value) {
-        (false, _) => [Some(0.0); 3],
-        (true, 0.0) => [None, Some(1.0), Some(-1.0)],
-        (true, _) => [Some(value.signum()); 3],
+        (false, _) => &[Some(0.0); 3],
+        (true, 0.0) => &[None, Some(1.0), Some(-1.0)],
+        (true, value) if value > 0.0 => &[Some(1.0); 3],
+        (true, _) => &[Some(-1.0); 3],
     }
 }
 
@@ -286,11 +290,15 @@ impl Stretch {
         let bends = self.flow(self.pace.rates, [0.0; 3], self.sheet[1]);
         let motions = self.ends(&self.state).zip(self.ends(&rates));
         let motions = motions.zip(self.ends(&bends));
-        let falling = motions.filter_map(|(((value, what), (rate, _)), (bend, _))| {
-            let wait = falls(value, rate, bend).filter(|&wait| wait < longest)?;
-            Some((wait, what))
-        });
-        falling.min_by(|a, b| a.0.total_cmp(&b.0))
+        let mut soonest = None;
+        for (((value, what), (rate, _)), (bend, _)) in motions {
+            if let Some(t) = falls(value, rate, bend)
+                && t < soonest.map_or(longest, |(sooner, _)| sooner)
+            {
+                soonest = Some((t, what));
+            }
+        }
+        soonest
     }
 
     fn sheet_speed(&self, t: f64) -> f64 {

@@ -269,11 +269,11 @@ impl Flight {
             return refused(condition, self.kappa);
         }
         let start = &self.start;
-        if self.lies(start) {
-            return self.on_the_floor(start, start.position, t);
-        }
         let Some((first_time, first, speed)) = self.contact(start, start.climb.into()) else {
-            return Ok(self.flown(start, t));
+            return match self.lies(start) {
+                true => self.on_the_floor(start, start.position, t),
+                false => Ok(self.flown(start, t)),
+            };
         };
         let since = DoubleDouble::from(t) - first_time;
         if since.value() < 0.0 {

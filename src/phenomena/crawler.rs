@@ -115,7 +115,7 @@ fn wide(number: u64) -> bool {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Leg {
     /// The way in which rear and front foot slip: 1 forward, −1 back, 0 for one that holds.
-    pub feet: [f64; 2],
+    pub feet: [i8; 2],
     /// Acceleration of the gap, m/s².
     pub acceleration: f64,
     /// Acceleration of the centre, m/s².
@@ -171,29 +171,30 @@ impl Crawler {
     ///
     /// `feet` is their state so far; `sliding` is μg (m/s²) of a slipping foot, `holding` the same for a foot at rest: it holds if the force
     /// needed for that is no more than `holding` times its mass, and otherwise starts to slip against that force.
-    pub(crate) fn leg(&self, mut feet: [f64; 2], gap: &Gap, sliding: f64, holding: f64) -> Leg {
+    pub(crate) fn leg(&self, mut feet: [i8; 2], gap: &Gap, sliding: f64, holding: f64) -> Leg {
         let (masses, alpha) = (self.masses, gap.acceleration);
-        let held = |feet: [f64; 2]| feet.iter().position(|&sense| sense == 0.0);
+        let toward = |way: f64| way.signum() as i8;
+        let held = |feet: &[i8; 2]| feet.iter().position(|&sense| sense == 0);
         // The force that holds a foot, from the acceleration of the other one as seen from it and the friction on that.
-        let needed = |foot: usize, feet: [f64; 2]| {
+        let needed = |foot: usize, feet: &[i8; 2]| {
             let (parting, other) = ([alpha, -alpha][foot], 1 - foot);
-            masses[other] * (parting + sliding * feet[other])
+            masses[other] * (parting + sliding * f64::from(feet[other]))
         };
-        let holds = |foot, feet| needed(foot, feet).abs() <= masses[foot] * holding;
-        if feet == [0.0; 2] {
+        let holds = |foot, feet: &[i8; 2]| needed(foot, feet).abs() <= masses[foot] * holding;
+        if feet == [0; 2] {
             // One holds and the other starts to slip, or both slip: outward when the gap accelerates outward.
-            feet = [-alpha.signum(), alpha.signum()];
-            if let Some(foot) = [0, 1].into_iter().find(|&foot| holds(foot, feet)) {
-                feet[foot] = 0.0;
+            feet = [-alpha, alpha].map(toward);
+            if let Some(foot) = [0, 1].into_iter().find(|&foot| holds(foot, &feet)) {
+                feet[foot] = 0;
             }
-        } else if let Some(foot) = held(feet)
-            && !holds(foot, feet)
+        } else if let Some(foot) = held(&feet)
+            && !holds(foot, &feet)
         {
-            feet[foot] = -needed(foot, feet).signum();
+            feet[foot] = toward(-needed(foot, &feet));
         }
-        let mut ground = [0, 1].map(|foot| -sliding * masses[foot] * feet[foot]);
-        let center = if let Some(foot) = held(feet) {
-            ground[foot] = needed(foot, feet);
+        let mut ground = [0, 1].map(|foot| -sliding * masses[foot] * f64::from(feet[foot]));
+        let center = if let Some(foot) = held(&feet) {
+            ground[foot] = needed(foot, &feet);
             self.holding(foot, alpha)
         } else {
             (ground[0] + ground[1]) / self.mass()
@@ -214,7 +215,7 @@ impl Crawler {
 
     /// Heat, W, at these velocities of the feet.
     pub(crate) fn heating(&self, leg: &Leg, velocities: [f64; 2]) -> f64 {
-        let slipping = (0..2).filter(|&foot| leg.feet[foot] != 0.0);
+        let slipping = (0..2).filter(|&foot| leg.feet[foot] != 0);
         let heats = slipping.map(|foot| -leg.ground[foot] * velocities[foot]);
         heats.sum()
     }
@@ -224,9 +225,9 @@ impl Crawler {
     /// While the other foot holds, a foot moves with the stroke, and rests only where the stroke turns.
     pub(crate) fn slowing(&self, leg: &Leg, foot: usize, speeds: [f64; 2]) -> Option<[f64; 2]> {
         let [velocity, gap_rate] = speeds;
-        let along = |of: [f64; 2]| of[foot] * leg.feet[foot];
+        let along = |of: [f64; 2]| of[foot] * f64::from(leg.feet[foot]);
         let acceleration = along(self.feet(leg.center, leg.acceleration));
-        let slows = acceleration < 0.0 && !leg.feet.contains(&0.0);
+        let slows = acceleration < 0.0 && !leg.feet.contains(&0);
         slows.then(|| [along(self.feet(velocity, gap_rate)), acceleration])
     }
 

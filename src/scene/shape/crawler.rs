@@ -87,7 +87,7 @@ impl Crawler {
     }
 
     /// The leg that begins at this time. Feet that have no velocity left come to rest first, and set that of the centre.
-    fn leg(&self, piece: u64, t: f64, feet: [f64; 2], y: &mut [f64; 5]) -> Leg {
+    fn leg(&self, piece: u64, t: f64, feet: [i8; 2], y: &mut [f64; 5]) -> Leg {
         let gap = self.gap(piece, t);
         let [sliding, holding] = self.grip().unwrap_or_default();
         let mut leg = self.body.leg(feet, &gap, sliding, holding);
@@ -95,7 +95,7 @@ impl Crawler {
             let slowing = self.body.slowing(&leg, foot, [y[1], gap.rate]);
             if slowing.is_some_and(|[velocity, _]| velocity <= 0.0) {
                 let mut feet = leg.feet;
-                feet[foot] = 0.0;
+                feet[foot] = 0;
                 y[1] = self.body.holding(foot, gap.rate);
                 leg = self.body.leg(feet, &gap, sliding, holding);
             }
@@ -125,7 +125,7 @@ impl Flow<5> for Crawler {
 
     fn start(&self) -> Result<(Phase, [f64; 5])> {
         let mut y = [0.0; 5];
-        let leg = self.leg(0, 0.0, [0.0; 2], &mut y);
+        let leg = self.leg(0, 0.0, [0; 2], &mut y);
         Ok(((0, leg), y))
     }
 
@@ -171,23 +171,23 @@ impl Flow<5> for Crawler {
             Stop::AtTheEvent => {
                 rested = self.rest(&leg, y[1], rate).map(|(_, foot)| foot);
                 if let Some(foot) = rested {
-                    feet[foot] = 0.0;
+                    feet[foot] = 0;
                 }
                 piece
             }
             Stop::AtTheEnd => {
                 // Where the stroke reverses, a foot dragged by one at rest has stopped too, and both have the velocity of the centre, to rounding.
                 let [_, speed, ..] = self.scales();
-                let rests = feet.contains(&0.0) || y[1].abs() <= f64::EPSILON * speed;
+                let rests = feet.contains(&0) || y[1].abs() <= f64::EPSILON * speed;
                 if piece % 2 == 1 && rests {
-                    feet = [0.0; 2];
+                    feet = [0; 2];
                     y[1] = 0.0;
                 }
                 piece + 1
             }
         };
         let next = self.leg(piece, t, feet, y);
-        if let Some(foot) = next.feet.iter().position(|&sense| sense == 0.0) {
+        if let Some(foot) = next.feet.iter().position(|&sense| sense == 0) {
             y[1] = self.body.holding(foot, rate);
         } else if let Some(foot) = rested {
             // It slips on, the other way. The time of the event is rounded: what speed the foot has got since is due to the new friction.

@@ -46,7 +46,7 @@ fn sum<N: Number, const COUNT: usize>(x: [N; COUNT]) -> N {
 
 #[inline(always)]
 fn mean<N: Number, const COUNT: usize>(x: [N; COUNT]) -> N {
-    sum(x) * N::from_double(1.0).quick_quotient(N::from_double(COUNT as f64))
+    sum(x).quick_product(N::from_double(1.0).quick_quotient(N::from_double(COUNT as f64)))
 }
 
 impl<N: Number, const COUNT: usize> Spread<N, COUNT> {
@@ -80,8 +80,8 @@ impl<N: Number, const COUNT: usize> Spread<N, COUNT> {
     fn series(&self, mean: N) -> N {
         let a = const { 0.5 * COUNT as f64 - 1.0 };
         let weight = N::from_double(4.0 * (a + 2.0)).quick_quotient(N::from_double(a));
-        let squares = sum(self.gaps.map(|gap| gap * gap));
-        let first = squares.quick_quotient(mean * mean * weight);
+        let squares = sum(self.gaps.map(|gap| gap.quick_product(gap)));
+        let first = squares.quick_quotient(mean.quick_product(mean).quick_product(weight));
         let parts = self.gaps.map(|gap| gap.ratio(mean));
         let [x, y, z] = [parts[0], parts[1], parts[2]];
         let p = if COUNT > 3 { parts[3] } else { 0.0 };
@@ -116,7 +116,11 @@ fn duplicate<N: Number>([x, y, z]: [N; 3]) -> ([N; 3], N) {
 #[inline(always)]
 fn of_roots<N: Number>([a, b, c]: [N; 3]) -> [N; 3] {
     let (ab, ac, bc) = (a.add_alike(b), a.add_alike(c), b.add_alike(c));
-    [ab * ac, ab * bc, ac * bc]
+    [
+        ab.quick_product(ac),
+        ab.quick_product(bc),
+        ac.quick_product(bc),
+    ]
 }
 
 /// R_F of arguments of which at most one is zero.
@@ -218,7 +222,7 @@ fn arctangent_series(e: Dd) -> Dd {
          1.0 / 17.0, -1.0 / 19.0,  1.0 / 21.0, -1.0 / 23.0,
     ];
     let rest = Dd::from(e.high() * polynomial(&REST, e.high()));
-    Dd::from(1.0) - e * (THIRD - e * (FIFTH + rest))
+    Dd::from(1.0) - e.quick_product(THIRD - e.quick_product(FIFTH + rest))
 }
 
 /// R_J by duplication, p > 0.
@@ -236,9 +240,11 @@ fn duplicated<N: Number>(mut x: [N; 3], mut p: N) -> (N, Duplicated<N>) {
         }
         let (roots, r) = (x.map(N::square_root), p.square_root());
         let [a, b, c] = roots;
-        let lambda = (a * b.add_alike(c)).add_alike(b * c);
+        let lambda = a
+            .quick_product(b.add_alike(c))
+            .add_alike(b.quick_product(c));
         let [a, b, c] = roots.map(|root| root.add_alike(r));
-        let inverse = one.quick_quotient(a * b * c);
+        let inverse = one.quick_quotient(a.quick_product(b).quick_product(c));
         x = x.map(|x| x.add_alike(lambda));
         p = p.add_alike(lambda);
         // e is the product of (r − a)/(r + a) over the three. Where it is near −1, 1 + e is formed as a sum of two products, and nothing cancels.
@@ -248,11 +254,11 @@ fn duplicated<N: Number>(mut x: [N; 3], mut p: N) -> (N, Duplicated<N>) {
         } else {
             elementary(one, r.scaled(2.0) * p * inverse)
         };
-        sum = sum.add_alike((arc * inverse).scaled(scale));
+        sum = sum.add_alike(arc.quick_product(inverse).scaled(scale));
         scale *= 2.0;
     }
     let mean = mean(all(x, p));
-    let cube = mean * mean.square_root();
+    let cube = mean.quick_product(mean.square_root());
     let last = spread.series(mean).quick_quotient(cube);
     let value = sum.times(6.0).add_alike(last.scaled(scale));
     (value, Duplicated { x, scale })
@@ -270,11 +276,11 @@ pub(super) fn second<N: Number>(mut x: [N; 3]) -> (N, Duplicated<N>) {
         }
         let root;
         (x, root) = duplicate(x);
-        sum = sum.add_alike(N::from_double(scale).quick_quotient(root * x[2]));
+        sum = sum.add_alike(N::from_double(scale).quick_quotient(root.quick_product(x[2])));
         scale *= 2.0;
     }
     let mean = mean(all(x));
-    let cube = mean * mean.square_root();
+    let cube = mean.quick_product(mean.square_root());
     let last = spread.series(mean).quick_quotient(cube);
     let value = sum.times(3.0).add_alike(last.scaled(scale));
     (value, Duplicated { x, scale })

@@ -139,11 +139,11 @@ fn second_kind(parameter: Characteristic) -> [Dd; 2] {
     let one = Dd::from(1.0);
     if m.value() <= mc.value() {
         let share = share(m, mc);
-        return [one - share, share].map(|share| quarter * share);
+        return [one - share, share].map(|share| quarter.quick_product(share));
     }
     // E = a + mc K D′/K′, a = π/(2K′) the mean of 1 and k, is Legendre's relation; B = (E − mc K)/m and D = (K − E)/m then lose a bit or two.
-    let few = mc * quarter;
-    let part = few * share(mc, m);
+    let few = mc.quick_product(quarter);
+    let part = few.quick_product(share(mc, m));
     [mean + part - few, quarter - part - mean].map(|sum| sum.quick_quotient(m))
 }
 
@@ -166,7 +166,7 @@ fn share(m: Dd, mc: Dd) -> Dd {
     }
     let root = mc.square_root();
     let first = Dd::from(1.0).add_alike(root).scaled(0.5);
-    let u1 = m.quick_quotient(first * first).scaled(0.0625);
+    let u1 = m.quick_quotient(first.quick_product(first)).scaled(0.0625);
     // u₂ is 10⁻⁴ of the whole: from here on doubles suffice.
     let next = |u: f64, mean: f64| x * (0.25 * u / mean).powi(2);
     let (a1, b1) = (first.high(), root.high().sqrt());
@@ -189,19 +189,19 @@ fn third_kind(nc: Dd, mc: Dd) -> Dd {
     let (mut product, mut mean) = (root, one);
     loop {
         let inverse = one.quick_quotient(p);
-        let (before, g) = (a, product * inverse);
-        a = a.add_alike(b * inverse);
-        b = b.add_alike(before * g).scaled(2.0);
+        let (before, g) = (a, product.quick_product(inverse));
+        a = a.add_alike(b.quick_product(inverse));
+        b = b.add_alike(before.quick_product(g)).scaled(2.0);
         p = p.add_alike(g);
         let last = mean;
         mean = mean.add_alike(root);
         // The error is the square of this gap: two digits and more below the last bit of a double.
         if (last - root).high().abs() <= 3e-10 * last.high() {
-            let value = RIGHT_ANGLE * b.add_alike(a * mean);
-            return value.quick_quotient(mean * mean.add_alike(p));
+            let value = RIGHT_ANGLE.quick_product(b.add_alike(a.quick_product(mean)));
+            return value.quick_quotient(mean.quick_product(mean.add_alike(p)));
         }
         root = product.square_root().scaled(2.0);
-        product = root * mean;
+        product = root.quick_product(mean);
     }
 }
 
@@ -265,8 +265,8 @@ const SINE: [Dd; 8] = [
 
 /// Sine and cosine of 0 ≤ x ≤ π/4, with relative error 10⁻³¹: terms up to 1/15! in two words, the rest in one.
 fn sine_cosine(x: Dd) -> [Dd; 2] {
-    let square = x * x;
-    let fourth = square * square;
+    let square = x.quick_product(x);
+    let fourth = square.quick_product(square);
     let y = square.high();
     // 1/29!, 1/27!, … 1/17!.
     let (mut tail, mut coefficient) = (0.0, 1.130_996_288_644_771_6e-31);
@@ -276,13 +276,13 @@ fn sine_cosine(x: Dd) -> [Dd; 2] {
     }
     // Every other coefficient, so that two chains of operations run side by side.
     let chain = |start: Dd, coefficients: [usize; 3]| {
-        coefficients
-            .into_iter()
-            .fold(start, |sum, i| SINE[i].add_lesser(sum * fourth))
+        coefficients.into_iter().fold(start, |sum, i| {
+            SINE[i].add_lesser(sum.quick_product(fourth))
+        })
     };
     let even = chain(SINE[6], [4, 2, 0]);
     let odd = chain(SINE[7] + Dd::from(tail), [5, 3, 1]);
-    let sine = (even + square * odd) * x;
+    let sine = (even + square.quick_product(odd)) * x;
     [sine, (Dd::from(1.0) - sine * sine).square_root()]
 }
 

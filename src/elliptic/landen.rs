@@ -168,7 +168,7 @@ impl Mean {
         let (high, low) = quick::ordered_sum(0.5 * sum, -less);
         let low = low + (0.5 * sum_low - less_low - tail);
         let (high, low) = quick::ordered_sum(high, low);
-        let product = Dd::new(a1, a1_low) * Dd::new(a2, a2_low);
+        let product = Dd::quick_product(Dd::new(a1, a1_low), Dd::new(a2, a2_low));
         Self {
             value: Dd::new(high, low),
             product,
@@ -196,7 +196,7 @@ pub(super) fn quarter_next_to_zero(m: Dd) -> Dd {
     let x = m.high();
     let rest = x * x * (9.0 / 64.0 + x * (25.0 / 256.0));
     let more = Dd::new(0.25 * x, 0.25 * m.low() + rest);
-    let quarter = RIGHT_ANGLE.add_lesser(RIGHT_ANGLE * more);
+    let quarter = RIGHT_ANGLE.add_lesser(RIGHT_ANGLE.quick_product(more));
     let (high, low) = quick::ordered_sum(quarter.high(), quarter.low());
     Dd::new(high, low)
 }
@@ -239,9 +239,9 @@ impl Nome {
         let (back, error) = quick::exact_product(l, n.high());
         let off = ((d.high() - back) - error) + (d.low() - l * n.low());
         let l = Dd::new(self.l, unit * off / n.high());
-        let square = l * l;
-        let y = square * square;
-        let second = y * y * Dd::from(13.0);
+        let square = l.quick_product(l);
+        let y = square.quick_product(square);
+        let second = y.quick_product(y).quick_product(Dd::from(13.0));
         let x = y.high();
         let rest =
             x * (368.0 / 3.0 + x * (2701.0 / 2.0 + x * (80912.0 / 5.0 + x * (613_720.0 / 3.0))));

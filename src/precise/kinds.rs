@@ -41,6 +41,13 @@ impl Number for DoubleDouble {
     }
 
     #[inline(always)]
+    fn quick_product(self, b: Self) -> Self {
+        let (high, error) = quick::exact_product(self.high(), b.high());
+        let cross = self.high() * b.low() + self.low() * b.high();
+        Self::ordered_sum(high, error + cross)
+    }
+
+    #[inline(always)]
     fn quick_quotient(self, b: Self) -> Self {
         let inverse = 1.0 / b.high();
         let leading = self.high() * inverse;

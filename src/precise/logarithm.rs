@@ -62,12 +62,12 @@ pub(crate) fn logarithm_of_quotient(
     let gap = DoubleDouble::sum(n.high() - near, n.low() - near_low);
     let low = sum.low() + (n.low() + near_low);
     let s = gap.quick_quotient(DoubleDouble::new(sum.high(), low));
-    let s2 = s * s;
+    let s2 = s.quick_product(s);
     let y = s2.high();
     // From the fourth term on one word suffices, and so it does for the remainder of 1/5 after its leading word.
     let tail = y * (1.0 / 7.0 + y * (1.0 / 9.0 + y * (1.0 / 11.0 + y / 13.0)));
-    let fifth = s2 * FIFTH.add_lesser(DoubleDouble::from(tail));
-    let more = s * s2 * THIRD.add_lesser(fifth);
+    let fifth = s2.quick_product(FIFTH.add_lesser(DoubleDouble::from(tail)));
+    let more = s.quick_product(s2).quick_product(THIRD.add_lesser(fifth));
     let (power, error) = quick::exact_product(exponent, LN_2.high());
     // Summed in the order in which the terms become known; the sum of the first two is either zero or not small against the third.
     let first = DoubleDouble::sum(power, entry.high());

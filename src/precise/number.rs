@@ -64,6 +64,12 @@ pub(crate) trait Number: Operators + From<DoubleDouble> {
         Self::from_double(a).times(b)
     }
 
+    /// The product to 104 bits, if it and its trailing word stay in range.
+    #[inline(always)]
+    fn quick_product(self, other: Self) -> Self {
+        self * other
+    }
+
     /// The quotient to 103 bits, if neither number is zero and the result and its trailing word stay in range.
     #[inline(always)]
     fn quick_quotient(self, divisor: Self) -> Self {

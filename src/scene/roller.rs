@@ -272,7 +272,7 @@ impl TuggedSpool {
 state! {
     /// A spool at one time.
     Spooling(along(|state: &Self| state.moment)) {
-        /// string wound up so far, m
+        /// string wound up so far, negative if unwound, m
         wound,
         /// kinetic energy, J
         energy,
